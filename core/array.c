@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* array.c - aligned memory, state lists, sums in a fixed order. Keeps no state. */
+#include "core/array.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { ALIGNMENT = 64, BLOCK = 1024 };
+
+void fw_state_list_add(fw_state_list *list, const char *name, fw_element element, size_t count,
+                       void *data)
+{
+    assert(list->count < FW_STATE_CAPACITY);
+    list->array[list->count++] = (fw_array){name, element, count, data};
+}
+
+size_t fw_element_size(fw_element element)
+{
+    switch (element) {
+    case FW_F64:
+    case FW_I64:
+        return 8;
+    case FW_I32:
+        return 4;
+    case FW_U8:
+        return 1;
+    }
+    return 0;
+}
+
+void *fw_array_allocate(size_t count, size_t element_size)
+{
+    if (element_size != 0 && count > (SIZE_MAX / 2) / element_size) return NULL;
+    size_t bytes = (count * element_size + ALIGNMENT) / ALIGNMENT * ALIGNMENT;
+    void *memory = aligned_alloc(ALIGNMENT, bytes);
+    if (memory) memset(memory, 0, bytes);
+    return memory;
+}
+
+double *fw_array_of_doubles(size_t count)
+{
+    return fw_array_allocate(count, sizeof(double));
+}
+
+uint64_t fw_state_list_hash(const fw_state_list *list)
+{
+    uint64_t hash = 14695981039346656037u;
+    for (int i = 0; i < list->count; ++i) {
+        const unsigned char *byte = list->array[i].data;
+        size_t bytes = list->array[i].count * fw_element_size(list->array[i].element);
+        for (size_t b = 0; b < bytes; ++b) hash = (hash ^ byte[b]) * 1099511628211u;
+    }
+    return hash;
+}
+
+double fw_array_sum(const double *values, size_t count)
+{
+    double total = 0;
+    for (size_t begin = 0; begin < count; begin += BLOCK) {
+        size_t end = begin + BLOCK < count ? begin + BLOCK : count;
+        double block = 0;
+        for (size_t i = begin; i < end; ++i) block += values[i];
+        total += block;
+    }
+    return total;
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* solid.c - the head that all solids share. */
+#include "core/solid.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int count,
+                               fw_error *error)
+{
+    size_t size = (size_t)count;
+    solid->model = model;
+    solid->count = count;
+    solid->tick = 1;
+    solid->x = fw_array_of_doubles(size);
+    solid->y = fw_array_of_doubles(size);
+    solid->external_x = fw_array_of_doubles(size);
+    solid->external_y = fw_array_of_doubles(size);
+    solid->skin = fw_array_allocate(size, sizeof *solid->skin);
+    if (!solid->x || !solid->y || !solid->external_x || !solid->external_y || !solid->skin) {
+        fw_solid_head_release(solid);
+        return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %d particles", count);
+    }
+    return FW_OK;
+}
+
+void fw_solid_head_release(fw_solid *solid)
+{
+    free(solid->x);
+    free(solid->y);
+    free(solid->external_x);
+    free(solid->external_y);
+    free(solid->skin);
+    free(solid->links);
+    solid->x = solid->y = solid->external_x = solid->external_y = NULL;
+    solid->skin = NULL;
+    solid->links = NULL;
+}
+
+void fw_solid_head_state(fw_solid *solid, fw_state_list *list)
+{
+    size_t count = (size_t)solid->count;
+    fw_state_list_add(list, "position-x", FW_F64, count, solid->x);
+    fw_state_list_add(list, "position-y", FW_F64, count, solid->y);
+    fw_state_list_add(list, "account", FW_F64, sizeof solid->account / sizeof(double),
+                      &solid->account);
+    fw_state_list_add(list, "ticks", FW_I64, 1, &solid->ticks);
+}
+
+const fw_field *fw_solid_find_field(const fw_solid *solid, const char *name)
+{
+    for (const fw_field *field = solid->model->fields; field && field->name; ++field)
+        if (strcmp(field->name, name) == 0) return field;
+    return NULL;
+}
+
+int fw_solid_find_lost(const fw_solid *solid, fw_vec2 centre, double limit)
+{
+    /* Block by block without a branch inside, so that the search costs no more than the stream. */
+    enum { BLOCK = 512 };
+    for (int begin = 0; begin < solid->count; begin += BLOCK) {
+        int end = begin + BLOCK < solid->count ? begin + BLOCK : solid->count;
+        int kept = 0;
+        for (int i = begin; i < end; ++i)
+            kept += (fabs(solid->x[i] - centre.x) <= limit) & (fabs(solid->y[i] - centre.y) <= limit);
+        if (kept == end - begin) continue;
+        for (int i = begin; i < end; ++i)
+            if (!(fabs(solid->x[i] - centre.x) <= limit && fabs(solid->y[i] - centre.y) <= limit))
+                return i;
+    }
+    return -1;
+}

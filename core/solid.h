@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* solid.h - what every solid of the project can do.
+ *
+ * A solid is a const table of few whole-lattice operations (never an indirect call inside a loop
+ * over particles) and a head of data that all models share. A model embeds fw_solid as its first
+ * member. Contact knows nothing else of a solid: it asks where skin particles would go (predict),
+ * decides where they do go, and hands that back (advance).
+ *
+ * Units are reduced: lattice spacing and particle masses of the model; time in the model's own
+ * unit, of which one tick takes `tick`. */
+#ifndef FW_SOLID_H
+#define FW_SOLID_H
+
+#include "core/array.h"
+#include "core/status.h"
+#include "core/vec2.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct fw_solid fw_solid;
+
+/* What a particle would do in this tick without contact. With a constraint force F on top it moves
+ * by `displacement + mobility F`: for the LB solid mobility = mu M^-1/2; for velocity Verlet
+ * dt^2/2m; for BAOAB dt^2 (1+c)/4m; for the automaton that of the colour that moves now, zero for
+ * the resting one. */
+typedef struct fw_prediction {
+    fw_vec2 displacement; /* external force, damping and noise included */
+    fw_sym2 mobility;     /* positive definite, or zero where the particle rests in this tick */
+    fw_vec2 coasting;     /* displacement by momentum alone, without elastic and external force */
+} fw_prediction;
+
+/* A particle that contact holds. The solid moves it by exactly `displacement` (zero stays zero,
+ * which no force could promise after rounding); `force` is the constraint force that does it. */
+typedef struct fw_hold {
+    int particle;
+    fw_vec2 displacement;
+    fw_vec2 force;
+} fw_hold;
+
+typedef struct fw_energies {
+    double kinetic;
+    double elastic; /* every potential energy of the solid's own forces */
+} fw_energies;
+
+/* What has passed through the solid's bounds since it was created, added up in a fixed order. The
+ * holds' share is not in here: contact books it per wall. */
+typedef struct fw_account {
+    double work;       /* of the external forces, sum F . w */
+    double dissipated; /* energy taken by damping and by the material's own failure, >= 0 */
+    double heat;       /* energy brought in by a thermostat's noise */
+    double fracture;   /* the part of `dissipated` that breaking links took */
+    fw_vec2 impulse;   /* of the external forces, sum F dt */
+    fw_vec2 drag;      /* momentum added by damping and noise */
+} fw_account;
+
+/* A quantity per particle, for pictures and files. */
+typedef struct fw_field {
+    const char *name; /* NULL ends a table */
+    const char *meaning;
+    void (*fill)(const fw_solid *solid, double *values);
+} fw_field;
+
+typedef struct fw_solid_model {
+    const char *name;     /* as in scenario files: "lattice-boltzmann" */
+    int ticks_per_step;   /* 1, or 2 where two colours move in turn */
+    void (*destroy)(fw_solid *solid);
+    /* For each listed particle what this tick would bring; the solid is unaltered. */
+    void (*predict)(const fw_solid *solid, const int *particles, int count, fw_prediction *out);
+    /* One tick. `holds` ascends by particle, each particle at most once. */
+    void (*advance)(fw_solid *solid, const fw_hold *holds, int hold_count);
+    fw_energies (*energies)(const fw_solid *solid);
+    fw_vec2 (*momentum)(const fw_solid *solid);
+    /* Weighted by mass, straight for a free body. */
+    fw_vec2 (*centre_of_mass)(const fw_solid *solid);
+    /* Total mass; a matrix where rest masses are. */
+    fw_sym2 (*mass)(const fw_solid *solid);
+    /* Velocities of all particles, in length per unit of time. */
+    void (*velocities)(const fw_solid *solid, double *x, double *y);
+    /* Masses of all particles (half the trace where they are matrices). */
+    void (*masses)(const fw_solid *solid, double *mass);
+    /* Appends every array that changes while the solid runs. Writing saved values back into the
+     * same arrays and calling `restored` puts the solid exactly where it was. */
+    void (*state)(fw_solid *solid, fw_state_list *list);
+    void (*restored)(fw_solid *solid); /* rebuilds what follows from the state; may be NULL */
+    const fw_field *fields;
+} fw_solid_model;
+
+/* The head shared by all models. Everybody may read it; external_x/y is what loads write. */
+struct fw_solid {
+    const fw_solid_model *model;
+    int count;                      /* particles */
+    double tick;                    /* time of one tick: LB 1, particles dt, automaton 1/2 */
+    double *x, *y;                  /* positions */
+    double *external_x, *external_y; /* external force of this tick; kept by the loads */
+    bool loaded;                    /* false: external_x/y are all zero and need not be read */
+    int *skin;                      /* particles that can touch something, ascending */
+    int skin_count;
+    int (*links)[2]; /* pairs of linked particles, for files and pictures; NULL if none */
+    int link_count;
+    fw_account account;
+    int64_t ticks; /* advanced since creation */
+};
+
+/* Allocates the arrays of the head for `count` particles; on failure everything is released. */
+fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int count,
+                               fw_error *error);
+/* Releases the arrays of the head, not the struct itself. */
+void fw_solid_head_release(fw_solid *solid);
+/* Appends the head's own state: positions, account, ticks. */
+void fw_solid_head_state(fw_solid *solid, fw_state_list *list);
+
+static inline void fw_solid_destroy(fw_solid *solid)
+{
+    if (solid) solid->model->destroy(solid);
+}
+
+static inline void fw_solid_predict(const fw_solid *solid, const int *particles, int count,
+                                    fw_prediction *out)
+{
+    solid->model->predict(solid, particles, count, out);
+}
+
+/* One tick without contact. */
+static inline void fw_solid_advance_free(fw_solid *solid)
+{
+    solid->model->advance(solid, NULL, 0);
+}
+
+static inline void fw_solid_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
+{
+    solid->model->advance(solid, holds, hold_count);
+}
+
+static inline fw_energies fw_solid_energies(const fw_solid *solid)
+{
+    return solid->model->energies(solid);
+}
+
+static inline fw_vec2 fw_solid_momentum(const fw_solid *solid)
+{
+    return solid->model->momentum(solid);
+}
+
+static inline fw_vec2 fw_solid_position(const fw_solid *solid, int particle)
+{
+    return (fw_vec2){solid->x[particle], solid->y[particle]};
+}
+
+/* The field of that name, or NULL. */
+const fw_field *fw_solid_find_field(const fw_solid *solid, const char *name);
+
+/* Index of the first particle whose position is not finite or lies further than `limit` from
+ * `centre` in x or y; -1 if there is none. */
+int fw_solid_find_lost(const fw_solid *solid, fw_vec2 centre, double limit);
+
+#endif

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* vec2.h - vectors and symmetric matrices of the plane. */
+#ifndef FW_VEC2_H
+#define FW_VEC2_H
+
+typedef struct fw_vec2 {
+    double x, y;
+} fw_vec2;
+
+/* Symmetric 2x2 matrix [[xx, xy], [xy, yy]]. */
+typedef struct fw_sym2 {
+    double xx, xy, yy;
+} fw_sym2;
+
+static inline fw_vec2 fw_vec2_add(fw_vec2 a, fw_vec2 b)
+{
+    return (fw_vec2){a.x + b.x, a.y + b.y};
+}
+
+static inline fw_vec2 fw_vec2_subtract(fw_vec2 a, fw_vec2 b)
+{
+    return (fw_vec2){a.x - b.x, a.y - b.y};
+}
+
+static inline fw_vec2 fw_vec2_scale(double factor, fw_vec2 a)
+{
+    return (fw_vec2){factor * a.x, factor * a.y};
+}
+
+static inline double fw_vec2_dot(fw_vec2 a, fw_vec2 b)
+{
+    return a.x * b.x + a.y * b.y;
+}
+
+/* z component of a x b. */
+static inline double fw_vec2_cross(fw_vec2 a, fw_vec2 b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+/* a turned by a right angle, counter-clockwise. */
+static inline fw_vec2 fw_vec2_turn(fw_vec2 a)
+{
+    return (fw_vec2){-a.y, a.x};
+}
+
+static inline fw_sym2 fw_sym2_scalar(double value)
+{
+    return (fw_sym2){value, 0, value};
+}
+
+static inline fw_sym2 fw_sym2_scale(double factor, fw_sym2 m)
+{
+    return (fw_sym2){factor * m.xx, factor * m.xy, factor * m.yy};
+}
+
+static inline fw_sym2 fw_sym2_add(fw_sym2 a, fw_sym2 b)
+{
+    return (fw_sym2){a.xx + b.xx, a.xy + b.xy, a.yy + b.yy};
+}
+
+static inline fw_vec2 fw_sym2_apply(fw_sym2 m, fw_vec2 a)
+{
+    return (fw_vec2){m.xx * a.x + m.xy * a.y, m.xy * a.x + m.yy * a.y};
+}
+
+static inline double fw_sym2_determinant(fw_sym2 m)
+{
+    return m.xx * m.yy - m.xy * m.xy;
+}
+
+/* The determinant must not be zero. A multiple of the unit matrix is inverted without rounding
+ * more than its one division. */
+static inline fw_sym2 fw_sym2_invert(fw_sym2 m)
+{
+    if (m.xy == 0) return (fw_sym2){1 / m.xx, 0, 1 / m.yy};
+    double scale = 1 / fw_sym2_determinant(m);
+    return (fw_sym2){scale * m.yy, -scale * m.xy, scale * m.xx};
+}
+
+/* m m, which is symmetric. */
+static inline fw_sym2 fw_sym2_square(fw_sym2 m)
+{
+    return (fw_sym2){m.xx * m.xx + m.xy * m.xy, m.xy * (m.xx + m.yy), m.xy * m.xy + m.yy * m.yy};
+}
+
+/* a . m b */
+static inline double fw_sym2_form(fw_vec2 a, fw_sym2 m, fw_vec2 b)
+{
+    return fw_vec2_dot(a, fw_sym2_apply(m, b));
+}
+
+#endif
