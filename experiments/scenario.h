@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario.h - a scenario file as plain data: checked, with every default filled in.
+ *
+ * Everything is owned by the scenario and lives until it is destroyed; names and texts are never
+ * NULL unless said so. Angles and phases are written in degrees and held here in radians. What can
+ * only be judged later (an observable's name, a body that starts in a wall) keeps its fw_place, to
+ * be reported with fw_scenario_fail. Keys, ranges and defaults: schema_keys.c; start there. */
+#ifndef FW_SCENARIO_H
+#define FW_SCENARIO_H
+
+#include "contact/wall.h"
+#include "core/lattice.h"
+#include "experiments/document.h"
+
+/* A text that is looked up later, and where it stands. */
+typedef struct fw_scenario_name {
+    const char *text; /* NULL: not given */
+    fw_place place;
+} fw_scenario_name;
+
+typedef struct fw_scenario_names {
+    int count;
+    fw_scenario_name *item;
+} fw_scenario_names;
+
+/* --- materials --- */
+
+typedef struct fw_scenario_boltzmann {
+    fw_sym2 rest_mass;
+    double damping;
+    fw_sym2 link_stiffness;
+    double break_at; /* stretch beyond which a link breaks; 0: never */
+} fw_scenario_boltzmann;
+
+typedef enum fw_material_kind { FW_LATTICE_BOLTZMANN } fw_material_kind;
+
+typedef struct fw_scenario_material {
+    const char *name;
+    fw_place place;
+    fw_material_kind kind;
+    union {
+        fw_scenario_boltzmann boltzmann;
+    };
+} fw_scenario_material;
+
+/* --- sites of a body --- */
+
+typedef enum fw_shape_kind {
+    FW_SHAPE_RECTANGLE,
+    FW_SHAPE_DISC,
+    FW_SHAPE_SITES,
+    FW_SHAPE_MASK
+} fw_shape_kind;
+
+typedef struct fw_scenario_shape {
+    fw_shape_kind kind;
+    int columns, rows; /* rectangle */
+    double radius;     /* disc, in spacings */
+    fw_sites sites;    /* sites and mask: sorted, owned by the scenario */
+} fw_scenario_shape;
+
+/* Which sites of a body: every condition that is given must hold. */
+typedef enum fw_selected_side {
+    FW_SIDE_ANY,
+    FW_SIDE_LEFT,
+    FW_SIDE_RIGHT,
+    FW_SIDE_BOTTOM,
+    FW_SIDE_TOP
+} fw_selected_side;
+
+typedef struct fw_selection {
+    fw_place place;
+    fw_selected_side side; /* the outermost `layers` columns or rows of the body */
+    int layers;
+    int first_row, last_row;       /* inclusive; INT_MIN and INT_MAX: all */
+    int first_column, last_column; /* inclusive */
+    const fw_site *site;           /* an explicit list, sorted, or NULL */
+    int site_count;
+} fw_selection;
+
+/* Values given to selected sites. */
+typedef enum fw_pattern_kind {
+    FW_PATTERN_UNIFORM,  /* amplitude */
+    FW_PATTERN_GAUSSIAN, /* amplitude exp(-|s - centre|^2 / (2 width^2)), s = (i, j) */
+    FW_PATTERN_WAVE,     /* amplitude cos(wave_vector . s + phase) */
+    FW_PATTERN_RANDOM    /* each component uniform in [-random, random) */
+} fw_pattern_kind;
+
+typedef struct fw_pattern {
+    fw_selection sites;
+    fw_pattern_kind kind;
+    fw_vec2 amplitude;
+    fw_vec2 centre;      /* in sites: [i, j] */
+    double width;        /* in sites */
+    fw_vec2 wave_vector; /* radians per site */
+    double phase;        /* radians */
+    double random;
+} fw_pattern;
+
+typedef struct fw_patterns {
+    int count;
+    fw_pattern *item; /* displacements and velocities add up */
+} fw_patterns;
+
+/* Which links a stiffness is given to, looking at the ends that are selected. */
+typedef enum fw_link_choice { FW_LINKS_INSIDE, FW_LINKS_ACROSS, FW_LINKS_TOUCHING } fw_link_choice;
+
+typedef struct fw_replacement {
+    fw_selection sites;
+    fw_sym2 value;
+    fw_link_choice links; /* of link stiffnesses only */
+} fw_replacement;
+
+typedef struct fw_replacements {
+    int count;
+    fw_replacement *item; /* a later one replaces an earlier one */
+} fw_replacements;
+
+typedef struct fw_scenario_body {
+    const char *name;
+    fw_place place;
+    int material; /* index into the scenario's materials */
+    fw_scenario_shape shape;
+    fw_place shape_place;
+    fw_lattice lattice; /* kind, spacing, angle in radians, origin = position of site (0, 0) */
+    fw_vec2 velocity;
+    fw_patterns displacement;
+    fw_patterns velocities;
+    fw_replacements rest_mass;
+    fw_replacements link_stiffness;
+} fw_scenario_body;
+
+/* --- walls and forces --- */
+
+typedef struct fw_scenario_wall {
+    fw_place place;
+    fw_wall_def def; /* with its name */
+} fw_scenario_wall;
+
+typedef enum fw_force_kind {
+    FW_FORCE_EACH,         /* vector on each particle */
+    FW_FORCE_TOTAL,        /* vector shared equally among the particles */
+    FW_FORCE_ACCELERATION, /* vector times the particle's mass */
+    FW_FORCE_RANDOM        /* each component uniform in [-random, random), new in each step */
+} fw_force_kind;
+
+typedef struct fw_scenario_force {
+    const char *name;
+    fw_place place;
+    int body; /* index into the scenario's bodies */
+    fw_selection sites;
+    fw_force_kind kind;
+    fw_vec2 vector;
+    double random;
+    bool balanced;        /* random forces minus their mean over the selection */
+    int64_t from, until;  /* acts in the steps from <= step < until */
+    int64_t ramp;         /* grows linearly over so many steps after `from`; 0: at once */
+    double period, phase; /* times sin(2 pi step / period + phase); period 0: constant */
+} fw_scenario_force;
+
+/* --- running and recording --- */
+
+typedef struct fw_scenario_run {
+    int64_t steps;
+    int64_t record_every;     /* >= 1 */
+    int64_t measure_every;    /* >= 1 */
+    int64_t checkpoint_every; /* 0: left to the program */
+    int64_t reverse_at;       /* fields are reversed after so many steps; 0: never */
+    int64_t seed;
+    double limit; /* a particle further than this from the scene's middle has escaped */
+} fw_scenario_run;
+
+typedef struct fw_scenario_record {
+    bool velocity, force;
+    fw_scenario_names fields; /* fields per particle, by the solid's names */
+} fw_scenario_record;
+
+/* --- what is expected --- */
+
+typedef enum fw_take {
+    FW_TAKE_LAST,
+    FW_TAKE_FIRST,
+    FW_TAKE_MAXIMUM,
+    FW_TAKE_MINIMUM,
+    FW_TAKE_LARGEST, /* in magnitude */
+    FW_TAKE_MEAN,
+    FW_TAKE_SPREAD, /* standard deviation */
+    FW_TAKE_CHANGE, /* last minus first */
+    FW_TAKE_TIME_OF_MAXIMUM,
+    FW_TAKE_TIME_OF_MINIMUM
+} fw_take;
+
+typedef enum fw_verdict_kind {
+    FW_VERDICT_VALUE,
+    FW_VERDICT_RELATIVE,
+    FW_VERDICT_BOUNDS
+} fw_verdict_kind;
+
+typedef struct fw_expectation {
+    fw_place place;
+    fw_scenario_name quantity; /* an observable */
+    fw_scenario_name body;     /* text NULL: the whole scene, or the only body */
+    int body_index;            /* -1: none given */
+    fw_scenario_name wall;
+    int wall_index; /* -1: none given */
+    bool has_site;  /* of that body; checked */
+    fw_site site;
+    fw_scenario_name component; /* "x", "y", "xx", ...; text NULL: none given */
+    bool has_at;
+    int64_t at;          /* in that step */
+    fw_take take;        /* otherwise this of the series ... */
+    int64_t from, until; /* ... over the steps from <= step <= until */
+    fw_verdict_kind kind;
+    double value, within; /* within: absolute, or relative to |value| */
+    bool has_below, has_above;
+    double below, above;
+    const char *source; /* NULL: none given */
+    const char *note;   /* NULL: none given */
+} fw_expectation;
+
+typedef enum fw_picture_kind {
+    FW_PICTURE_MOTION, /* the bodies at several instants, with the path of the centre of mass */
+    FW_PICTURE_FORCES, /* forces as arrows */
+    FW_PICTURE_FIELD,  /* a field as colour on the particles */
+    FW_PICTURE_SERIES  /* observables over time */
+} fw_picture_kind;
+
+typedef struct fw_scenario_picture {
+    const char *name;
+    fw_place place;
+    fw_picture_kind kind;
+    const char *title; /* NULL: the scenario's */
+    int instant_count; /* 0: the program chooses */
+    int64_t *instants; /* steps, ascending */
+    fw_scenario_name field;
+    fw_scenario_names observables;
+} fw_scenario_picture;
+
+/* --- the whole --- */
+
+typedef struct fw_scenario {
+    fw_document *document; /* as run: after all --set options */
+    const char *title;
+    const char *source; /* NULL: none given */
+    const char *about;  /* NULL: none given */
+    const char *figure; /* NULL: none given */
+    int material_count;
+    fw_scenario_material *materials;
+    int body_count;
+    fw_scenario_body *bodies;
+    int wall_count;
+    fw_scenario_wall *walls;
+    int force_count;
+    fw_scenario_force *forces;
+    fw_scenario_run run;
+    fw_scenario_record record;
+    fw_scenario_names measure; /* count 0: the standard set */
+    int expectation_count;
+    fw_expectation *expectations;
+    int picture_count;
+    fw_scenario_picture *pictures;
+} fw_scenario;
+
+/* Reads a scenario; `file` is what sentences call it. `settings` are the arguments of the --set
+ * options in order. On failure *scenario is NULL: FW_BAD_INPUT with one sentence that begins with
+ * "FILE:LINE:COLUMN: " or "--set OPTION: ", or FW_SYSTEM_FAILED without memory. */
+fw_status fw_scenario_read(fw_scenario **scenario, const char *file, const char *text,
+                           size_t length, const char *const *settings, int setting_count,
+                           fw_error *error);
+/* The same for a file on disk. */
+fw_status fw_scenario_load(fw_scenario **scenario, const char *path, const char *const *settings,
+                           int setting_count, fw_error *error);
+void fw_scenario_destroy(fw_scenario *scenario);
+
+/* FW_BAD_INPUT with the sentence after the place where the fault was written. */
+fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error *error,
+                           const char *format, ...) __attribute__((format(printf, 4, 5)));
+
+/* The scenario as run, as a text that reads back to the same scenario: *text is malloc'ed. */
+fw_status fw_scenario_print(const fw_scenario *scenario, char **text, fw_error *error);
+
+/* How many sites the shape has, without making them. */
+int64_t fw_shape_count(const fw_scenario_body *body);
+/* Makes them: row by row, the order of the particles. Caller clears with fw_sites_clear. */
+fw_status fw_shape_sites(const fw_scenario_body *body, fw_sites *sites, fw_error *error);
+/* The selected ones as indices into `sites`, ascending: *particles is malloc'ed. Never empty for a
+ * selection of this body that was read without error. */
+fw_status fw_selection_particles(const fw_selection *selection, const fw_sites *sites,
+                                 int **particles, int *count, fw_error *error);
+
+#endif
