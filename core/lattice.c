@@ -36,8 +36,8 @@ fw_status fw_sites_rectangle(fw_sites *sites, int columns, int rows, fw_error *e
 {
     *sites = (fw_sites){0, NULL};
     if (columns < 1 || rows < 1)
-        return fw_fail(error, FW_BAD_INPUT,
-                       "a rectangle of %d x %d sites, expected at least 1 x 1", columns, rows);
+        return fw_fail(error, FW_BAD_INPUT, "a rectangle of %d x %d sites, expected at least 1 x 1",
+                       columns, rows);
     FW_TRY(allocate_sites(sites, (long long)columns * rows, error));
     fw_site *site = sites->site;
     for (int j = 0; j < rows; ++j)
@@ -56,8 +56,8 @@ fw_status fw_sites_disc(fw_sites *sites, fw_lattice_kind kind, double radius, fw
 {
     *sites = (fw_sites){0, NULL};
     if (!(radius >= 0 && radius <= 16384))
-        return fw_fail(error, FW_BAD_INPUT,
-                       "a disc of radius %g spacings, expected 0 to 16384", radius);
+        return fw_fail(error, FW_BAD_INPUT, "a disc of radius %g spacings, expected 0 to 16384",
+                       radius);
     const fw_lattice lattice = {.kind = kind, .spacing = 1};
     const int reach = (int)ceil(radius / ROW_HEIGHT) + 1;
     long long count = 0;
@@ -145,7 +145,8 @@ static fw_vec2 turn_by(fw_vec2 v, double angle)
 fw_vec2 fw_lattice_vector(const fw_lattice *lattice, fw_site site)
 {
     fw_vec2 v = {site.i, site.j};
-    if (lattice->kind == FW_HEXAGONAL) v = (fw_vec2){site.i + 0.5 * (site.j & 1), site.j * ROW_HEIGHT};
+    if (lattice->kind == FW_HEXAGONAL)
+        v = (fw_vec2){site.i + 0.5 * (site.j & 1), site.j * ROW_HEIGHT};
     return turn_by(fw_vec2_scale(lattice->spacing, v), lattice->angle);
 }
 
@@ -157,6 +158,5 @@ fw_vec2 fw_lattice_position(const fw_lattice *lattice, fw_site site)
 fw_vec2 fw_lattice_step(const fw_lattice *lattice, int direction)
 {
     fw_site step = fw_site_neighbour((fw_site){0, 0}, direction);
-    return turn_by((fw_vec2){step.i * lattice->spacing, step.j * lattice->spacing},
-                   lattice->angle);
+    return turn_by((fw_vec2){step.i * lattice->spacing, step.j * lattice->spacing}, lattice->angle);
 }

@@ -63,7 +63,8 @@ int fw_solid_find_lost(const fw_solid *solid, fw_vec2 centre, double limit)
         int end = begin + BLOCK < solid->count ? begin + BLOCK : solid->count;
         int kept = 0;
         for (int i = begin; i < end; ++i)
-            kept += (fabs(solid->x[i] - centre.x) <= limit) & (fabs(solid->y[i] - centre.y) <= limit);
+            kept +=
+                (fabs(solid->x[i] - centre.x) <= limit) & (fabs(solid->y[i] - centre.y) <= limit);
         if (kept == end - begin) continue;
         for (int i = begin; i < end; ++i)
             if (!(fabs(solid->x[i] - centre.x) <= limit && fabs(solid->y[i] - centre.y) <= limit))

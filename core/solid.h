@@ -62,8 +62,8 @@ typedef struct fw_field {
 } fw_field;
 
 typedef struct fw_solid_model {
-    const char *name;     /* as in scenario files: "lattice-boltzmann" */
-    int ticks_per_step;   /* 1, or 2 where two colours move in turn */
+    const char *name;   /* as in scenario files: "lattice-boltzmann" */
+    int ticks_per_step; /* 1, or 2 where two colours move in turn */
     void (*destroy)(fw_solid *solid);
     /* For each listed particle what this tick would bring; the solid is unaltered. */
     void (*predict)(const fw_solid *solid, const int *particles, int count, fw_prediction *out);
@@ -89,14 +89,15 @@ typedef struct fw_solid_model {
 /* The head shared by all models. Everybody may read it; external_x/y is what loads write. */
 struct fw_solid {
     const fw_solid_model *model;
-    int count;                      /* particles */
-    double tick;                    /* time of one tick: LB 1, particles dt, automaton 1/2 */
-    double *x, *y;                  /* positions */
+    int count;                       /* particles */
+    double tick;                     /* time of one tick: LB 1, particles dt, automaton 1/2 */
+    double *x, *y;                   /* positions */
     double *external_x, *external_y; /* external force of this tick; kept by the loads */
-    bool loaded;                    /* false: external_x/y are all zero and need not be read */
-    int *skin;                      /* particles that can touch something, ascending */
+    bool loaded;                     /* false: external_x/y are all zero and need not be read */
+    int *skin;                       /* particles that can touch something, ascending */
     int skin_count;
-    int (*links)[2]; /* pairs of linked particles, for files and pictures; NULL if none */
+    int skin_revision; /* grows whenever the skin changes (links break, particles flow) */
+    int (*links)[2];   /* pairs of linked particles, for files and pictures; NULL if none */
     int link_count;
     fw_account account;
     int64_t ticks; /* advanced since creation */

@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lb_solid.h - the lattice Boltzmann (LB) solid of Chopard & Marconi (2002), in population form.
+ *
+ * Particles on a square lattice of any shape exchange fields f_i along their links; i = 0 is a rest
+ * field with mass M0. With mu (`damping`) on Psi and F alike and F/2 throughout (corrected Eqs
+ * 18-20),
+ *
+ *     w      = mu M^-1 (Psi + F/2)           displacement of a particle in one step
+ *     f_i   -> w - f_{i+2}                   sent along every existing link
+ *     f_0   -> M0 w - f_0
+ *     r     -> r + w
+ *     Psi    = M0 f_0 + sum kappa f_i,   M = (M0^2 + sum kappa)/2
+ *
+ * where kappa (`stiffness`) is 1 in the paper. Momentum sum Psi and energy sum f^2 are conserved at
+ * mu = 1. Each component is a scalar wave: Poisson ratio 0, and the body cannot rotate.
+ * Units: one step of time, spacings of the caller's choice, link stiffness 1 = force per length. */
+#ifndef FW_LB_SOLID_H
+#define FW_LB_SOLID_H
+
+#include "core/lattice.h"
+#include "core/solid.h"
+
+extern const fw_solid_model fw_lb_solid_model; /* name "lattice-boltzmann" */
+
+/* Plain data; start from fw_lb_solid_def_default(). Arrays are per site, in the order of `sites`,
+ * and are only read during creation. */
+typedef struct fw_lb_solid_def {
+    const fw_sites *sites;
+    fw_lattice lattice;             /* kind must be FW_SQUARE */
+    double damping;                 /* mu, 1/2 < mu <= 1 (at 1 nothing is lost) */
+    fw_sym2 rest_mass;              /* M0 of every particle, symmetric */
+    const fw_sym2 *rest_masses;     /* M0 per site instead, or NULL */
+    fw_sym2 stiffness;              /* kappa of every link, positive definite */
+    const fw_sym2 *stiffness_east;  /* kappa of the link east of each site instead, or NULL */
+    const fw_sym2 *stiffness_north; /* the same for the link north of it */
+    double break_at;                /* a link longer or shorter than this by |d| breaks; INFINITY */
+    const fw_vec2 *displacement;    /* u at the start, or NULL for rest */
+    const fw_vec2 *velocity;        /* V at the start, length per step, or NULL */
+} fw_lb_solid_def;
+
+/* mu = 1, M0 = 0, kappa = 1, unbreakable, at rest. */
+fw_lb_solid_def fw_lb_solid_def_default(void);
+
+/* FW_BAD_INPUT for damping outside (1/2, 1], a lattice that is not square, a particle without links
+ * and rest mass (M would be singular), a stiffness that is not positive, numbers not finite. */
+fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_error *error);
+
+/* Everything below takes a solid whose model is fw_lb_solid_model. */
+
+/* Psi of a particle: its momentum. */
+fw_vec2 fw_lb_solid_psi(const fw_solid *solid, int particle);
+fw_sym2 fw_lb_solid_mass(const fw_solid *solid, int particle);
+fw_vec2 fw_lb_solid_rest_field(const fw_solid *solid, int particle);
+
+/* The field that arrived at a particle from its neighbour in a direction, f_{d+2}(l) in the paper's
+ * labels (Fig 3); zero where there is no link. */
+fw_vec2 fw_lb_solid_field(const fw_solid *solid, int particle, int direction);
+/* The neighbour over an existing link, or -1. */
+int fw_lb_solid_neighbour(const fw_solid *solid, int particle, int direction);
+
+/* Eq 31: r_m - r_l - Delta0 over the link in that direction; zero where there is none. */
+fw_vec2 fw_lb_solid_deformation(const fw_solid *solid, int particle, int direction);
+
+/* The paper's strain e_{i alpha} (Section 9.2) at a particle, as a mean over its links along i = x
+ * (east and west) and i = y (north and south), in length per link. */
+typedef struct fw_lb_strain {
+    fw_vec2 x, y; /* x.y is e_{xy}: shift in y from link to link along x */
+} fw_lb_strain;
+fw_lb_strain fw_lb_solid_strain(const fw_solid *solid, int particle);
+
+/* Energy of a particle, sum of its f^2 (Eq 11, weighted with kappa). */
+double fw_lb_solid_energy(const fw_solid *solid, int particle);
+
+/* Largest violation of the invariant Eq 30, r_m - r_l + f_i(m) - f_{i+2}(l) = Delta0. */
+double fw_lb_solid_link_error(const fw_solid *solid);
+
+/* Largest of |Psi + F/2|, |f_0| and |f_i(l+c_i) + f_{i+2}(l)|: zero at rest (Eqs 22-24). */
+double fw_lb_solid_unrest(const fw_solid *solid);
+
+/* Turns the arrow of time: the body runs back the way it came (exactly so at mu = 1). */
+void fw_lb_solid_reverse(fw_solid *solid);
+
+/* Links broken since creation. */
+int fw_lb_solid_broken(const fw_solid *solid);
+
+#endif
