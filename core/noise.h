@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* noise.h - counter-based random numbers: pure functions of (seed, particle, step, stream), so that
+ * they do not depend on threads, on order, or on where a run was resumed. The generator is
+ * philox4x32-10 of Random123, with the seed in the key and the rest in the counter. */
+#ifndef FW_NOISE_H
+#define FW_NOISE_H
+
+#include "core/vec2.h"
+
+#include <Random123/philox.h>
+#include <stdint.h>
+
+/* What the numbers are for: draws of different streams are independent. */
+typedef enum fw_noise_stream {
+    FW_NOISE_THERMOSTAT, /* Langevin noise */
+    FW_NOISE_FORCE,      /* random external forces; one stream per force follows from here */
+    FW_NOISE_START = 1 << 16,     /* random displacements and velocities at the start */
+    FW_NOISE_PLACEMENT = 1 << 17, /* random sequential placement */
+} fw_noise_stream;
+
+/* 128 random bits. */
+static inline philox4x32_ctr_t fw_noise_bits(uint64_t seed, uint32_t particle, uint64_t step,
+                                             uint32_t stream)
+{
+    philox4x32_key_t key = {{(uint32_t)seed, (uint32_t)(seed >> 32)}};
+    philox4x32_ctr_t counter = {{particle, (uint32_t)step, (uint32_t)(step >> 32), stream}};
+    return philox4x32(counter, key);
+}
+
+/* Two numbers, uniform in [-1, 1), on a grid of 2^-52. */
+static inline fw_vec2 fw_noise_uniform(uint64_t seed, uint32_t particle, uint64_t step,
+                                       uint32_t stream)
+{
+    philox4x32_ctr_t bits = fw_noise_bits(seed, particle, step, stream);
+    uint64_t first = ((uint64_t)bits.v[0] << 32 | bits.v[1]) >> 11;
+    uint64_t second = ((uint64_t)bits.v[2] << 32 | bits.v[3]) >> 11;
+    return (fw_vec2){(double)first * 0x1p-52 - 1, (double)second * 0x1p-52 - 1};
+}
+
+#endif
