@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* wall.h - rigid walls: exact geometry in double precision.
+/* wall.h - rigid walls: a shape made of facets, a surface, and a prescribed path.
  *
- * A wall is made of facets: straight ones (a segment with a free side) and one kind of round one
- * (a whole circle). A box or polygon seen from inside or outside, and a chain, are all straight
- * facets; so is any convex or reflex corner. A facet bars the way from its free side to the other;
- * from behind it does not bar. Contact decides on facets alone. */
+ * A box or polygon seen from inside or outside, and a chain, are all straight facets; a circle is
+ * one round facet. How a facet bars the way stands in facet.h. */
 #ifndef FW_WALL_H
 #define FW_WALL_H
 
+#include "contact/facet.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
 #include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 /* What the surface of a wall does along its tangent. */
 typedef enum fw_surface_law {
@@ -30,14 +33,11 @@ typedef struct fw_surface {
 
 typedef enum fw_wall_shape { FW_BOX, FW_CHAIN, FW_POLYGON, FW_CIRCLE } fw_wall_shape;
 
-/* Where particles are free to be. */
-typedef enum fw_side { FW_INSIDE, FW_OUTSIDE } fw_side;
-
 /* The prescribed path of a wall: displacement from its place in the definition,
  * velocity (t - from) for from <= t <= until, plus amplitude sin(2 pi t / period + phase). */
 typedef struct fw_path {
     fw_vec2 velocity;
-    double from, until; /* time window of the velocity */
+    double from, until; /* time window of the velocity; until may be INFINITY */
     fw_vec2 amplitude;
     double period; /* 0: no oscillation */
     double phase;  /* radians */
@@ -52,7 +52,7 @@ typedef struct fw_wall_def {
     const fw_vec2 *points; /* box: two opposite corners; chain: its points; polygon: its corners,
                               convex, in either sense; circle: its centre */
     int point_count;
-    bool closed;   /* a chain that ends where it began */
+    bool closed;   /* a chain with one more segment, from its last point to its first */
     double radius; /* of a circle */
     fw_surface surface;
     fw_path path;
@@ -61,23 +61,17 @@ typedef struct fw_wall_def {
 /* A frictionless, resting box [0,0]-[1,1], free inside. */
 fw_wall_def fw_wall_def_default(void);
 
-typedef enum fw_facet_kind { FW_STRAIGHT, FW_ROUND } fw_facet_kind;
-
-/* One barrier, at the place of the wall's definition. */
-typedef struct fw_facet {
-    fw_facet_kind kind;
-    int wall;       /* index of the wall it belongs to */
-    fw_vec2 a, b;   /* straight: ends; round: a is the centre */
-    fw_vec2 normal; /* straight: unit vector to the free side */
-    double length;  /* straight: |b - a|; round: radius */
-    fw_side side;   /* round: where particles are free */
-} fw_facet;
+/* No coordinate, velocity or amplitude may be larger: the broadphase works in single precision. */
+#define FW_WALL_LIMIT 1e9
 
 typedef struct fw_wall fw_wall;
 
-/* Checks and copies the definition. FW_BAD_INPUT with a sentence for: non-finite numbers, an empty
- * box, radius <= 0, fewer than 3 corners, a repeated point, a polygon that is not convex or has no
- * area, a chain of one point or with a segment of no length, friction < 0, period < 0. */
+/* Checks and copies the definition; `index` is what its facets are marked with. FW_BAD_INPUT with
+ * a sentence that names the wall for: numbers that are not finite or beyond FW_WALL_LIMIT, a wrong
+ * number of points, an empty box, radius <= 0, two points in a row that coincide (or are too near
+ * to each other for a direction in double precision), a polygon that is not convex or has no area,
+ * friction < 0, stiffness <= 0 of a penalty wall, period < 0, an oscillation without a period, a
+ * time window that ends before it begins. */
 fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_error *error);
 void fw_wall_destroy(fw_wall *wall);
 
@@ -91,17 +85,18 @@ fw_vec2 fw_wall_displacement(const fw_wall *wall, double time);
 int fw_wall_facet_count(const fw_wall *wall);
 const fw_facet *fw_wall_facet(const fw_wall *wall, int number);
 
-/* Signed distance of a point (in the wall's frame: minus its displacement) from the facet's line
- * or circle, positive on the free side. For axis-parallel facets a single exact subtraction. */
-double fw_facet_gap(const fw_facet *facet, fw_vec2 point);
+/* Smallest box around the wall, at the place of its definition. */
+fw_box fw_wall_bounds(const fw_wall *wall);
 
-/* Does a particle at `point` that moves by `displacement` (both in the wall's frame) pass from the
- * free side to the other through this facet? A point up to a few rounding errors behind counts as
- * on the facet; ends belong to it, so that nothing slips between two facets that meet. */
-bool fw_facet_is_passed(const fw_facet *facet, fw_vec2 point, fw_vec2 displacement);
-
-/* How far `point` is from where it may be, looking at the whole wall: 0 if it is free, else the
- * depth > 0 by which it lies behind the nearest facet. Chains have no inside: always 0. */
+/* How far `point` (in the wall's frame) is from where it may be, looking at the whole wall: 0 if
+ * it is free, else the depth > 0 by which it lies behind the facet that bars it: inside, the one
+ * it is furthest behind of; outside, the nearest. Chains have no inside: always 0. */
 double fw_wall_depth(const fw_wall *wall, fw_vec2 point);
 
+/* The checks of fw_wall_create() alone. */
+fw_status fw_wall_def_check(const fw_wall_def *def, fw_error *error);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

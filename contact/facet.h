@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* facet.h - one barrier: exact geometry in double precision.
+ *
+ * A facet is straight (a segment, free to its left) or round (a whole circle, free inside or
+ * outside). It bars the way from its free side to the other; from behind it does not bar. Contact
+ * decides on facets alone, so that every shape and corner is covered by these two. All points are
+ * in the frame of the wall, i.e. minus the wall's displacement. */
+#ifndef FW_FACET_H
+#define FW_FACET_H
+
+#include "core/vec2.h"
+
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct fw_box {
+    fw_vec2 low, high;
+} fw_box;
+
+/* Where particles are free to be. */
+typedef enum fw_side { FW_INSIDE, FW_OUTSIDE } fw_side;
+
+typedef enum fw_facet_kind { FW_STRAIGHT, FW_ROUND } fw_facet_kind;
+
+/* Made by fw_facet_straight() and fw_facet_round(), read by everybody. */
+typedef struct fw_facet {
+    fw_facet_kind kind;
+    int wall;       /* index of the wall it belongs to */
+    fw_vec2 a, b;   /* straight: ends; round: both are the centre */
+    fw_vec2 normal; /* straight: unit vector to the free side, (b - a) turned to the left */
+    double length;  /* straight: |b - a|; round: radius */
+    fw_side side;   /* round: where particles are free */
+    double reach;   /* largest coordinate it comes to, sizes rounding errors */
+} fw_facet;
+
+/* `excursion`: how far the wall gets away from the place of its definition, as far as known. */
+fw_facet fw_facet_straight(int wall, fw_vec2 a, fw_vec2 b, double excursion);
+fw_facet fw_facet_round(int wall, fw_vec2 centre, double radius, fw_side side, double excursion);
+
+/* Signed distance of a point from the facet's line or circle, positive on the free side. For
+ * axis-parallel facets a single exact subtraction. */
+double fw_facet_gap(const fw_facet *facet, fw_vec2 point);
+
+/* Does a particle at `point` that moves by `displacement` pass from the free side to the other
+ * through this facet? It ends where the sum, rounded as a solid rounds it, lies: after a step that
+ * passes nothing the gap is >= 0 to the last bit. A point behind by no more than the tolerance
+ * counts as on the facet, and ends belong to it, so that nothing slips between two facets that
+ * meet. From a circle's outside a path that cuts through and comes out again passes, too. */
+bool fw_facet_is_passed(const fw_facet *facet, fw_vec2 point, fw_vec2 displacement);
+
+/* 2^-40 of the largest coordinate: some thousand rounding errors. So much a particle that is held
+ * on an oblique or moving facet may drift in the course of a run; a true particle is never so
+ * near to a facet by chance. */
+double fw_facet_tolerance(const fw_facet *facet);
+
+/* False only if no path inside the box can pass the facet. */
+bool fw_facet_meets_box(const fw_facet *facet, fw_box box);
+
+fw_box fw_facet_bounds(const fw_facet *facet);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
