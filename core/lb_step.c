@@ -62,8 +62,17 @@ static inline void relax_full(lb_solid *lb, const span *s, int begin, int end, k
             px += 0.5 * fx[l];
             py += 0.5 * fy[l];
         }
-        double ux = k.matrix ? mu * (ixx[l] * px + ixy[l] * py) : mu * (ixx[l] * px);
-        double uy = k.matrix ? mu * (ixy[l] * px + iyy[l] * py) : mu * (ixx[l] * py);
+        double ux = k.matrix ? ixx[l] * px + ixy[l] * py : ixx[l] * px;
+        double uy = k.matrix ? ixy[l] * px + iyy[l] * py : ixx[l] * py;
+        if (k.matrix) { /* see refine() */
+            double ax = zxx[l] * ux + zxy[l] * uy, ay = zxy[l] * ux + zyy[l] * uy;
+            double qx = px - (0.5 * (zxx[l] * ax + zxy[l] * ay) + 2 * ux);
+            double qy = py - (0.5 * (zxy[l] * ax + zyy[l] * ay) + 2 * uy);
+            ux += ixx[l] * qx + ixy[l] * qy;
+            uy += ixy[l] * qx + iyy[l] * qy;
+        }
+        ux *= mu;
+        uy *= mu;
         ex[l] = ux - ex[l];
         ey[l] = uy - ey[l];
         nx[l] = ux - nx[l];
@@ -123,10 +132,29 @@ static fw_vec2 external_force(const lb_solid *lb, int l)
     return (fw_vec2){lb->head.external_x[l], lb->head.external_y[l]};
 }
 
+/* One step of iterative refinement of w = M^-1 push, with M w taken through M0 as the update takes
+ * it: where M is a matrix, the rounding of M and M^-1 is the same in every step and would let the
+ * energy creep by some 1e-16 each. */
+static fw_vec2 refine(const lb_solid *lb, int l, fw_vec2 push, fw_vec2 w)
+{
+    fw_vec2 rest = {0, 0}, links = {0, 0};
+    if (lb->resting) {
+        fw_sym2 rest_mass = lb_get(&lb->rest_mass, l);
+        rest = fw_sym2_apply(rest_mass, fw_sym2_apply(rest_mass, w));
+    }
+    for (int d = 0; d < FW_DIRECTIONS; ++d)
+        if (lb->present[l] & (1u << d))
+            links = fw_vec2_add(links, fw_sym2_apply(lb_stiffness(lb, l, d), w));
+    fw_vec2 left = fw_vec2_subtract(push, fw_vec2_scale(0.5, fw_vec2_add(rest, links)));
+    return fw_vec2_add(w, fw_sym2_apply(lb_get(&lb->inverse, l), left));
+}
+
 static fw_vec2 free_displacement(const lb_solid *lb, int l)
 {
     fw_vec2 push = fw_vec2_add(lb_psi(lb, l), fw_vec2_scale(0.5, external_force(lb, l)));
-    return fw_vec2_scale(lb->damping, fw_sym2_apply(lb_get(&lb->inverse, l), push));
+    fw_vec2 w = fw_sym2_apply(lb_get(&lb->inverse, l), push);
+    if (lb->matrix) w = refine(lb, l, push, w);
+    return fw_vec2_scale(lb->damping, w);
 }
 
 /* Any particle: edges, weighted links, and those whose displacement w contact has decided. */

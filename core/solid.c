@@ -2,6 +2,7 @@
 /* solid.c - the head that all solids share. */
 #include "core/solid.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -59,6 +60,7 @@ int fw_solid_find_lost(const fw_solid *solid, fw_vec2 centre, double limit)
 {
     /* Block by block without a branch inside, so that the search costs no more than the stream. */
     enum { BLOCK = 512 };
+    if (limit > DBL_MAX) limit = DBL_MAX; /* an infinite position is lost whatever the limit */
     for (int begin = 0; begin < solid->count; begin += BLOCK) {
         int end = begin + BLOCK < solid->count ? begin + BLOCK : solid->count;
         int kept = 0;

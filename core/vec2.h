@@ -3,6 +3,8 @@
 #ifndef FW_VEC2_H
 #define FW_VEC2_H
 
+#include <math.h>
+
 typedef struct fw_vec2 {
     double x, y;
 } fw_vec2;
@@ -64,18 +66,21 @@ static inline fw_vec2 fw_sym2_apply(fw_sym2 m, fw_vec2 a)
     return (fw_vec2){m.xx * a.x + m.xy * a.y, m.xy * a.x + m.yy * a.y};
 }
 
+/* Kahan's product difference: right to the last bit or two even where the terms nearly cancel. */
 static inline double fw_sym2_determinant(fw_sym2 m)
 {
-    return m.xx * m.yy - m.xy * m.xy;
+    double square = m.xy * m.xy;
+    double error = fma(-m.xy, m.xy, square);
+    return fma(m.xx, m.yy, -square) + error;
 }
 
-/* The determinant must not be zero. A multiple of the unit matrix is inverted without rounding
- * more than its one division. */
+/* The determinant must not be zero. Each entry is rounded as few times as possible: an error of
+ * M^-1 would be a steady gain or loss of energy. */
 static inline fw_sym2 fw_sym2_invert(fw_sym2 m)
 {
     if (m.xy == 0) return (fw_sym2){1 / m.xx, 0, 1 / m.yy};
-    double scale = 1 / fw_sym2_determinant(m);
-    return (fw_sym2){scale * m.yy, -scale * m.xy, scale * m.xx};
+    double determinant = fw_sym2_determinant(m);
+    return (fw_sym2){m.yy / determinant, -m.xy / determinant, m.xx / determinant};
 }
 
 /* m m, which is symmetric. */

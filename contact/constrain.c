@@ -1,0 +1,366 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* constrain.c - normal contact and friction of one particle with several walls.
+ * State: none but the particle's own memory. Rows are only ever added, so the search ends.
+ * Start reading at fw_constrain(). */
+#include "contact/constrain.h"
+
+#include <math.h>
+
+/* Filter of the sticking force: how much of the change of the particle's own momentum is let
+ * through (contact physics, section 3). */
+static const double STICK_FILTER = 0.343;
+
+/* One active barrier. */
+typedef struct row {
+    const fw_barrier *barrier;
+    fw_vec2 normal;
+    double bound;  /* n.w >= bound */
+    double lambda; /* normal force */
+} row;
+
+typedef struct problem {
+    fw_vec2 position;
+    const fw_prediction *free;
+    int count;
+    row rows[FW_TOUCH_MOST];
+    fw_vec2 w;
+} problem;
+
+static fw_vec2 relative_position(const problem *p, const fw_barrier *barrier)
+{
+    return fw_vec2_subtract(p->position, barrier->place);
+}
+
+/* Normal of a round facet at the middle of the step. */
+static fw_vec2 midpoint_normal(const problem *p, const fw_barrier *barrier)
+{
+    fw_vec2 middle = fw_vec2_add(fw_vec2_subtract(relative_position(p, barrier), barrier->facet->a),
+                                 fw_vec2_scale(0.5, fw_vec2_subtract(p->w, barrier->motion)));
+    double distance = sqrt(fw_vec2_dot(middle, middle));
+    if (!(distance > 0)) return (fw_vec2){1, 0};
+    return fw_vec2_scale((barrier->facet->side == FW_INSIDE ? -1 : 1) / distance, middle);
+}
+
+/* A particle that rounding put a few last bits behind the surface is asked to come back to it. */
+static double bound_of(const problem *p, const row *r)
+{
+    double bound = fw_vec2_dot(r->normal, r->barrier->motion);
+    double gap = fw_facet_gap(r->barrier->facet, relative_position(p, r->barrier));
+    return gap < 0 ? bound - gap : bound;
+}
+
+static void update_row(const problem *p, row *r)
+{
+    r->normal = r->barrier->facet->kind == FW_ROUND ? midpoint_normal(p, r->barrier)
+                                                    : r->barrier->facet->normal;
+    r->bound = bound_of(p, r);
+}
+
+static fw_vec2 displacement_for(const problem *p, fw_vec2 force)
+{
+    return fw_vec2_add(p->free->displacement, fw_sym2_apply(p->free->mobility, force));
+}
+
+static bool is_feasible(const problem *p, fw_vec2 w, int a, int b)
+{
+    double scale = fabs(p->free->displacement.x) + fabs(p->free->displacement.y);
+    for (int k = 0; k < p->count; ++k) {
+        if (k == a || k == b) continue;
+        const row *r = &p->rows[k];
+        if (fw_vec2_dot(r->normal, w) < r->bound - 1e-14 * (scale + fabs(r->bound))) return false;
+    }
+    return true;
+}
+
+/* Only row k active. The last line takes out what rounding left along the normal: for a wall
+ * along an axis the particle stays where it is to the last bit. */
+static bool solve_one(problem *p, int k)
+{
+    row *r = &p->rows[k];
+    double excess = r->bound - fw_vec2_dot(r->normal, p->free->displacement);
+    double lambda = excess / fw_sym2_form(r->normal, p->free->mobility, r->normal);
+    if (!(lambda >= 0)) return false;
+    fw_vec2 w = displacement_for(p, fw_vec2_scale(lambda, r->normal));
+    w = fw_vec2_subtract(w, fw_vec2_scale(fw_vec2_dot(r->normal, w) - r->bound, r->normal));
+    if (!is_feasible(p, w, k, k)) return false;
+    for (int j = 0; j < p->count; ++j) p->rows[j].lambda = 0;
+    r->lambda = lambda;
+    p->w = w;
+    return true;
+}
+
+/* Rows a and b active: w follows from the normals alone, the forces from the mobility. */
+static bool solve_two(problem *p, int a, int b)
+{
+    row *ra = &p->rows[a], *rb = &p->rows[b];
+    double det = fw_vec2_cross(ra->normal, rb->normal);
+    if (fabs(det) < 1e-12) return false;
+    fw_vec2 w = {(ra->bound * rb->normal.y - rb->bound * ra->normal.y) / det,
+                 (rb->bound * ra->normal.x - ra->bound * rb->normal.x) / det};
+    fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
+                                  fw_vec2_subtract(w, p->free->displacement));
+    double la = fw_vec2_cross(force, rb->normal) / det;
+    double lb = fw_vec2_cross(ra->normal, force) / det;
+    if (!(la >= 0 && lb >= 0) || !is_feasible(p, w, a, b)) return false;
+    for (int j = 0; j < p->count; ++j) p->rows[j].lambda = 0;
+    ra->lambda = la;
+    rb->lambda = lb;
+    p->w = w;
+    return true;
+}
+
+/* In the plane at most two rows are active: try all ones and pairs. */
+static bool solve_rows(problem *p)
+{
+    for (int k = 0; k < p->count; ++k)
+        if (solve_one(p, k)) return true;
+    for (int a = 0; a < p->count; ++a)
+        for (int b = a + 1; b < p->count; ++b)
+            if (solve_two(p, a, b)) return true;
+    return false;
+}
+
+/* Puts w where it ends at the radius where it began (at the circle itself, if rounding had put the
+ * particle behind it). */
+static void keep_radius(problem *p, const row *r)
+{
+    const fw_facet *facet = r->barrier->facet;
+    fw_vec2 from = fw_vec2_subtract(relative_position(p, r->barrier), facet->a);
+    fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(p->w, r->barrier->motion));
+    double radius = sqrt(fw_vec2_dot(from, from)), length = sqrt(fw_vec2_dot(to, to));
+    radius = facet->side == FW_INSIDE ? fmin(radius, facet->length) : fmax(radius, facet->length);
+    if (length > 0) to = fw_vec2_scale(radius / length, to);
+    p->w = fw_vec2_add(fw_vec2_subtract(to, from), r->barrier->motion);
+}
+
+/* A single circle and an isotropic mobility have a closed form: r_new = ((1+s) r + w)/(1-s) lies
+ * at the radius of r. Rounding is taken out by scaling to that radius. */
+static bool solve_circle(problem *p)
+{
+    row *r = &p->rows[0];
+    const fw_sym2 mobility = p->free->mobility;
+    if (p->count != 1 || r->barrier->facet->kind != FW_ROUND || mobility.xy != 0 ||
+        mobility.xx != mobility.yy)
+        return false;
+    const fw_facet *facet = r->barrier->facet;
+    fw_vec2 from = fw_vec2_subtract(relative_position(p, r->barrier), facet->a);
+    fw_vec2 w = fw_vec2_subtract(p->free->displacement, r->barrier->motion);
+    double r2 = fw_vec2_dot(from, from), rw = fw_vec2_dot(from, w), w2 = fw_vec2_dot(w, w);
+    if (!(4 * r2 + 2 * rw > 0)) return false;
+    double s = -(2 * rw + w2) / (4 * r2 + 2 * rw);
+    if (!(s < 1)) return false;
+    fw_vec2 to = fw_vec2_scale(1 / (1 - s), fw_vec2_add(fw_vec2_scale(1 + s, from), w));
+    p->w = fw_vec2_add(fw_vec2_subtract(to, from), r->barrier->motion);
+    keep_radius(p, r);
+    update_row(p, r);
+    r->lambda = fw_vec2_dot(r->normal, fw_vec2_subtract(p->w, p->free->displacement)) / mobility.xx;
+    return r->lambda >= 0;
+}
+
+/* The fixed point of w and its midpoint normals. */
+static bool solve_normals(problem *p)
+{
+    if (solve_circle(p)) return true;
+    bool curved = false;
+    for (int k = 0; k < p->count; ++k) curved |= p->rows[k].barrier->facet->kind == FW_ROUND;
+    for (int k = 0; k < p->count; ++k) update_row(p, &p->rows[k]);
+    if (!curved) return solve_rows(p);
+    for (int round = 0; round < 100; ++round) {
+        fw_vec2 before = p->w;
+        for (int k = 0; k < p->count; ++k) update_row(p, &p->rows[k]);
+        if (!solve_rows(p)) return false;
+        double change = fabs(p->w.x - before.x) + fabs(p->w.y - before.y);
+        if (change <= 1e-16 + 4e-16 * (fabs(p->w.x) + fabs(p->w.y))) break;
+        double relax = round < 20 ? 1 : round < 60 ? 0.5 : 0.2;
+        p->w = fw_vec2_add(before, fw_vec2_scale(relax, fw_vec2_subtract(p->w, before)));
+    }
+    return true;
+}
+
+/* Held fast to a wall: all components follow it. */
+static void hold_fast(problem *p, int k)
+{
+    row *r = &p->rows[k];
+    p->w = r->barrier->motion;
+    for (int j = 0; j < p->count; ++j) p->rows[j].lambda = 0;
+    fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
+                                  fw_vec2_subtract(p->w, p->free->displacement));
+    r->lambda = fw_vec2_dot(r->normal, force);
+}
+
+/* The paper's words for the automaton: what would pass is frozen, the rest is left alone. */
+static void freeze_components(problem *p)
+{
+    p->w = p->free->displacement;
+    for (int k = 0; k < p->count; ++k) {
+        row *r = &p->rows[k];
+        double excess = fw_vec2_dot(r->normal, p->w) - r->bound;
+        if (excess < 0) p->w = fw_vec2_subtract(p->w, fw_vec2_scale(excess, r->normal));
+    }
+    fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
+                                  fw_vec2_subtract(p->w, p->free->displacement));
+    for (int k = 0; k < p->count; ++k) p->rows[k].lambda = fw_vec2_dot(p->rows[k].normal, force);
+}
+
+static bool solve(problem *p)
+{
+    for (int k = 0; k < p->count; ++k) update_row(p, &p->rows[k]);
+    for (int k = 0; k < p->count; ++k)
+        if (p->rows[k].barrier->surface.law == FW_STICK) {
+            hold_fast(p, k);
+            return true;
+        }
+    for (int k = 0; k < p->count; ++k)
+        if (p->rows[k].barrier->surface.law == FW_COMPONENTWISE) {
+            freeze_components(p);
+            return true;
+        }
+    return solve_normals(p);
+}
+
+/* The first barrier that the present displacement passes and that is not a row yet, or NULL. */
+static const fw_barrier *find_passed(const problem *p, const fw_barrier *barriers, int count)
+{
+    for (int n = 0; n < count; ++n) {
+        const fw_barrier *barrier = &barriers[n];
+        bool known = barrier->surface.law == FW_PENALTY;
+        for (int k = 0; k < p->count; ++k) known |= p->rows[k].barrier == barrier;
+        if (!known && fw_facet_is_passed(barrier->facet, relative_position(p, barrier),
+                                         fw_vec2_subtract(p->w, barrier->motion)))
+            return barrier;
+    }
+    return NULL;
+}
+
+/* After friction on a circle: back to the radius, with the forces along the normal and tangent of
+ * the new middle of the step. Returns the tangential one. */
+static double follow_curve(problem *p, row *r)
+{
+    keep_radius(p, r);
+    update_row(p, r);
+    fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
+                                  fw_vec2_subtract(p->w, p->free->displacement));
+    r->lambda = fw_vec2_dot(r->normal, force);
+    return fw_vec2_dot(fw_vec2_turn(r->normal), force);
+}
+
+/* Friction on the one row that is active, or that was in the step before (lambda = 0 now). Returns
+ * the tangential force, and puts lambda and w to what they are with it. */
+static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *memory)
+{
+    const fw_barrier *barrier = r->barrier;
+    const bool active = r->lambda > 0;
+    const bool same_wall =
+        memory->facet > 0 && all[memory->facet - 1].facet->wall == barrier->facet->wall;
+    const double before = same_wall ? memory->reaction : 0;
+    const fw_vec2 tangent = fw_vec2_turn(r->normal);
+    const fw_sym2 mobility = p->free->mobility;
+    const double nn = fw_sym2_form(r->normal, mobility, r->normal),
+                 nt = active ? fw_sym2_form(r->normal, mobility, tangent) : 0,
+                 tt = fw_sym2_form(tangent, mobility, tangent);
+    const double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
+    const double coasting =
+        fw_vec2_dot(tangent, fw_vec2_subtract(p->free->coasting, barrier->motion));
+    /* How far a sticking particle is let move: F = -2 Psi + P at first, then
+     * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. */
+    double target = same_wall && memory->stuck ? STICK_FILTER * (coasting - memory->coasting) / 4
+                                               : coasting / 2;
+    target = slip >= 0 ? fmin(fmax(target, 0), slip) : fmax(fmin(target, 0), slip);
+    double tension = (target - slip) / (tt - nt * nt / nn);
+    const double lambda = r->lambda;
+    bool stuck = true;
+    for (int round = 0; round < 4; ++round) { /* lambda moves with T where the mobility couples */
+        double bound = barrier->surface.friction * 0.5 * (r->lambda + before);
+        if (fabs(tension) > bound) {
+            tension = tension > 0 ? bound : -bound;
+            stuck = false;
+        }
+        r->lambda = active ? fmax(0, lambda - tension * nt / nn) : 0;
+        if (nt == 0) break;
+    }
+    fw_vec2 force =
+        fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(tension, tangent));
+    fw_vec2 w = displacement_for(p, force);
+    if (active)
+        w = fw_vec2_subtract(w, fw_vec2_scale(fw_vec2_dot(r->normal, w) - r->bound, r->normal));
+    p->w = w;
+    if (barrier->facet->kind == FW_ROUND && active) tension = follow_curve(p, r);
+    *memory = (fw_contact_memory){r->lambda, coasting, barrier->number + 1, stuck};
+    return tension;
+}
+
+static fw_constraint report(const problem *p, const double *tension)
+{
+    fw_constraint c = {.held = true, .displacement = p->w};
+    for (int k = 0; k < p->count; ++k) {
+        const row *r = &p->rows[k];
+        const fw_vec2 motion = r->barrier->motion;
+        fw_vec2 normal_force = fw_vec2_scale(r->lambda, r->normal);
+        fw_vec2 friction = fw_vec2_scale(tension[k], fw_vec2_turn(r->normal));
+        if (r->barrier->surface.law == FW_STICK && p->w.x == motion.x && p->w.y == motion.y)
+            friction =
+                fw_vec2_subtract(fw_sym2_apply(fw_sym2_invert(p->free->mobility),
+                                               fw_vec2_subtract(p->w, p->free->displacement)),
+                                 normal_force);
+        fw_touch touch = {.wall = r->barrier->facet->wall,
+                          .force = fw_vec2_add(normal_force, friction)};
+        touch.work = fw_vec2_dot(touch.force, motion);
+        touch.dissipated = -fw_vec2_dot(friction, fw_vec2_subtract(p->w, motion));
+        c.touch[c.touch_count++] = touch;
+        c.force = fw_vec2_add(c.force, touch.force);
+    }
+    return c;
+}
+
+static bool adds_friction(const problem *p, int *k)
+{
+    int active = 0;
+    for (int n = 0; n < p->count; ++n)
+        if (p->rows[n].lambda > 0) {
+            active += 1;
+            *k = n;
+        }
+    return active == 1 && p->rows[*k].barrier->surface.law == FW_COULOMB;
+}
+
+fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_barrier *near,
+                           int near_count, const fw_barrier *all, fw_contact_memory *memory)
+{
+    problem p = {.position = position, .free = free, .w = free->displacement};
+    double tension[FW_TOUCH_MOST] = {0};
+    bool unresolved = false;
+    if (free->mobility.xx == 0) return (fw_constraint){0}; /* a resting colour */
+    for (const fw_barrier *passed = find_passed(&p, near, near_count); passed && !unresolved;
+         passed = find_passed(&p, near, near_count)) {
+        if (p.count == FW_TOUCH_MOST) {
+            unresolved = true;
+            break;
+        }
+        p.rows[p.count++] = (row){.barrier = passed};
+        if (!solve(&p)) unresolved = true;
+    }
+    if (unresolved) hold_fast(&p, 0);
+    int k = 0;
+    if (p.count == 0) {
+        if (!memory || !(memory->reaction > 0)) {
+            if (memory) *memory = (fw_contact_memory){0};
+            return (fw_constraint){0};
+        }
+        p.rows[p.count++] = (row){.barrier = &all[memory->facet - 1]};
+        update_row(&p, &p.rows[0]);
+        tension[0] = rub(&p, &p.rows[0], all, memory);
+    } else if (memory && adds_friction(&p, &k)) {
+        tension[k] = rub(&p, &p.rows[k], all, memory);
+    } else if (memory) {
+        *memory = (fw_contact_memory){0};
+    }
+    if (!unresolved && find_passed(&p, near, near_count)) {
+        /* Friction turned the path through another wall: hold it here. */
+        unresolved = true;
+        hold_fast(&p, k);
+        tension[k] = 0;
+    }
+    fw_constraint c = report(&p, tension);
+    c.unresolved = unresolved;
+    return c;
+}

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene.c - one time step on one page: see fw_scene_step().
+ * State: the clock, what passed through each wall, and what each particle remembers of its contact;
+ * the solids keep their own. Candidate lists are no state: results do not depend on them. */
+#include "contact/scene.h"
+
+#include "contact/scene_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* 1. load: the external forces of this step. */
+static void apply_loads(fw_scene *scene)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        fw_solid *solid = scene->bodies[b].solid;
+        if (!solid->loaded) continue;
+        memset(solid->external_x, 0, (size_t)solid->count * sizeof *solid->external_x);
+        memset(solid->external_y, 0, (size_t)solid->count * sizeof *solid->external_y);
+        solid->loaded = false;
+    }
+    for (int n = 0; n < scene->load_count; ++n)
+        fw_load_apply(scene->loads[n].load, scene->clock.step,
+                      scene->bodies[scene->loads[n].body].solid);
+}
+
+/* 2. predict: where skin particles would go, and how they yield to a force. */
+static void predict_skins(fw_scene *scene)
+{
+    if (scene->wall_count == 0) return;
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        fw_solid_predict(body->solid, fw_skin_particles(body->skin), fw_skin_count(body->skin),
+                         fw_skin_predictions(body->skin));
+    }
+}
+
+/* 3. find: which facets are near which run of skin particles, and where walls go in this step. */
+static fw_status find_contacts(fw_scene *scene, fw_error *error)
+{
+    if (scene->wall_count == 0) return FW_OK;
+    const double now = fw_scene_time(scene);
+    for (int w = 0; w < scene->wall_count; ++w) {
+        fw_vec2 place = fw_wall_displacement(scene->walls[w].wall, now);
+        fw_vec2 next = fw_wall_displacement(scene->walls[w].wall, now + scene->tick);
+        scene->walls[w].place = place;
+        scene->walls[w].motion = fw_vec2_subtract(next, place);
+        if (fw_wall_moves(scene->walls[w].wall))
+            fw_broadphase_move_wall(scene->broadphase, w, place, scene->walls[w].motion);
+    }
+    scene_place_barriers(scene);
+    for (int b = 0; b < scene->body_count; ++b)
+        FW_TRY(scene_refresh_skin(scene, &scene->bodies[b], error));
+    return FW_OK;
+}
+
+/* 4. constrain: the forces that hold contact particles. */
+static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        scene->walls[w].force_before = scene->accounts[w].force;
+        scene->accounts[w].force = (fw_vec2){0, 0};
+        scene->accounts[w].contacts = 0;
+    }
+    for (int b = 0; b < scene->body_count; ++b)
+        FW_TRY(scene_constrain_body(scene, &scene->bodies[b], error));
+    return FW_OK;
+}
+
+/* 5. advance: every solid moves. */
+static void advance_solids(fw_scene *scene)
+{
+    for (int b = 0; b < scene->body_count; ++b)
+        fw_solid_advance(scene->bodies[b].solid, scene->bodies[b].holds,
+                         scene->bodies[b].contact_count);
+}
+
+/* 6. account: work, heat and impulse of each wall. */
+static void balance_ledger(fw_scene *scene)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        fw_wall_account *account = &scene->accounts[w];
+        account->reaction =
+            fw_vec2_scale(0.5, fw_vec2_add(account->force, scene->walls[w].force_before));
+        account->impulse =
+            fw_vec2_add(account->impulse, fw_vec2_scale(scene->tick, account->force));
+        account->held += account->contacts;
+    }
+}
+
+static fw_status check_finite(const fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        const fw_solid *solid = scene->bodies[b].solid;
+        int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
+        if (lost < 0) continue;
+        return fw_fail(error, FW_DIVERGED,
+                       "step %lld: particle %d of body %s is at (%g, %g) under the external force "
+                       "(%g, %g), expected finite numbers within %g of (%g, %g)",
+                       (long long)scene->clock.step, lost, scene->bodies[b].name, solid->x[lost],
+                       solid->y[lost], solid->external_x[lost], solid->external_y[lost],
+                       scene->limit, scene->middle.x, scene->middle.y);
+    }
+    return FW_OK;
+}
+
+fw_status fw_scene_step(fw_scene *scene, fw_error *error)
+{
+    for (int tick = 0; tick < scene->ticks_per_step; ++tick) {
+        apply_loads(scene);
+        predict_skins(scene);
+        FW_TRY(find_contacts(scene, error));
+        FW_TRY(constrain_contacts(scene, error));
+        advance_solids(scene);
+        balance_ledger(scene);
+        scene->clock.ticks += 1;
+    }
+    scene->clock.step += 1;
+    return check_finite(scene, error);
+}

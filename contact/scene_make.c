@@ -1,0 +1,352 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene_make.c - making a scene, asking it, and putting it back to a saved state. */
+#include "contact/scene_parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A particle may start this far behind a wall, in units of the coordinates' size: rounding of a
+ * position that was meant to lie on the surface. */
+static const double ON_SURFACE = 1e-14;
+
+fw_status fw_scene_create(fw_scene **scene, fw_vec2 middle, double limit, fw_error *error)
+{
+    *scene = calloc(1, sizeof **scene);
+    if (!*scene) return fw_fail_memory(error, "a scene");
+    (*scene)->middle = middle;
+    (*scene)->limit = limit;
+    (*scene)->ticks_per_step = 1;
+    return FW_OK;
+}
+
+void fw_scene_destroy(fw_scene *scene)
+{
+    if (!scene) return;
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        free(body->name);
+        fw_solid_destroy(body->solid);
+        fw_skin_destroy(body->skin);
+        free(body->memory);
+        free(body->contacts);
+        free(body->holds);
+    }
+    fw_broadphase_destroy(scene->broadphase);
+    for (int w = 0; w < scene->wall_count; ++w) fw_wall_destroy(scene->walls[w].wall);
+    for (int n = 0; n < scene->load_count; ++n) fw_load_destroy(scene->loads[n].load);
+    free(scene->bodies);
+    free(scene->walls);
+    free(scene->accounts);
+    free(scene->loads);
+    free(scene->barriers);
+    free(scene->near);
+    free(scene);
+}
+
+/* Room for one more element at the end of an array that grows by one while a scene is made. */
+static void *grown(void *array, int count, size_t size)
+{
+    return realloc(array, ((size_t)count + 1) * size);
+}
+
+fw_status fw_scene_adopt_body(fw_scene *scene, const char *name, fw_solid *solid, int *body,
+                              fw_error *error)
+{
+    scene_body *bodies = grown(scene->bodies, scene->body_count, sizeof *bodies);
+    char *copy = strdup(name);
+    if (bodies) scene->bodies = bodies;
+    if (!bodies || !copy) {
+        free(copy);
+        fw_solid_destroy(solid);
+        return fw_fail_memory(error, "a body");
+    }
+    if (scene->body_count > 0 && solid->tick != scene->tick) {
+        fw_fail(error, FW_BAD_INPUT,
+                "body %s takes time steps of %g, expected %g like the bodies before it", name,
+                solid->tick, scene->tick);
+        free(copy);
+        fw_solid_destroy(solid);
+        return FW_BAD_INPUT;
+    }
+    scene->tick = solid->tick;
+    if (solid->model->ticks_per_step > scene->ticks_per_step)
+        scene->ticks_per_step = solid->model->ticks_per_step;
+    *body = scene->body_count;
+    scene->bodies[scene->body_count++] = (scene_body){.name = copy, .solid = solid};
+    return FW_OK;
+}
+
+fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *error)
+{
+    scene_wall *walls = grown(scene->walls, scene->wall_count, sizeof *walls);
+    if (!walls) return fw_fail_memory(error, "a wall");
+    scene->walls = walls;
+    scene_wall *wall = &scene->walls[scene->wall_count];
+    *wall = (scene_wall){0};
+    FW_TRY(fw_wall_create(&wall->wall, scene->wall_count, def, error));
+    scene->wall_count += 1;
+    return FW_OK;
+}
+
+fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error)
+{
+    scene_load *loads = grown(scene->loads, scene->load_count, sizeof *loads);
+    if (!loads) return fw_fail_memory(error, "an external force");
+    scene->loads = loads;
+    scene->loads[scene->load_count].body = body;
+    FW_TRY(fw_load_create(&scene->loads[scene->load_count].load, def, scene->bodies[body].solid,
+                          error));
+    scene->load_count += 1;
+    return FW_OK;
+}
+
+/* What all walls span, for the broadphase's scale. */
+static fw_box extent_of(const fw_scene *scene)
+{
+    fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (int w = 0; w < scene->wall_count; ++w)
+        for (int n = 0; n < fw_wall_facet_count(scene->walls[w].wall); ++n) {
+            const fw_facet *facet = fw_wall_facet(scene->walls[w].wall, n);
+            double reach = facet->kind == FW_ROUND ? facet->length : 0;
+            box.low.x = fmin(box.low.x, fmin(facet->a.x, facet->b.x) - reach);
+            box.low.y = fmin(box.low.y, fmin(facet->a.y, facet->b.y) - reach);
+            box.high.x = fmax(box.high.x, fmax(facet->a.x, facet->b.x) + reach);
+            box.high.y = fmax(box.high.y, fmax(facet->a.y, facet->b.y) + reach);
+        }
+    return box;
+}
+
+static fw_status build_broadphase(fw_scene *scene, fw_error *error)
+{
+    scene->broadphase = fw_broadphase_create(extent_of(scene));
+    if (!scene->broadphase) return fw_fail_memory(error, "the broadphase");
+    for (int w = 0; w < scene->wall_count; ++w)
+        if (fw_broadphase_add_wall(scene->broadphase, scene->walls[w].wall) < 0)
+            return fw_fail_memory(error, "the facets of a wall");
+    scene->facet_count = fw_broadphase_facet_count(scene->broadphase);
+    scene->barriers = calloc((size_t)scene->facet_count + 1, sizeof *scene->barriers);
+    scene->near = calloc((size_t)scene->facet_count + 1, sizeof *scene->near);
+    scene->accounts = calloc((size_t)scene->wall_count + 1, sizeof *scene->accounts);
+    if (!scene->barriers || !scene->near || !scene->accounts)
+        return fw_fail_memory(error, "the facets of all walls");
+    for (int f = 0; f < scene->facet_count; ++f) {
+        const fw_facet *facet = fw_broadphase_facet(scene->broadphase, f);
+        scene->barriers[f] = (fw_barrier){
+            .facet = facet, .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
+    }
+    return FW_OK;
+}
+
+static bool any_wall_rubs(const fw_scene *scene)
+{
+    for (int w = 0; w < scene->wall_count; ++w)
+        if (fw_wall_surface(scene->walls[w].wall).law == FW_COULOMB) return true;
+    return false;
+}
+
+static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error)
+{
+    size_t count = (size_t)body->solid->count;
+    FW_TRY(fw_skin_create(&body->skin, body->solid, error));
+    body->skin_revision = body->solid->skin_revision;
+    body->contacts = calloc(count, sizeof *body->contacts);
+    body->holds = calloc(count, sizeof *body->holds);
+    if (any_wall_rubs(scene)) body->memory = calloc(count, sizeof *body->memory);
+    if (!body->contacts || !body->holds || (any_wall_rubs(scene) && !body->memory))
+        return fw_fail_memory(error, "the contacts of a body");
+    return FW_OK;
+}
+
+static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, fw_error *error)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        const fw_wall *wall = scene->walls[w].wall;
+        fw_vec2 place = fw_wall_displacement(wall, 0);
+        for (int i = 0; i < body->solid->count; ++i) {
+            fw_vec2 at = fw_solid_position(body->solid, i);
+            double depth = fw_wall_depth(wall, fw_vec2_subtract(at, place));
+            if (depth > ON_SURFACE * (1 + fabs(at.x) + fabs(at.y)))
+                return fw_fail(error, FW_BAD_INPUT,
+                               "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
+                               "its surface, expected all particles on the free side",
+                               body->name, fw_wall_name(wall), i, at.x, at.y, depth);
+        }
+    }
+    return FW_OK;
+}
+
+fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
+{
+    if (scene->wall_count > 0) {
+        FW_TRY(build_broadphase(scene, error));
+        for (int b = 0; b < scene->body_count; ++b) {
+            FW_TRY(refuse_overlap(scene, &scene->bodies[b], error));
+            FW_TRY(prepare_body(scene, &scene->bodies[b], error));
+        }
+    }
+    fw_energies energies = fw_scene_energies(scene);
+    scene->energy_at_start = energies.kinetic + energies.elastic;
+    scene->momentum_at_start = fw_scene_momentum(scene);
+    return FW_OK;
+}
+
+int64_t fw_scene_steps(const fw_scene *scene)
+{
+    return scene->clock.step;
+}
+
+double fw_scene_time(const fw_scene *scene)
+{
+    return (double)scene->clock.ticks * scene->tick;
+}
+
+int fw_scene_body_count(const fw_scene *scene)
+{
+    return scene->body_count;
+}
+
+const char *fw_scene_body_name(const fw_scene *scene, int body)
+{
+    return scene->bodies[body].name;
+}
+
+fw_solid *fw_scene_body(fw_scene *scene, int body)
+{
+    return scene->bodies[body].solid;
+}
+
+const fw_solid *fw_scene_observe_body(const fw_scene *scene, int body)
+{
+    return scene->bodies[body].solid;
+}
+
+int fw_scene_wall_count(const fw_scene *scene)
+{
+    return scene->wall_count;
+}
+
+const fw_wall *fw_scene_wall(const fw_scene *scene, int wall)
+{
+    return scene->walls[wall].wall;
+}
+
+fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall)
+{
+    return fw_wall_displacement(scene->walls[wall].wall, fw_scene_time(scene));
+}
+
+const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall)
+{
+    return &scene->accounts[wall];
+}
+
+fw_ledger fw_scene_ledger(const fw_scene *scene)
+{
+    fw_ledger ledger = {.energy_at_start = scene->energy_at_start,
+                        .momentum_at_start = scene->momentum_at_start};
+    for (int b = 0; b < scene->body_count; ++b) {
+        const fw_account *account = &scene->bodies[b].solid->account;
+        ledger.external_work += account->work;
+        ledger.dissipated += account->dissipated;
+        ledger.noise_heat += account->heat;
+        ledger.external_impulse = fw_vec2_add(ledger.external_impulse, account->impulse);
+        ledger.drag = fw_vec2_add(ledger.drag, account->drag);
+    }
+    for (int w = 0; w < scene->wall_count; ++w) {
+        ledger.wall_work += scene->accounts[w].work;
+        ledger.friction_heat += scene->accounts[w].dissipated;
+        ledger.wall_impulse = fw_vec2_add(ledger.wall_impulse, scene->accounts[w].impulse);
+    }
+    return ledger;
+}
+
+fw_energies fw_scene_energies(const fw_scene *scene)
+{
+    fw_energies sum = {0, 0};
+    for (int b = 0; b < scene->body_count; ++b) {
+        fw_energies energies = fw_solid_energies(scene->bodies[b].solid);
+        sum.kinetic += energies.kinetic;
+        sum.elastic += energies.elastic;
+    }
+    return sum;
+}
+
+fw_vec2 fw_scene_momentum(const fw_scene *scene)
+{
+    fw_vec2 sum = {0, 0};
+    for (int b = 0; b < scene->body_count; ++b)
+        sum = fw_vec2_add(sum, fw_solid_momentum(scene->bodies[b].solid));
+    return sum;
+}
+
+int64_t fw_scene_unresolved(const fw_scene *scene)
+{
+    return scene->clock.unresolved;
+}
+
+double fw_scene_penetration(const fw_scene *scene, int body)
+{
+    double deepest = 0;
+    for (int w = 0; w < scene->wall_count; ++w) {
+        fw_vec2 place = fw_scene_wall_displacement(scene, w);
+        for (int b = 0; b < scene->body_count; ++b) {
+            const fw_solid *solid = scene->bodies[b].solid;
+            if (body >= 0 && b != body) continue;
+            for (int n = 0; n < solid->skin_count; ++n) {
+                fw_vec2 at = fw_solid_position(solid, solid->skin[n]);
+                deepest =
+                    fmax(deepest, fw_wall_depth(scene->walls[w].wall, fw_vec2_subtract(at, place)));
+            }
+        }
+    }
+    return deepest;
+}
+
+long fw_scene_query_count(const fw_scene *scene)
+{
+    long count = 0;
+    for (int b = 0; b < scene->body_count; ++b)
+        if (scene->bodies[b].skin) count += fw_skin_query_count(scene->bodies[b].skin);
+    return count;
+}
+
+int fw_scene_section_count(const fw_scene *scene)
+{
+    return 1 + scene->body_count;
+}
+
+const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
+{
+    if (section == 0) {
+        fw_state_list_add(list, "clock", FW_I64, sizeof scene->clock / sizeof(int64_t),
+                          &scene->clock);
+        fw_state_list_add(list, "walls", FW_F64,
+                          (size_t)scene->wall_count * sizeof *scene->accounts / sizeof(double),
+                          scene->accounts);
+        fw_state_list_add(list, "energy-at-start", FW_F64, 1, &scene->energy_at_start);
+        fw_state_list_add(list, "momentum-at-start", FW_F64, 2, &scene->momentum_at_start);
+        return "scene";
+    }
+    scene_body *body = &scene->bodies[section - 1];
+    body->solid->model->state(body->solid, list);
+    if (body->memory)
+        fw_state_list_add(list, "contact-memory", FW_U8,
+                          (size_t)body->solid->count * sizeof *body->memory, body->memory);
+    return body->name;
+}
+
+fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        if (body->solid->model->restored) body->solid->model->restored(body->solid);
+        if (!body->skin) continue;
+        fw_skin_destroy(body->skin);
+        body->skin = NULL;
+        FW_TRY(fw_skin_create(&body->skin, body->solid, error));
+        body->skin_revision = body->solid->skin_revision;
+    }
+    return FW_OK;
+}

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c (its
+ * contact phase) and scene_make.c (making, asking, restoring) and by nobody else. */
+#ifndef FW_SCENE_PARTS_H
+#define FW_SCENE_PARTS_H
+
+#include "contact/scene.h"
+#include "contact/skin.h"
+
+typedef struct scene_contact {
+    int particle;
+    fw_constraint constraint;
+} scene_contact;
+
+typedef struct scene_body {
+    char *name;
+    fw_solid *solid;
+    fw_skin *skin;
+    int skin_revision;         /* of the solid when `skin` was made */
+    fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
+    scene_contact *contacts;   /* of this tick, ascending; room for all particles of the skin */
+    fw_hold *holds;            /* the same as the solid takes them */
+    int contact_count;
+} scene_body;
+
+typedef struct scene_wall {
+    fw_wall *wall;
+    int first_facet;
+    fw_vec2 place, motion; /* in this tick */
+    fw_vec2 force_before;  /* of the last tick */
+} scene_wall;
+
+typedef struct scene_load {
+    int body;
+    fw_load *load;
+} scene_load;
+
+/* Counters of the scene, all part of the state. */
+typedef struct scene_clock {
+    int64_t step, ticks, unresolved;
+} scene_clock;
+
+struct fw_scene {
+    fw_vec2 middle;
+    double limit;
+    double tick;
+    int ticks_per_step;
+    scene_clock clock;
+    int body_count, wall_count, load_count;
+    scene_body *bodies;
+    scene_wall *walls;
+    fw_wall_account *accounts; /* per wall */
+    scene_load *loads;
+    fw_broadphase *broadphase;
+    int facet_count;
+    fw_barrier *barriers; /* of all facets, in the broadphase's order */
+    fw_barrier *near;     /* room for the candidates of one run */
+    double energy_at_start;
+    fw_vec2 momentum_at_start;
+};
+
+void scene_place_barriers(fw_scene *scene);
+fw_status scene_refresh_skin(fw_scene *scene, scene_body *body, fw_error *error);
+fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *error);
+
+#endif
