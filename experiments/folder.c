@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* folder.c - a results folder, held while somebody writes into it.
+ * State: an open descriptor of the folder with the system's lock on it, which ends with the
+ * process, however that ends. Start reading at fw_folder_create(). */
+#include "experiments/folder.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+struct fw_folder {
+    int descriptor;
+    bool fresh; /* made by fw_folder_create */
+    char path[];
+};
+
+static fw_status hold(fw_folder **folder, const char *path, bool fresh, fw_error *error)
+{
+    int descriptor = open(path, O_RDONLY | O_DIRECTORY);
+    if (descriptor < 0) {
+        bool missing = errno == ENOENT || errno == ENOTDIR;
+        return fw_fail(error, missing ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
+                       "cannot open the folder %s: %s", path, strerror(errno));
+    }
+    /* Some network file systems know no locks on folders; there a second writer goes unnoticed. */
+    if (flock(descriptor, LOCK_EX | LOCK_NB) < 0 && errno == EWOULDBLOCK) {
+        close(descriptor);
+        return fw_fail(error, FW_BAD_INPUT, "another run is writing into %s", path);
+    }
+    *folder = calloc(1, sizeof **folder + strlen(path) + 1);
+    if (!*folder) {
+        close(descriptor);
+        return fw_fail_memory(error, path);
+    }
+    (*folder)->descriptor = descriptor;
+    (*folder)->fresh = fresh;
+    strcpy((*folder)->path, path);
+    return FW_OK;
+}
+
+/* The folders above the last name of `path`. */
+static void make_parents(const char *path)
+{
+    char above[FW_PATH_SIZE];
+    if (strlen(path) >= sizeof above) return;
+    for (const char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
+        memcpy(above, path, (size_t)(slash - path));
+        above[slash - path] = '\0';
+        mkdir(above, 0777);
+    }
+}
+
+fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error)
+{
+    *folder = NULL;
+    if (path[0] == '\0') return fw_fail(error, FW_BAD_INPUT, "the results folder has no name");
+    make_parents(path);
+    bool fresh = mkdir(path, 0777) == 0;
+    if (!fresh && errno != EEXIST)
+        return fw_fail(error, FW_SYSTEM_FAILED, "cannot make the folder %s: %s", path,
+                       strerror(errno));
+    FW_TRY(hold(folder, path, fresh, error));
+    if (access(path, W_OK | X_OK) == 0) return FW_OK;
+    fw_fail(error, FW_SYSTEM_FAILED, "cannot write into the folder %s: %s", path, strerror(errno));
+    fw_folder_abandon(*folder);
+    *folder = NULL;
+    return FW_SYSTEM_FAILED;
+}
+
+fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error)
+{
+    *folder = NULL;
+    return hold(folder, path, false, error);
+}
+
+void fw_folder_close(fw_folder *folder)
+{
+    if (!folder) return;
+    close(folder->descriptor);
+    free(folder);
+}
+
+void fw_folder_abandon(fw_folder *folder)
+{
+    if (folder && folder->fresh) rmdir(folder->path);
+    fw_folder_close(folder);
+}
+
+bool fw_folder_has(const fw_folder *folder, const char *name)
+{
+    return faccessat(folder->descriptor, name, F_OK, 0) == 0;
+}
+
+fw_status fw_folder_path(const fw_folder *folder, const char *name, char *path, fw_error *error)
+{
+    int length = snprintf(path, FW_PATH_SIZE, "%s/%s", folder->path, name);
+    if (length >= 0 && length < FW_PATH_SIZE) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "the path of the results folder is longer than %d bytes",
+                   FW_PATH_SIZE);
+}
+
+fw_status fw_folder_remove(const fw_folder *folder, const char *name, fw_error *error)
+{
+    if (unlinkat(folder->descriptor, name, 0) == 0 || errno == ENOENT) return FW_OK;
+    return fw_fail(error, FW_SYSTEM_FAILED, "cannot remove %s/%s: %s", folder->path, name,
+                   strerror(errno));
+}
+
+fw_status fw_folder_replace(const fw_folder *folder, const char *fresh, const char *name,
+                            fw_error *error)
+{
+    if (renameat(folder->descriptor, fresh, folder->descriptor, name) < 0)
+        return fw_fail(error, FW_SYSTEM_FAILED, "cannot write %s/%s: %s", folder->path, name,
+                       strerror(errno));
+    return fw_folder_sync(folder, error);
+}
+
+fw_status fw_folder_sync(const fw_folder *folder, fw_error *error)
+{
+    /* A file system that cannot synchronise folders says EINVAL; there is nothing better to do. */
+    if (fsync(folder->descriptor) == 0 || errno == EINVAL) return FW_OK;
+    return fw_fail(error, FW_SYSTEM_FAILED, "cannot write the folder %s: %s", folder->path,
+                   strerror(errno));
+}

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* folder.h - the folder in which a run keeps its results.
+ * Whoever writes into it holds it: a second writer is refused, readers are not. */
+#ifndef FW_FOLDER_H
+#define FW_FOLDER_H
+
+#include "core/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { FW_PATH_SIZE = 4096 };
+
+typedef struct fw_folder fw_folder;
+
+/* Makes the folder, and those above it, where they are missing, and holds it. FW_SYSTEM_FAILED when
+ * it cannot be made or written to, FW_BAD_INPUT when another process holds it. */
+fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error);
+/* Holds a folder that is there; FW_BAD_INPUT when it is not. */
+fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error);
+/* Lets go of it. NULL is legal. */
+void fw_folder_close(fw_folder *folder);
+/* Lets go of it, and removes it where fw_folder_create made it and it is empty. NULL is legal. */
+void fw_folder_abandon(fw_folder *folder);
+
+bool fw_folder_has(const fw_folder *folder, const char *name);
+/* "FOLDER/name" into `path` of FW_PATH_SIZE bytes; FW_BAD_INPUT when that is too long. */
+fw_status fw_folder_path(const fw_folder *folder, const char *name, char *path, fw_error *error);
+/* Whether there was anything to remove makes no difference. */
+fw_status fw_folder_remove(const fw_folder *folder, const char *name, fw_error *error);
+/* `fresh` takes the place of `name` in one step, for good: the folder is synchronised. */
+fw_status fw_folder_replace(const fw_folder *folder, const char *fresh, const char *name,
+                            fw_error *error);
+/* Waits until the disk has the names. */
+fw_status fw_folder_sync(const fw_folder *folder, fw_error *error);
+
+#endif

@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Checks a results file made by recorded_run.h through h5py.
+
+trajectory.py h5md FILE FRAMES SAMPLES    every item of H5MD 1.1, extents cut to what counts
+trajectory.py rows FILE...                every committed frame and sample against its formula
+trajectory.py structure BEFORE AFTER      two states of one file differ in raw data only
+"""
+import sys
+
+import h5py
+import numpy as np
+
+COUNT = 8
+PARTICLES = "particles/trajectory"
+
+
+def value(kind, rows, components):
+    """run_value of recorded_run.h for all particles: [row][particle][component]."""
+    row, particle, component = np.ix_(rows, np.arange(COUNT), np.arange(components))
+    return row * 64.0 + particle + 0.25 * component + 4096.0 * kind
+
+
+def rows(path):
+    with h5py.File(path, "r") as file:
+        frames = int(file["parameters/frames_committed"][()])
+        samples = int(file["parameters/samples_committed"][()])
+        k = np.arange(frames)
+        for kind, name in enumerate(["position", "velocity", "force"]):
+            found = file[f"{PARTICLES}/{name}/value"][:frames]
+            assert np.array_equal(found[:, :, :2], value(kind, k, 2)), (path, name)
+            assert not found[:, :, 2].any(), (path, name, "z")
+            assert np.array_equal(file[f"{PARTICLES}/{name}/step"][:frames], 10 * k)
+            assert np.array_equal(file[f"{PARTICLES}/{name}/time"][:frames], 5.0 * k)
+        strain = file[f"{PARTICLES}/strain/value"][:frames]
+        assert np.array_equal(strain, value(3, k, 1)[:, :, 0]), path
+        pull = file[f"{PARTICLES}/return-force/value"][:frames]
+        assert np.array_equal(pull[:, :5], value(4, k, 1)[:, :5, 0]), path
+        assert np.isnan(pull[:, 5:]).all(), path
+        k = np.arange(samples)
+        energy = file["observables/energy/value"][:samples]
+        assert np.array_equal(energy, value(5, k, 1)[:, 0, 0]), path
+        momentum = file["observables/momentum/value"][:samples]
+        assert np.array_equal(momentum, value(6, k, 2)[:, 0, :]), path
+        assert np.array_equal(file["observables/momentum/step"][:samples], k), path
+        assert np.array_equal(file["observables/momentum/time"][:samples], 0.5 * k), path
+        return frames, samples
+
+
+def fixed_text(holder, name, expected=None):
+    """The specification wants strings of fixed length in scalar spaces."""
+    attribute = holder.attrs.get_id(name)
+    info = h5py.check_string_dtype(attribute.dtype)
+    assert info is not None and info.length is not None, name
+    assert attribute.shape == (), name
+    text = holder.attrs[name]
+    text = text.decode() if isinstance(text, bytes) else str(text)
+    assert text and (expected is None or text == expected), (name, text)
+
+
+def element(group, frames, tail):
+    assert set(group) == {"value", "step", "time"}, group.name
+    assert group["value"].shape == (frames, *tail), (group.name, group["value"].shape)
+    assert group["value"].dtype == np.float64
+    for name, kind in (("step", "i"), ("time", "f")):
+        assert group[name].shape == (frames,) and group[name].dtype.kind == kind
+        assert (np.diff(group[name][:]) > 0).all(), "monotonically increasing"
+
+
+def h5md(path, frames, samples):
+    with h5py.File(path, "r") as file:
+        assert set(file) == {"h5md", "particles", "connectivity", "observables", "parameters"}
+        version = file["h5md"].attrs["version"]
+        assert version.dtype.kind == "i" and version.tolist() == [1, 1]
+        fixed_text(file["h5md/author"], "name", "A. Person")
+        fixed_text(file["h5md/creator"], "name", "fretwork")
+        fixed_text(file["h5md/creator"], "version")
+
+        group = file[PARTICLES]
+        box = group["box"]
+        dimension = box.attrs.get_id("dimension")
+        assert dimension.shape == () and dimension.dtype.kind == "i"
+        assert box.attrs["dimension"] == 3
+        boundary = box.attrs.get_id("boundary")
+        assert boundary.shape == (3,)
+        assert h5py.check_string_dtype(boundary.dtype).length is not None
+        assert [text.decode() for text in box.attrs["boundary"]] == ["none"] * 3
+        assert "edges" not in box, "needless without periodic boundaries"
+        for name in ("position", "velocity", "force"):
+            element(group[name], frames, (COUNT, 3))
+        for name in ("strain", "return-force"):
+            element(group[name], frames, (COUNT,))
+            fixed_text(group[name], "meaning")
+        for name in ("velocity", "force", "strain", "return-force"):
+            for moment in ("step", "time"):
+                assert group[name][moment] == group["position"][moment], "hard links"
+        assert "image" not in group
+        assert group["species"].dtype.kind == "i"
+        assert group["species"][:].tolist() == [1] * 5 + [2] * 3
+        assert group["body"] == group["species"]
+        names = group["species"].attrs["bodies"]
+        assert [name.decode() for name in names] == ["sheet", "Körper"]
+        assert group["id"].dtype.kind == "i" and group["id"][:].tolist() == list(range(COUNT))
+        assert group["mass"][:].tolist() == [1, 1, 2, 1, 1, 0.5, 0.5, 0.25]
+
+        links = file["connectivity/links"]
+        assert links.dtype.kind == "i"
+        assert links[:].tolist() == [[0, 1], [1, 2], [2, 3], [5, 6], [6, 7]]
+        assert file[links.attrs["particles_group"]] == group, "object reference"
+
+        assert set(file["observables"]) == {"energy", "momentum"}
+        element(file["observables/energy"], samples, ())
+        element(file["observables/momentum"], samples, (2,))
+        for observable in file["observables"].values():
+            fixed_text(observable, "meaning")
+            fixed_text(observable["value"], "unit")
+
+        parameters = file["parameters"]
+        assert "reduced" in parameters.attrs["units"].decode()
+        assert "reduced" in group.attrs["units"].decode()
+        assert parameters["scenario"][()].decode() == "title: a run\n"
+        assert parameters["seed"][()] == 77
+        assert parameters["frames_committed"][()] == frames
+        assert parameters["samples_committed"][()] == samples
+        provenance = parameters["provenance"]
+        assert provenance["threads"][()] == 2
+        texts = {name: provenance[name][()] for name in provenance if name != "threads"}
+        assert set(texts) == {"program", "version", "revision", "compiler", "flags", "libraries",
+                              "host", "start", "end", "exit_reason"}
+        assert all(texts.values()), texts
+        for library in (b"HDF5 ", b"GSL ", b"Box2D "):
+            assert library in texts["libraries"], texts
+    assert rows(path) == (frames, samples)
+
+
+def structure(before, after):
+    """Bytes outside the datasets' raw data are the file's structure."""
+    with open(before, "rb") as file:
+        old = np.frombuffer(file.read(), np.uint8)
+    with open(after, "rb") as file:
+        new = np.frombuffer(file.read(), np.uint8)
+    assert len(old) == len(new), (len(old), len(new))
+    changed = old != new
+    assert changed.any()
+    with h5py.File(after, "r") as file:
+        def forgive(name, item):
+            if not isinstance(item, h5py.Dataset):
+                return
+            if item.chunks is None:
+                first = item.id.get_offset()
+                if first is not None:
+                    changed[first:first + item.id.get_storage_size()] = False
+                return
+            for number in range(item.id.get_num_chunks()):
+                chunk = item.id.get_chunk_info(number)
+                changed[chunk.byte_offset:chunk.byte_offset + chunk.size] = False
+        file.visititems(forgive)
+    assert not changed.any(), np.flatnonzero(changed)
+
+
+if __name__ == "__main__":
+    job, *arguments = sys.argv[1:]
+    if job == "h5md":
+        h5md(arguments[0], int(arguments[1]), int(arguments[2]))
+    elif job == "rows":
+        for path in arguments:
+            print(*rows(path))
+    elif job == "structure":
+        structure(*arguments)
