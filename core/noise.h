@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* noise.h - counter-based random numbers: pure functions of (seed, particle, step, stream), so that
  * they do not depend on threads, on order, or on where a run was resumed. The generator is
- * philox4x32-10 of Random123, with the seed in the key and the rest in the counter. */
+ * philox4x32-10 of Random123, with the seed in the key and the rest in the counter.
+ *
+ * Gaussians are Box and Muller's, with a logarithm, sine and cosine of our own: the same bits with
+ * every C library, and loops over particles that a compiler can turn into vector code. */
 #ifndef FW_NOISE_H
 #define FW_NOISE_H
 
@@ -12,10 +15,11 @@
 
 /* What the numbers are for: draws of different streams are independent. */
 typedef enum fw_noise_stream {
-    FW_NOISE_THERMOSTAT, /* Langevin noise */
-    FW_NOISE_FORCE,      /* random external forces; one stream per force follows from here */
-    FW_NOISE_START = 1 << 16,     /* random displacements and velocities at the start */
+    FW_NOISE_THERMOSTAT,      /* Langevin noise */
+    FW_NOISE_FORCE,           /* random external forces; one stream per force follows from here */
+    FW_NOISE_START = 1 << 16, /* random displacements and velocities at the start */
     FW_NOISE_PLACEMENT = 1 << 17, /* random sequential placement */
+    FW_NOISE_MAXWELL = 1 << 18,   /* thermal velocities */
 } fw_noise_stream;
 
 /* 128 random bits. */
@@ -36,5 +40,12 @@ static inline fw_vec2 fw_noise_uniform(uint64_t seed, uint32_t particle, uint64_
     uint64_t second = ((uint64_t)bits.v[2] << 32 | bits.v[3]) >> 11;
     return (fw_vec2){(double)first * 0x1p-52 - 1, (double)second * 0x1p-52 - 1};
 }
+
+/* Two independent Gaussians of mean 0 and variance 1. */
+fw_vec2 fw_noise_gaussian(uint64_t seed, uint32_t particle, uint64_t step, uint32_t stream);
+
+/* The same for `count` particles from `first` on: x[k], y[k] belong to particle first + k. */
+void fw_noise_gaussians(uint64_t seed, uint32_t first, uint64_t step, uint32_t stream, int count,
+                        double *x, double *y);
 
 #endif

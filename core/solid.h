@@ -100,7 +100,8 @@ struct fw_solid {
     int (*links)[2];   /* pairs of linked particles, for files and pictures; NULL if none */
     int link_count;
     fw_account account;
-    int64_t ticks; /* advanced since creation */
+    int64_t ticks;       /* advanced since creation */
+    const char *trouble; /* NULL, or the sentence why the solid cannot go on (memory) */
 };
 
 /* Allocates the arrays of the head for `count` particles; on failure everything is released. */

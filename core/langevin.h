@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* langevin.h - solids of point masses that obey Langevin's equation (Popov & Filippov Eqs 12-17):
+ *     m dv/dt = F - m damping v + noise,   <noise noise> = 2 m damping T.
+ * What they share, whatever their forces: velocities, and BAOAB steps, which are velocity Verlet's
+ * where there is no damping. With c = e^{-damping dt}, s = sqrt((1 - c^2) T/m), xi Gaussian:
+ *     v1 = v + dt/2m F(x);   v2 = c v1 + s xi;   x+ = x + dt/2 (v1 + v2);   v+ = v2 + dt/2m F(x+).
+ * External and holding forces act in both kicks. A model embeds fw_langevin as its first member,
+ * fills `find_forces`, and takes the operations below for its table.
+ *
+ * The ledger: work = F_ext . (x+ - x). Where damping acts, m/2 (v2^2 - v1^2) is split into what
+ * drag takes, m/2 (1 - c^2) v1^2 >= 0, and what the noise brings, the rest. With them the energy
+ * closes up to Verlet's own error, which is bounded and of order dt^2. */
+#ifndef FW_LANGEVIN_H
+#define FW_LANGEVIN_H
+
+#include "core/solid.h"
+
+typedef struct fw_langevin fw_langevin;
+
+/* What may change between steps; part of the state. */
+typedef struct fw_langevin_controls {
+    double time_step;
+    double damping;     /* rate, 1/time: eta/m */
+    double temperature; /* kB T in units of energy */
+} fw_langevin_controls;
+
+typedef struct fw_langevin_sums {
+    double work, dissipated, heat;
+    fw_vec2 external, drag;
+} fw_langevin_sums;
+
+struct fw_langevin {
+    fw_solid head;
+    fw_langevin_controls controls;
+    uint64_t seed;
+    double *velocity_x, *velocity_y;
+    double *force_x, *force_y; /* the solid's own forces at its present positions */
+    double *mass;              /* to be filled by the model before fw_langevin_start() */
+    /* Makes force_x/y for the positions of the head; the only thing that models differ in. */
+    void (*find_forces)(fw_langevin *solid);
+
+    /* Private. */
+    double *inverse_mass, *root_inverse_mass;
+    double *hold_x, *hold_y; /* forces that hold; zero between steps */
+    fw_vec2 *held_at;        /* where held particles were; as many as particles */
+    double *scratch;         /* one number per particle, for whoever sums */
+    fw_langevin_sums *sums;  /* of each block of particles */
+};
+
+/* Allocates head and arrays; on failure everything is released. */
+fw_status fw_langevin_create(fw_langevin *solid, const fw_solid_model *model, int count,
+                             fw_error *error);
+void fw_langevin_release(fw_langevin *solid);
+
+/* FW_BAD_INPUT with a sentence for: a time step that is not positive, a negative damping or
+ * temperature, numbers that are not finite. */
+fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *error);
+/* To be called once positions, velocities, masses and controls stand: finds the first forces. */
+void fw_langevin_start(fw_langevin *solid);
+void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
+
+/* Velocities drawn from Maxwell's distribution at that temperature, for particles first to
+ * first + count - 1, then shifted to leave their momentum zero. */
+void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, double temperature);
+
+/* Operations of fw_solid_model, for solids that embed fw_langevin. */
+void fw_langevin_predict(const fw_solid *solid, const int *particles, int count,
+                         fw_prediction *out);
+void fw_langevin_advance(fw_solid *solid, const fw_hold *holds, int hold_count);
+double fw_langevin_kinetic_energy(const fw_langevin *solid);
+fw_vec2 fw_langevin_momentum(const fw_solid *solid);
+fw_vec2 fw_langevin_centre_of_mass(const fw_solid *solid);
+fw_sym2 fw_langevin_mass(const fw_solid *solid);
+void fw_langevin_velocities(const fw_solid *solid, double *x, double *y);
+void fw_langevin_masses(const fw_solid *solid, double *mass);
+void fw_langevin_state(fw_solid *solid, fw_state_list *list);
+/* Finds the forces again, for positions or controls that were written from outside. */
+void fw_langevin_restored(fw_solid *solid);
+
+#endif
