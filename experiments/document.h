@@ -17,7 +17,7 @@
 
 enum {
     FW_DOCUMENT_BYTES = 16 << 20,
-    FW_DOCUMENT_NODES = 1 << 21,
+    FW_DOCUMENT_NODES = 1 << 20,
     FW_DOCUMENT_DEPTH = 24,
     FW_NAME_BYTES = 64 /* of a key, and so of the name of a body or wall */
 };
@@ -40,7 +40,6 @@ struct fw_node {
     const char *text;   /* of a scalar, without quotes */
     size_t length;      /* of text, in bytes */
     bool quoted;        /* "1" is a text, 1 a number */
-    bool block;         /* written with | or >: lines of text */
     int count;          /* children of a list or mapping */
     fw_node *first;     /* in the order of writing */
     fw_node *last;
@@ -57,16 +56,28 @@ fw_status fw_document_parse(fw_document **document, const char *file, const char
 fw_status fw_document_load(fw_document **document, const char *path, fw_error *error);
 void fw_document_destroy(fw_document *document);
 
+/* Reads the value that a --set option gives; sentences about it will name `option`. The node is
+ * the document's, but not yet in its tree. */
+fw_status fw_document_parse_value(fw_document *document, const char *option, const char *text,
+                                  fw_node **value, fw_error *error);
+
 fw_node *fw_document_root(const fw_document *document);
 const char *fw_document_file(const fw_document *document);
 
 /* The child of that key, or NULL. */
 fw_node *fw_node_find(const fw_node *mapping, const char *key);
+/* Makes `child`, which has no parent yet, the last one. */
+void fw_node_append(fw_node *parent, fw_node *child);
 
 /* Zeroed memory that lives as long as the document; NULL when there is none. */
 void *fw_document_allocate(fw_document *document, size_t count, size_t size);
+/* A copy of the text with a '\0' behind it; NULL when there is no memory. */
+const char *fw_document_copy(fw_document *document, const char *text, size_t length);
+/* FW_SYSTEM_FAILED: no memory to read this document. */
+fw_status fw_document_fail_memory(const fw_document *document, fw_error *error);
 
-/* Writes the tree as YAML that parses to the same tree (places aside). */
+/* Writes the tree as YAML that parses to the same tree: places differ, and a text may come out in
+ * quotes. FW_SYSTEM_FAILED where `out` cannot be written. */
 fw_status fw_document_print(const fw_document *document, FILE *out, fw_error *error);
 
 /* FW_BAD_INPUT with "FILE:LINE:COLUMN: sentence", or "--set OPTION: sentence" for what a --set

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* text.h - bytes from outside: is it text, and how to quote a piece of it in a sentence. */
+#ifndef FW_TEXT_H
+#define FW_TEXT_H
+
+#include <stddef.h>
+
+/* What is wrong with bytes that should be UTF-8 text, and where. */
+typedef struct fw_text_fault {
+    const char *what; /* NULL: nothing */
+    int line, column; /* of characters, from 1 */
+    unsigned code;    /* the byte or character */
+} fw_text_fault;
+
+/* The first byte that is not valid UTF-8, or character that no text holds: control characters
+ * other than tab and line ends, and the rarer line ends, which editors count differently. */
+fw_text_fault fw_text_check(const char *text, size_t length);
+
+enum { FW_QUOTE_SIZE = 64 };
+
+/* A piece of text for use in a sentence: on one line, cut with "..." where it is too long. */
+typedef struct fw_quote {
+    char text[FW_QUOTE_SIZE];
+} fw_quote;
+fw_quote fw_text_quote(const char *text, size_t length);
+
+#endif
