@@ -3,12 +3,16 @@
  * longer ones indented. Keeps no state. */
 #include "experiments/document.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <limits.h>
 #include <string.h>
 
 enum { LINE_WIDTH = 90, INDENT = 2 };
+
+static bool is_letter_or_digit(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
 
 /* May it stand without quotes, in any context? Words of letters, digits and _.+- with single
  * blanks between them. */
@@ -21,13 +25,13 @@ static bool is_plain(const fw_node *scalar)
         if (c == ' ') {
             bool inside = n > 0 && n + 1 < scalar->length;
             if (!inside || !word || scalar->text[n + 1] == ' ') return false;
-        } else if (isalnum((unsigned char)c) && (unsigned char)c < 0x80) {
+        } else if (is_letter_or_digit(c)) {
             word = true;
         } else if (!strchr("_.+-", c)) {
             return false;
         }
     }
-    return word && isalnum((unsigned char)scalar->text[scalar->length - 1]);
+    return word;
 }
 
 /* Lines of text that a '|' can hold as they are. */
@@ -91,7 +95,7 @@ static void print_key(const char *key, FILE *out)
         fputs(key, out);
     else
         print_quoted(key, name.length, out);
-    fputs(": ", out);
+    fputc(':', out);
 }
 
 static void print_flow(const fw_node *node, FILE *out)
@@ -105,7 +109,10 @@ static void print_flow(const fw_node *node, FILE *out)
     }
     fputc(node->kind == FW_LIST ? '[' : '{', out);
     for (const fw_node *child = node->first; child; child = child->next) {
-        if (child->key) print_key(child->key, out);
+        if (child->key) {
+            print_key(child->key, out);
+            fputc(' ', out);
+        }
         print_flow(child, out);
         if (child->next) fputs(", ", out);
     }
@@ -115,7 +122,7 @@ static void print_flow(const fw_node *node, FILE *out)
 static void print_lines(const fw_node *scalar, int indent, FILE *out)
 {
     bool ends = scalar->text[scalar->length - 1] == '\n';
-    fputs(ends ? "|\n" : "|-\n", out);
+    fputs(ends ? " |\n" : " |-\n", out);
     const char *line = scalar->text;
     while (*line) {
         int length = (int)strcspn(line, "\n");
@@ -129,7 +136,7 @@ static void print_lines(const fw_node *scalar, int indent, FILE *out)
     fputc('\n', out);
 }
 
-/* The value of a key or after a '- '; ends its line. */
+/* The value after a key or a '-'; ends its line. */
 static void print_block(const fw_node *node, int indent, FILE *out)
 {
     if (node->kind == FW_SCALAR && is_lines(node)) {
@@ -138,6 +145,7 @@ static void print_block(const fw_node *node, int indent, FILE *out)
     }
     bool many = node->kind != FW_SCALAR && node->count > 0;
     if (!many || (indent > 0 && flow_width(node) <= LINE_WIDTH)) {
+        if (indent > 0) fputc(' ', out);
         print_flow(node, out);
         fputc('\n', out);
         return;
@@ -148,7 +156,7 @@ static void print_block(const fw_node *node, int indent, FILE *out)
         if (child->key)
             print_key(child->key, out);
         else
-            fputs("- ", out);
+            fputc('-', out);
         print_block(child, indent + INDENT, out);
     }
 }
