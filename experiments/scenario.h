@@ -56,25 +56,17 @@ typedef struct fw_scenario_shape {
     fw_shape_kind kind;
     int columns, rows; /* rectangle */
     double radius;     /* disc, in spacings */
-    fw_sites sites;    /* sites and mask: sorted, owned by the scenario */
+    fw_sites sites;    /* sites and mask: sorted, owned by the scenario; else empty */
+    int64_t count;     /* how many sites, whatever the kind */
+    int first_row, last_row, first_column, last_column; /* the smallest frame around them */
 } fw_scenario_shape;
 
-/* Which sites of a body: every condition that is given must hold. */
-typedef enum fw_selected_side {
-    FW_SIDE_ANY,
-    FW_SIDE_LEFT,
-    FW_SIDE_RIGHT,
-    FW_SIDE_BOTTOM,
-    FW_SIDE_TOP
-} fw_selected_side;
-
+/* Which sites of a body: those of the list, or those within the rows and columns, which say
+ * already which `side` and how many `layers` were asked for. At least one is the body's. */
 typedef struct fw_selection {
     fw_place place;
-    fw_selected_side side; /* the outermost `layers` columns or rows of the body */
-    int layers;
-    int first_row, last_row;       /* inclusive; INT_MIN and INT_MAX: all */
-    int first_column, last_column; /* inclusive */
-    const fw_site *site;           /* an explicit list, sorted, or NULL */
+    int first_row, last_row, first_column, last_column; /* inclusive */
+    const fw_site *site; /* an explicit list, in the order of particles, or NULL */
     int site_count;
 } fw_selection;
 
@@ -279,10 +271,9 @@ fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error
 /* The scenario as run, as a text that reads back to the same scenario: *text is malloc'ed. */
 fw_status fw_scenario_print(const fw_scenario *scenario, char **text, fw_error *error);
 
-/* How many sites the shape has, without making them. */
-int64_t fw_shape_count(const fw_scenario_body *body);
-/* Makes them: row by row, the order of the particles. Caller clears with fw_sites_clear. */
-fw_status fw_shape_sites(const fw_scenario_body *body, fw_sites *sites, fw_error *error);
+/* Makes the body's sites: row by row, the order of the particles. Caller clears with
+ * fw_sites_clear. */
+fw_status fw_scenario_sites(const fw_scenario_body *body, fw_sites *sites, fw_error *error);
 /* The selected ones as indices into `sites`, ascending: *particles is malloc'ed. Never empty for a
  * selection of this body that was read without error. */
 fw_status fw_selection_particles(const fw_selection *selection, const fw_sites *sites,

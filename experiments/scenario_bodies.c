@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario_bodies.c - materials and bodies of a scenario, with what single sites of a body start
+ * with. Keeps no state. Start reading at read_body(). */
+#include "experiments/scenario_parts.h"
+
+fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error)
+{
+    int count;
+    const fw_node *part = fw_scenario_part(scenario, "materials", &count);
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->materials,
+                                &scenario->materials, error));
+    for (const fw_node *node = part->first; node; node = node->next) {
+        fw_scenario_material *material = &scenario->materials[scenario->material_count++];
+        material->name = node->key;
+        material->place = node->key_place;
+        material->kind = FW_LATTICE_BOLTZMANN;
+        FW_TRY(fw_schema_fill(scenario->document, "material", node, material, error));
+    }
+    return FW_OK;
+}
+
+/* --- values of single sites --- */
+
+static fw_status read_pattern(fw_scenario *scenario, const fw_node *node,
+                              const fw_scenario_body *body, fw_pattern *pattern, fw_error *error)
+{
+    FW_TRY(fw_scenario_read_selection(scenario, node, body, &pattern->sites, error));
+    const fw_node *given;
+    if ((given = fw_node_find(node, "by"))) {
+        pattern->kind = FW_PATTERN_UNIFORM;
+        pattern->amplitude = (fw_vec2){fw_node_number(given->first), fw_node_number(given->last)};
+        return FW_OK;
+    }
+    if ((given = fw_node_find(node, "gaussian"))) {
+        pattern->kind = FW_PATTERN_GAUSSIAN;
+        return fw_schema_fill(scenario->document, "gaussian", given, pattern, error);
+    }
+    if ((given = fw_node_find(node, "wave"))) {
+        pattern->kind = FW_PATTERN_WAVE;
+        return fw_schema_fill(scenario->document, "wave", given, pattern, error);
+    }
+    pattern->kind = FW_PATTERN_RANDOM;
+    pattern->random = fw_node_number(fw_node_find(node, "random"));
+    return FW_OK;
+}
+
+static fw_status read_patterns(fw_scenario *scenario, const fw_node *list,
+                               const fw_scenario_body *body, fw_patterns *patterns, fw_error *error)
+{
+    if (!list) return FW_OK;
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *patterns->item,
+                                &patterns->item, error));
+    for (const fw_node *node = list->first; node; node = node->next)
+        FW_TRY(read_pattern(scenario, node, body, &patterns->item[patterns->count++], error));
+    return FW_OK;
+}
+
+static fw_status read_replacements(fw_scenario *scenario, const fw_node *list, const char *section,
+                                   const fw_scenario_body *body, fw_replacements *replacements,
+                                   fw_error *error)
+{
+    if (!list) return FW_OK;
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *replacements->item,
+                                &replacements->item, error));
+    for (const fw_node *node = list->first; node; node = node->next) {
+        fw_replacement *replacement = &replacements->item[replacements->count++];
+        FW_TRY(fw_scenario_read_selection(scenario, node, body, &replacement->sites, error));
+        FW_TRY(fw_schema_fill(scenario->document, section, node, replacement, error));
+    }
+    return FW_OK;
+}
+
+/* --- bodies --- */
+
+static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenario_body *body,
+                           fw_error *error)
+{
+    body->name = node->key;
+    body->place = node->key_place;
+    FW_TRY(fw_schema_fill(scenario->document, "body", node, body, error));
+    int count;
+    FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "materials", &count), "material",
+                            fw_node_find(node, "material"), &body->material, error));
+    if (body->lattice.kind != FW_SQUARE &&
+        scenario->materials[body->material].kind == FW_LATTICE_BOLTZMANN)
+        return fw_scenario_fail(scenario, fw_node_find(node, "lattice")->place, error,
+                                "bodies.%s.lattice is 'hexagonal', expected 'square': the lattice "
+                                "Boltzmann solid has four links per site",
+                                body->name);
+    const fw_node *shape = fw_node_find(node, "shape");
+    body->shape_place = shape->key_place;
+    FW_TRY(fw_scenario_read_shape(scenario, shape, body, error));
+    FW_TRY(read_patterns(scenario, fw_node_find(node, "displacement"), body, &body->displacement,
+                         error));
+    FW_TRY(
+        read_patterns(scenario, fw_node_find(node, "velocities"), body, &body->velocities, error));
+    FW_TRY(read_replacements(scenario, fw_node_find(node, "rest-mass"), "mass-change", body,
+                             &body->rest_mass, error));
+    return read_replacements(scenario, fw_node_find(node, "link-stiffness"), "stiffness-change",
+                             body, &body->link_stiffness, error);
+}
+
+fw_status fw_scenario_read_bodies(fw_scenario *scenario, fw_error *error)
+{
+    int count;
+    const fw_node *part = fw_scenario_part(scenario, "bodies", &count);
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->bodies,
+                                &scenario->bodies, error));
+    for (const fw_node *node = part->first; node; node = node->next)
+        FW_TRY(read_body(scenario, node, &scenario->bodies[scenario->body_count++], error));
+    return FW_OK;
+}
