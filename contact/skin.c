@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RUN = 32, LANES = 8, FIRST_CAPACITY = 8, THREADS_FROM = 20000 };
+enum { CELL_BITS = 12, CELLS = 1 << CELL_BITS };
+enum { RUN = 32, FIRST_CAPACITY = 8, THREADS_FROM = 20000 };
 
 /* A fat box has room for so many steps like the present one; more of it where no wall is near,
  * since it costs nothing there. */
@@ -32,22 +33,19 @@ struct fw_skin {
     long queries;
 };
 
-/* How far along a Hilbert curve through 2^16 x 2^16 cells a cell lies. */
+/* How far along a Hilbert curve through 4096 x 4096 cells a cell lies. */
 static uint32_t hilbert_index(uint32_t x, uint32_t y)
 {
     uint32_t index = 0;
-    for (uint32_t half = 1u << 15; half > 0; half >>= 1) {
-        uint32_t right = (x & half) != 0, upper = (y & half) != 0;
-        index += half * half * ((3 * right) ^ upper);
-        if (upper) continue;
-        /* The lower quarters hold the curve turned: swap the axes, in the right one mirrored. */
-        if (right) {
-            x = ~x;
-            y = ~y;
-        }
-        uint32_t swap = x;
-        x = y;
-        y = swap;
+    for (int bit = CELL_BITS - 1; bit >= 0; --bit) {
+        uint32_t right = x >> bit & 1, upper = y >> bit & 1;
+        index = index << 2 | ((3 * right) ^ upper);
+        /* The lower quarters hold the curve turned: axes swapped, in the right one mirrored. In
+         * masks, since no processor can foresee such a branch. */
+        uint32_t lower = upper - 1, mirror = lower & (0 - right);
+        uint32_t differ = (x ^ y) & lower;
+        x ^= differ ^ mirror;
+        y ^= differ ^ mirror;
     }
     return index;
 }
@@ -57,14 +55,14 @@ typedef struct keyed_particle {
     int particle;
 } keyed_particle;
 
-/* Stable, in four passes of a byte each; the result is in `list` again. */
+/* Stable, in two passes of 12 bits each; the result is in `list` again. */
 static void sort_by_key(keyed_particle *list, keyed_particle *other, size_t count)
 {
-    for (int shift = 0; shift < 32; shift += 8) {
-        size_t begin[257] = {0};
-        for (size_t i = 0; i < count; ++i) begin[(list[i].key >> shift & 255) + 1] += 1;
-        for (int digit = 0; digit < 256; ++digit) begin[digit + 1] += begin[digit];
-        for (size_t i = 0; i < count; ++i) other[begin[list[i].key >> shift & 255]++] = list[i];
+    for (int shift = 0; shift < 2 * CELL_BITS; shift += CELL_BITS) {
+        uint32_t begin[CELLS + 1] = {0};
+        for (size_t i = 0; i < count; ++i) begin[(list[i].key >> shift) % CELLS + 1] += 1;
+        for (int digit = 0; digit < CELLS; ++digit) begin[digit + 1] += begin[digit];
+        for (size_t i = 0; i < count; ++i) other[begin[(list[i].key >> shift) % CELLS]++] = list[i];
         keyed_particle *swap = list;
         list = other;
         other = swap;
@@ -74,7 +72,7 @@ static void sort_by_key(keyed_particle *list, keyed_particle *other, size_t coun
 static uint32_t cell_of(double offset, double cells_per_length)
 {
     double cell = offset * cells_per_length;
-    return cell > 0 ? (uint32_t)fmin(cell, 65535) : 0;
+    return cell > 0 ? (uint32_t)fmin(cell, CELLS - 1) : 0;
 }
 
 static fw_status order_particles(fw_skin *skin, const fw_solid *solid, fw_error *error)
@@ -89,7 +87,7 @@ static fw_status order_particles(fw_skin *skin, const fw_solid *solid, fw_error 
         around.high = (fw_vec2){fmax(around.high.x, r.x), fmax(around.high.y, r.y)};
     }
     double size = fmax(around.high.x - around.low.x, around.high.y - around.low.y);
-    double cells = size > 0 ? 65536 / size : 0;
+    double cells = size > 0 ? CELLS / size : 0;
     for (size_t i = 0; i < count; ++i) {
         fw_vec2 r = fw_vec2_subtract(fw_solid_position(solid, solid->skin[i]), around.low);
         list[i] = (keyed_particle){hilbert_index(cell_of(r.x, cells), cell_of(r.y, cells)),
@@ -179,24 +177,8 @@ long fw_skin_query_count(const fw_skin *skin)
     return skin->queries;
 }
 
-/* What positions and displacements span, in separate lanes: compilers make vector code of it
- * without having to change the order of anything. */
-typedef struct span {
-    double low_x[LANES], low_y[LANES], high_x[LANES], high_y[LANES];
-    double reach[LANES]; /* squared */
-} span;
-
-static inline void span_add(span *s, int lane, double x, double y, fw_vec2 displacement)
-{
-    double reach = fw_vec2_dot(displacement, displacement);
-    s->low_x[lane] = x < s->low_x[lane] ? x : s->low_x[lane];
-    s->low_y[lane] = y < s->low_y[lane] ? y : s->low_y[lane];
-    s->high_x[lane] = x > s->high_x[lane] ? x : s->high_x[lane];
-    s->high_y[lane] = y > s->high_y[lane] ? y : s->high_y[lane];
-    s->reach[lane] = reach > s->reach[lane] ? reach : s->reach[lane];
-}
-
-/* Fills swept[run] and reach[run]. */
+/* Fills swept[run] and reach[run]. Least and greatest values do not depend on the order in which
+ * they are looked for, so the compiler may do it in vectors. */
 static void sweep_run(fw_skin *skin, int run, const double *restrict x, const double *restrict y,
                       double wall_sweep)
 {
@@ -204,31 +186,22 @@ static void sweep_run(fw_skin *skin, int run, const double *restrict x, const do
     const int count = skin->count - first < RUN ? skin->count - first : RUN;
     const int *restrict particles = skin->particles + first;
     const fw_prediction *restrict predictions = skin->predictions + first;
-    span s;
-    for (int lane = 0; lane < LANES; ++lane) {
-        s.low_x[lane] = s.low_y[lane] = INFINITY;
-        s.high_x[lane] = s.high_y[lane] = -INFINITY;
-        s.reach[lane] = 0;
+    double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
+    double reach_squared = 0;
+#pragma omp simd reduction(min : low_x, low_y) reduction(max : high_x, high_y, reach_squared)
+    for (int k = 0; k < count; ++k) {
+        double here_x = x[particles[k]], here_y = y[particles[k]];
+        double squared = fw_vec2_dot(predictions[k].displacement, predictions[k].displacement);
+        low_x = here_x < low_x ? here_x : low_x;
+        low_y = here_y < low_y ? here_y : low_y;
+        high_x = here_x > high_x ? here_x : high_x;
+        high_y = here_y > high_y ? here_y : high_y;
+        reach_squared = squared > reach_squared ? squared : reach_squared;
     }
-    int k = 0;
-    for (; k + LANES <= count; k += LANES)
-        for (int lane = 0; lane < LANES; ++lane)
-            span_add(&s, lane, x[particles[k + lane]], y[particles[k + lane]],
-                     predictions[k + lane].displacement);
-    for (; k < count; ++k)
-        span_add(&s, k % LANES, x[particles[k]], y[particles[k]], predictions[k].displacement);
-    for (int lane = 1; lane < LANES; ++lane) {
-        s.low_x[0] = s.low_x[lane] < s.low_x[0] ? s.low_x[lane] : s.low_x[0];
-        s.low_y[0] = s.low_y[lane] < s.low_y[0] ? s.low_y[lane] : s.low_y[0];
-        s.high_x[0] = s.high_x[lane] > s.high_x[0] ? s.high_x[lane] : s.high_x[0];
-        s.high_y[0] = s.high_y[lane] > s.high_y[0] ? s.high_y[lane] : s.high_y[0];
-        s.reach[0] = s.reach[lane] > s.reach[0] ? s.reach[lane] : s.reach[0];
-    }
-    skin->reach[run] = sqrt(s.reach[0]);
+    skin->reach[run] = sqrt(reach_squared);
     /* Friction and slanting walls can turn and lengthen a displacement, a wall can push. */
     const double room = 2 * skin->reach[run] + wall_sweep;
-    skin->swept[run] =
-        (fw_box){{s.low_x[0] - room, s.low_y[0] - room}, {s.high_x[0] + room, s.high_y[0] + room}};
+    skin->swept[run] = (fw_box){{low_x - room, low_y - room}, {high_x + room, high_y + room}};
 }
 
 static bool lies_within(fw_box inner, fw_box outer)

@@ -15,7 +15,7 @@
 typedef struct fw_skin fw_skin;
 
 /* For the solid's present skin and positions. FW_SYSTEM_FAILED without memory. A solid whose skin
- * changes needs a new one; making it costs about as much as ten refreshes. */
+ * changes needs a new one; making it costs about a hundred refreshes. */
 fw_status fw_skin_create(fw_skin **skin, const fw_solid *solid, fw_error *error);
 void fw_skin_destroy(fw_skin *skin);
 

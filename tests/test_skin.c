@@ -177,7 +177,9 @@ static void no_pair_is_missed(void **state)
         double size = dice_scale(&d, 0.5, 2);
         fw_vec2 middle = dice_point(&d, (fw_vec2){0, 0}, 1e4);
         stage s;
-        set_stage(&s, &d, middle, size, dice_scale(&d, -3, 0.5));
+        /* With moving walls about, lists are renewed too often for a mistake in keeping them to
+         * show: in half of the scenes they rest. */
+        set_stage(&s, &d, middle, size, scene % 2 ? 0 : dice_scale(&d, -3, 0.5));
         cloud c;
         cloud_create(&c, 1 + dice_below(&d, 150));
         double speed = size * dice_scale(&d, -4, 0), noise = speed * dice_between(&d, -0.2, 0.5);
@@ -185,7 +187,7 @@ static void no_pair_is_missed(void **state)
                         size * dice_scale(&d, -2, -1), fw_vec2_scale(speed, dice_direction(&d)));
         fw_skin *skin;
         assert_int_equal(fw_skin_create(&skin, &c.solid, NULL), FW_OK);
-        for (int step = 0; step < 30; ++step) {
+        for (int step = 0; step < 40; ++step) {
             moment now = move_walls(&s, step);
             cloud_predict(&c, skin, &d, noise);
             assert_int_equal(fw_skin_refresh(skin, &c.solid, s.broadphase, NULL), FW_OK);
