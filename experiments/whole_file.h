@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* whole_file.h - a file that appears under its name only when all of it is on disk. */
+#ifndef FW_WHOLE_FILE_H
+#define FW_WHOLE_FILE_H
+
+#include "core/status.h"
+
+#include <stddef.h>
+
+/* Writes bytes into a temporary neighbour of `name`, brings them to disk and renames; a failure
+ * leaves what was there before. What exists and is no regular file (a pipe, a device) is written
+ * to directly. FW_SYSTEM_FAILED with a sentence that names the file and the reason. */
+fw_status fw_whole_file_write(const char *name, const void *bytes, size_t count, fw_error *error);
+
+#endif
