@@ -32,33 +32,11 @@ static void fill_kinetic_energy(const fw_solid *solid, double *values)
     for (int i = 0; i < solid->count; ++i) values[i] *= 0.5 * langevin->mass[i] * values[i];
 }
 
-/* psi_n over the bonds of particle i, and how many there are. */
-static fw_phase bond_order(const fw_particles *particles, int i, int *bonds)
-{
-    const fw_solid *head = &particles->langevin.head;
-    const fw_neighbours *neighbours = particles->neighbours;
-    const int fold = particles->groups[particles->group_of[i]].return_force.fold;
-    fw_phase sum = {0, 0};
-    *bonds = 0;
-    for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-        const int j = neighbours->list[k];
-        const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
-        const double r2 = dx * dx + dy * dy;
-        if (!(r2 < particles->bond_radius * particles->bond_radius)) continue;
-        const fw_phase phase = fw_phase_of_bond(fold, dx, dy, 1 / r2);
-        sum.cosine += phase.cosine;
-        sum.sine += phase.sine;
-        *bonds += 1;
-    }
-    if (*bonds > 0) sum = (fw_phase){sum.cosine / *bonds, sum.sine / *bonds};
-    return sum;
-}
-
 static void fill_local_order(const fw_solid *solid, double *values)
 {
     int bonds;
     for (int i = 0; i < solid->count; ++i) {
-        const fw_phase order = bond_order(particles_of(solid), i, &bonds);
+        const fw_phase order = fw_particles_bond_order(solid, i, &bonds);
         values[i] = sqrt(order.cosine * order.cosine + order.sine * order.sine);
     }
 }
@@ -68,7 +46,7 @@ static void fill_lab_order(const fw_solid *solid, double *values)
     int bonds;
     for (int i = 0; i < solid->count; ++i) {
         const fw_particles *particles = particles_of(solid);
-        const fw_phase order = bond_order(particles, i, &bonds);
+        const fw_phase order = fw_particles_bond_order(solid, i, &bonds);
         const fw_phase axes = particles->groups[particles->group_of[i]].axes;
         values[i] = order.cosine * axes.cosine + order.sine * axes.sine;
     }
@@ -78,7 +56,7 @@ static void fill_coordination(const fw_solid *solid, double *values)
 {
     int bonds;
     for (int i = 0; i < solid->count; ++i) {
-        bond_order(particles_of(solid), i, &bonds);
+        fw_particles_bond_order(solid, i, &bonds);
         values[i] = bonds;
     }
 }

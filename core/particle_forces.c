@@ -254,3 +254,24 @@ fw_tensor fw_particles_virial(const fw_solid *solid, int group)
                        fw_array_sum(virial[2] + first, size),
                        fw_array_sum(virial[3] + first, size)};
 }
+
+fw_phase fw_particles_bond_order(const fw_solid *solid, int particle, int *bonds)
+{
+    const fw_particles *particles = (const fw_particles *)solid;
+    const fw_neighbours *neighbours = particles->neighbours;
+    const int fold = particles->groups[particles->group_of[particle]].return_force.fold;
+    fw_phase sum = {0, 0};
+    *bonds = 0;
+    for (size_t k = neighbours->begin[particle]; k < neighbours->begin[particle + 1]; ++k) {
+        const int j = neighbours->list[k];
+        const double dx = solid->x[particle] - solid->x[j], dy = solid->y[particle] - solid->y[j];
+        const double r2 = dx * dx + dy * dy;
+        if (!(r2 < particles->bond_radius * particles->bond_radius)) continue;
+        const fw_phase phase = fw_phase_of_bond(fold, dx, dy, 1 / r2);
+        sum.cosine += phase.cosine;
+        sum.sine += phase.sine;
+        *bonds += 1;
+    }
+    if (*bonds > 0) sum = (fw_phase){sum.cosine / *bonds, sum.sine / *bonds};
+    return sum;
+}

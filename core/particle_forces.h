@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_forces.h - how the solid of particles.h is built inside, for the files that share it:
- * particles.c (life), particle_forces.c (sums over bonds), particle_fields.c (fields). */
+ * particles.c (life), particle_checks.c (what is refused), particle_forces.c (sums over bonds),
+ * particle_fields.c (fields). */
 #ifndef FW_PARTICLE_FORCES_H
 #define FW_PARTICLE_FORCES_H
 
@@ -28,6 +29,15 @@ struct fw_particles {
 
 /* As fw_langevin.find_forces. */
 void fw_particles_find_forces(fw_langevin *solid);
+
+/* Whatever fw_particles_create refuses before it builds. */
+fw_status fw_particles_check(const fw_particles_def *def, fw_error *error);
+/* The first pair whose energy is above the limit, if there is one. */
+fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error);
+fw_status fw_particles_check_time_step(double time_step, double limit, fw_error *error);
+/* Stable for bodies of such particles. */
+double fw_particles_longest_time_step(const fw_pair_potential *potential, double strength,
+                                      const fw_return_force *force, double mass);
 
 extern const fw_field fw_particle_fields[];
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* particles.c - movable lattice particles: checking, building, changing, and the model's table.
+/* particles.c - movable lattice particles: building, changing, and the model's table.
  * State: that of langevin.c, and the return amplitude of each body. Invariant between steps: the
  * neighbour list holds for the present positions. The step is in langevin.c, the forces are in
  * particle_forces.c. Start reading at fw_particles_create(). */
@@ -26,136 +26,6 @@ fw_particles_def fw_particles_def_default(void)
                               .overlap_energy = 100,
                               .bond_radius = 1.25,
                               .skin = 0.3};
-}
-
-/* --- what is refused --- */
-
-static fw_status check_group(const fw_particle_group_def *group, fw_error *error)
-{
-    if (group->count < 1)
-        return fw_fail(error, FW_BAD_INPUT, "it has %d particles, expected at least one",
-                       group->count);
-    if (!(group->mass > 0 && isfinite(group->mass)))
-        return fw_fail(error, FW_BAD_INPUT, "its particles have mass %g, expected a number > 0",
-                       group->mass);
-    if (!(group->strength >= 0 && isfinite(group->strength)))
-        return fw_fail(error, FW_BAD_INPUT,
-                       "the potential has strength %g in it, expected a number >= 0",
-                       group->strength);
-    for (int i = 0; i < group->count; ++i) {
-        const fw_vec2 at = group->positions[i];
-        if (!isfinite(at.x) || !isfinite(at.y))
-            return fw_fail(error, FW_BAD_INPUT,
-                           "particle %d lies at [%g, %g], expected finite numbers", i, at.x, at.y);
-        if (!group->velocities) continue;
-        const fw_vec2 velocity = group->velocities[i];
-        if (!isfinite(velocity.x) || !isfinite(velocity.y))
-            return fw_fail(error, FW_BAD_INPUT,
-                           "particle %d has velocity [%g, %g], expected finite numbers", i,
-                           velocity.x, velocity.y);
-    }
-    return fw_return_force_check(&group->return_force, error);
-}
-
-static fw_status check_groups(const fw_particles_def *def, fw_error *error)
-{
-    if (def->group_count < 1)
-        return fw_fail(error, FW_BAD_INPUT, "there are no bodies of movable particles");
-    int64_t count = 0;
-    for (int g = 0; g < def->group_count; ++g) {
-        const fw_particle_group_def *group = &def->groups[g];
-        if (check_group(group, error) != FW_OK)
-            return fw_fail_within(error, "body '%s'", group->name);
-        for (int h = 0; h < g; ++h)
-            if (strcmp(def->groups[h].name, group->name) == 0)
-                return fw_fail(error, FW_BAD_INPUT, "two bodies are called '%s'", group->name);
-        count += group->count;
-    }
-    if (count > INT32_MAX / 2)
-        return fw_fail(error, FW_BAD_INPUT, "%lld particles, expected at most %d", (long long)count,
-                       INT32_MAX / 2);
-    return FW_OK;
-}
-
-/* Highest frequency of a hexagonal crystal of such bonds, squared: for the linear lattice (Popov &
- * Filippov Eq 2) it is (6 k2 + 8 k1)/m, at the edge of the zone, with k1 = n f0/r0 and
- * k2 = U'' - k1. */
-static double highest_frequency_squared(double stiffness, double strength,
-                                        const fw_return_force *force, double mass)
-{
-    const double transverse = force->fold * force->amplitude / force->distance;
-    return (6 * stiffness * strength + 2 * transverse) / mass;
-}
-
-double fw_particles_time_step_limit(const fw_particles_def *def)
-{
-    const double stiffness = fw_pair_potential_stiffness(&def->potential);
-    double highest = 0;
-    for (int g = 0; g < def->group_count; ++g) {
-        const fw_particle_group_def *group = &def->groups[g];
-        const double strength =
-            def->group_count > 1 ? fmax(group->strength, def->strength_across) : group->strength;
-        highest = fmax(highest, highest_frequency_squared(stiffness, strength, &group->return_force,
-                                                          group->mass));
-    }
-    return 2 / sqrt(highest);
-}
-
-static fw_status check_time_step(double time_step, double limit, fw_error *error)
-{
-    if (time_step < limit) return FW_OK;
-    return fw_fail(error, FW_BAD_INPUT,
-                   "the time step is %g, expected less than %.4g: beyond it the stiffest bond's "
-                   "oscillation grows",
-                   time_step, limit);
-}
-
-static fw_status check_def(const fw_particles_def *def, fw_error *error)
-{
-    FW_TRY(check_groups(def, error));
-    FW_TRY(fw_pair_potential_check(&def->potential, error));
-    FW_TRY(fw_langevin_check(&def->controls, error));
-    if (!(def->strength_across >= 0 && isfinite(def->strength_across)))
-        return fw_fail(error, FW_BAD_INPUT,
-                       "the potential has strength %g between bodies, expected a number >= 0",
-                       def->strength_across);
-    if (!(def->bond_radius > 0 && isfinite(def->bond_radius)))
-        return fw_fail(error, FW_BAD_INPUT, "bonds reach up to %g, expected a number > 0",
-                       def->bond_radius);
-    if (!(def->skin >= 0 && isfinite(def->skin)))
-        return fw_fail(error, FW_BAD_INPUT,
-                       "the neighbour list reaches %g further than the forces, expected a number "
-                       ">= 0",
-                       def->skin);
-    if (!(def->overlap_energy >= 0))
-        return fw_fail(error, FW_BAD_INPUT, "the overlap energy is %g, expected a number >= 0",
-                       def->overlap_energy);
-    return check_time_step(def->controls.time_step, fw_particles_time_step_limit(def), error);
-}
-
-/* The first pair whose energy is above the limit, if there is one. */
-static fw_status check_overlaps(const fw_particles *particles, double limit, fw_error *error)
-{
-    const fw_solid *head = &particles->langevin.head;
-    const fw_neighbours *neighbours = particles->neighbours;
-    for (int i = 0; i < head->count; ++i)
-        for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-            const int j = neighbours->list[k];
-            if (j < i) continue;
-            const fw_particle_group *a = &particles->groups[particles->group_of[i]];
-            const fw_particle_group *b = &particles->groups[particles->group_of[j]];
-            const double strength = a == b ? a->strength : particles->strength_across;
-            const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
-            const double r2 = dx * dx + dy * dy;
-            if (!(strength * particles->potential.depth > 0)) continue;
-            const double energy = strength * fw_pair_at(&particles->potential, r2).energy;
-            if (energy <= limit) continue;
-            return fw_fail(error, FW_BAD_INPUT,
-                           "particle %d of body '%s' and particle %d of body '%s' overlap: at "
-                           "distance %.4g their energy is %.4g, expected at most %g",
-                           i - a->first, a->name, j - b->first, b->name, sqrt(r2), energy, limit);
-        }
-    return FW_OK;
 }
 
 /* --- life --- */
@@ -331,13 +201,13 @@ static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_
     fw_langevin_start(langevin);
     if (langevin->head.trouble)
         return fw_fail(error, FW_SYSTEM_FAILED, "%s", langevin->head.trouble);
-    return check_overlaps(particles, def->overlap_energy, error);
+    return fw_particles_check_overlaps(particles, def->overlap_energy, error);
 }
 
 fw_status fw_particles_create(fw_solid **solid, const fw_particles_def *def, fw_error *error)
 {
     *solid = NULL;
-    FW_TRY(check_def(def, error));
+    FW_TRY(fw_particles_check(def, error));
     fw_particles *particles = calloc(1, sizeof *particles);
     if (!particles) return fw_fail_memory(error, "a solid of movable particles");
     int count = 0;
@@ -354,17 +224,13 @@ fw_status fw_particles_create(fw_solid **solid, const fw_particles_def *def, fw_
 
 /* --- changing --- */
 
-static double present_limit(const fw_particles *particles)
+/* For one body, if its return force were `force`. */
+static double present_limit(const fw_particles *particles, int g, const fw_return_force *force)
 {
-    const double stiffness = fw_pair_potential_stiffness(&particles->potential);
-    double highest = 0;
-    for (int g = 0; g < particles->group_count; ++g) {
-        const fw_particle_group *group = &particles->groups[g];
-        const double strength = fmax(group->strength, particles->strength_across);
-        highest = fmax(highest, highest_frequency_squared(stiffness, strength, &group->return_force,
-                                                          particles->langevin.mass[group->first]));
-    }
-    return 2 / sqrt(highest);
+    const fw_particle_group *group = &particles->groups[g];
+    return fw_particles_longest_time_step(&particles->potential,
+                                          fmax(group->strength, particles->strength_across), force,
+                                          particles->langevin.mass[group->first]);
 }
 
 fw_status fw_particles_set_controls(fw_solid *solid, const fw_langevin_controls *controls,
@@ -372,7 +238,10 @@ fw_status fw_particles_set_controls(fw_solid *solid, const fw_langevin_controls 
 {
     fw_particles *particles = fw_particles_of(solid);
     FW_TRY(fw_langevin_check(controls, error));
-    FW_TRY(check_time_step(controls->time_step, present_limit(particles), error));
+    for (int g = 0; g < particles->group_count; ++g)
+        FW_TRY(fw_particles_check_time_step(
+            controls->time_step, present_limit(particles, g, &particles->groups[g].return_force),
+            error));
     fw_langevin_set_controls(&particles->langevin, controls);
     return FW_OK;
 }
@@ -397,11 +266,8 @@ fw_status fw_particles_set_amplitude(fw_solid *solid, int group, double amplitud
     fw_return_force changed = particles->groups[group].return_force;
     changed.amplitude = amplitude;
     FW_TRY(fw_return_force_check(&changed, error));
-    const double stiffness = fw_pair_potential_stiffness(&particles->potential);
-    const double strength = fmax(particles->groups[group].strength, particles->strength_across);
-    const double highest = highest_frequency_squared(
-        stiffness, strength, &changed, particles->langevin.mass[particles->groups[group].first]);
-    FW_TRY(check_time_step(particles->langevin.controls.time_step, 2 / sqrt(highest), error));
+    FW_TRY(fw_particles_check_time_step(particles->langevin.controls.time_step,
+                                        present_limit(particles, group, &changed), error));
     particles->amplitudes[group] = amplitude;
     restored(solid);
     return FW_OK;

@@ -51,8 +51,8 @@ fw_particles_def fw_particles_def_default(void);
  * stiffest bond's limit. */
 fw_status fw_particles_create(fw_solid **solid, const fw_particles_def *def, fw_error *error);
 
-/* The longest stable time step of Verlet's scheme, 2/omega: omega^2 = (6 U'' + 2 n f0/r0)/m is the
- * hexagonal crystal's highest frequency, as if every bond were as stiff as the stiffest. */
+/* The longest stable time step of Verlet's scheme, 2/omega of a hexagonal crystal's fastest
+ * oscillation, all bonds as stiff as at their rest length. */
 double fw_particles_time_step_limit(const fw_particles_def *def);
 
 typedef struct fw_particles fw_particles;
@@ -103,6 +103,10 @@ double fw_particles_bond_radius(const fw_solid *solid);
 void fw_particles_return_forces(const fw_solid *solid, double *x, double *y);
 /* Half of the energy of each particle's pairs (potential and conservative return force). */
 void fw_particles_pair_energies(const fw_solid *solid, double *energies);
+
+/* psi_n: the mean of e^{i n phi} over the particle's bonds (0 without any), with n of its own body;
+ * *bonds: how many it has. Bonds are all pairs closer than the bond radius, across bodies too. */
+fw_phase fw_particles_bond_order(const fw_solid *solid, int particle, int *bonds);
 
 /* The virial part of the pressure, sum over pairs of (r_i - r_j) (x) F_ij, not divided by the area.
  * Not symmetric where return forces exert a torque. group < 0: all particles; otherwise half of
