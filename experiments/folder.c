@@ -19,28 +19,34 @@ struct fw_folder {
     char path[];
 };
 
-static fw_status hold(fw_folder **folder, const char *path, bool fresh, fw_error *error)
+fw_status fw_folder_visit(fw_folder **folder, const char *path, fw_error *error)
 {
+    *folder = NULL;
     int descriptor = open(path, O_RDONLY | O_DIRECTORY);
     if (descriptor < 0) {
         bool missing = errno == ENOENT || errno == ENOTDIR;
         return fw_fail(error, missing ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
                        "cannot open the folder %s: %s", path, strerror(errno));
     }
-    /* Some network file systems know no locks on folders; there a second writer goes unnoticed. */
-    if (flock(descriptor, LOCK_EX | LOCK_NB) < 0 && errno == EWOULDBLOCK) {
-        close(descriptor);
-        return fw_fail(error, FW_BAD_INPUT, "another run is writing into %s", path);
-    }
-    *folder = calloc(1, sizeof **folder + strlen(path) + 1);
-    if (!*folder) {
+    fw_folder *opened = calloc(1, sizeof *opened + strlen(path) + 1);
+    if (!opened) {
         close(descriptor);
         return fw_fail_memory(error, path);
     }
-    (*folder)->descriptor = descriptor;
-    (*folder)->fresh = fresh;
-    strcpy((*folder)->path, path);
+    opened->descriptor = descriptor;
+    strcpy(opened->path, path);
+    *folder = opened;
     return FW_OK;
+}
+
+fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error)
+{
+    FW_TRY(fw_folder_visit(folder, path, error));
+    /* Some network file systems know no locks on folders; there a second writer goes unnoticed. */
+    if (flock((*folder)->descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return FW_OK;
+    fw_folder_close(*folder);
+    *folder = NULL;
+    return fw_fail(error, FW_BAD_INPUT, "another run is writing into %s", path);
 }
 
 /* The folders above the last name of `path`. */
@@ -64,18 +70,13 @@ fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error
     if (!fresh && errno != EEXIST)
         return fw_fail(error, FW_SYSTEM_FAILED, "cannot make the folder %s: %s", path,
                        strerror(errno));
-    FW_TRY(hold(folder, path, fresh, error));
+    FW_TRY(fw_folder_open(folder, path, error));
+    (*folder)->fresh = fresh;
     if (access(path, W_OK | X_OK) == 0) return FW_OK;
     fw_fail(error, FW_SYSTEM_FAILED, "cannot write into the folder %s: %s", path, strerror(errno));
     fw_folder_abandon(*folder);
     *folder = NULL;
     return FW_SYSTEM_FAILED;
-}
-
-fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error)
-{
-    *folder = NULL;
-    return hold(folder, path, false, error);
 }
 
 void fw_folder_close(fw_folder *folder)

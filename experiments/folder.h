@@ -18,6 +18,8 @@ typedef struct fw_folder fw_folder;
 fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error);
 /* Holds a folder that is there; FW_BAD_INPUT when it is not. */
 fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error);
+/* A folder that is there, without holding it: for readers, and beside its holder. */
+fw_status fw_folder_visit(fw_folder **folder, const char *path, fw_error *error);
 /* Lets go of it. NULL is legal. */
 void fw_folder_close(fw_folder *folder);
 /* Lets go of it, and removes it where fw_folder_create made it and it is empty. NULL is legal. */

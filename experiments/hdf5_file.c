@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hdf5_file.c - the only file that knows HDF5.
- * State: the file's handle, the bytes of raw data allocated in it, its first failure. Invariant:
+ * State: the file's handle, the datasets made in it, its first failure. Invariant:
  * after a failure no call reaches HDF5 any more, except the one that closes. Start reading at
  * fw_hdf5_create() and make_dataset(). */
 #include "experiments/hdf5_file.h"
@@ -17,8 +17,10 @@ _Static_assert(sizeof(hid_t) == sizeof(fw_dataset), "a dataset is a handle of HD
 
 struct fw_hdf5 {
     hid_t id;
-    uint64_t head, raw; /* address of the first raw data; bytes of raw data */
-    fw_error failure;   /* FW_OK: none so far */
+    uint64_t head; /* address of the first raw data */
+    hid_t *made;   /* all datasets made here */
+    int made_count;
+    fw_error failure; /* FW_OK: none so far */
     char path[];
 };
 
@@ -143,6 +145,7 @@ fw_status fw_hdf5_close(fw_hdf5 *file, fw_error *error)
     if (!file) return FW_OK;
     if (H5Fclose(file->id) < 0) fail_writing(file, "the file");
     fw_status status = fw_hdf5_check(file, error);
+    free(file->made);
     free(file);
     return status;
 }
@@ -184,9 +187,8 @@ void fw_hdf5_sync(fw_hdf5 *file)
 
 void fw_hdf5_reserve(fw_hdf5 *file)
 {
-    uint64_t head, whole;
     fw_hdf5_flush(file);
-    fw_hdf5_measure(file, &head, &whole);
+    uint64_t whole = fw_hdf5_size(file);
     if (failed(file)) return;
     int *descriptor = NULL;
     if (H5Fget_vfd_handle(file->id, H5P_DEFAULT, (void **)&descriptor) < 0) {
@@ -199,17 +201,27 @@ void fw_hdf5_reserve(fw_hdf5 *file)
             (double)whole / 1e6, strerror(reason));
 }
 
-void fw_hdf5_measure(fw_hdf5 *file, uint64_t *head, uint64_t *whole)
+uint64_t fw_hdf5_size(fw_hdf5 *file)
 {
     hsize_t size = 0;
-    *head = *whole = 0;
-    if (failed(file)) return;
-    if (H5Fget_filesize(file->id, &size) < 0) {
-        fail_reading(file);
-        return;
-    }
-    *whole = size;
-    if (file->head + file->raw == size) *head = file->head;
+    if (!failed(file) && H5Fget_filesize(file->id, &size) < 0) fail_reading(file);
+    return size;
+}
+
+bool fw_hdf5_is_compact(fw_hdf5 *file)
+{
+    fw_hdf5_flush(file);
+    uint64_t raw = 0;
+    for (int i = 0; i < file->made_count; ++i) raw += H5Dget_storage_size(file->made[i]);
+    return file->head + raw == fw_hdf5_size(file);
+}
+
+uint64_t fw_hdf5_address(fw_hdf5 *file, fw_dataset dataset)
+{
+    if (failed(file)) return 0;
+    haddr_t address = H5Dget_offset(dataset);
+    if (address == HADDR_UNDEF) fail_reading(file);
+    return address == HADDR_UNDEF ? 0 : address;
 }
 
 static hid_t number_type(fw_element element)
@@ -247,6 +259,19 @@ void fw_hdf5_make_group(fw_hdf5 *file, const char *path)
     H5Pclose(properties);
 }
 
+static void remember(fw_hdf5 *file, hid_t dataset)
+{
+    haddr_t address = H5Dget_offset(dataset); /* undefined where there are chunks */
+    if (address != HADDR_UNDEF && file->head == 0) file->head = address;
+    hid_t *more = realloc(file->made, (size_t)(file->made_count + 1) * sizeof *more);
+    if (!more) {
+        fw_hdf5_give_up(file, "a list of datasets");
+        return;
+    }
+    file->made = more;
+    file->made[file->made_count++] = dataset;
+}
+
 /* Takes over type and space. Raw data is allocated now and never filled. */
 static fw_dataset make_dataset(fw_hdf5 *file, const char *path, hid_t type, hid_t space,
                                int chunk_rank, const hsize_t *chunk)
@@ -256,13 +281,10 @@ static fw_dataset make_dataset(fw_hdf5 *file, const char *path, hid_t type, hid_
     H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
     if (chunk_rank > 0) H5Pset_chunk(properties, chunk_rank, chunk);
     hid_t dataset = H5Dcreate2(file->id, path, type, space, H5P_DEFAULT, properties, H5P_DEFAULT);
-    if (dataset < 0) {
+    if (dataset < 0)
         fail_writing(file, path);
-    } else if (chunk_rank == 0) {
-        haddr_t address = H5Dget_offset(dataset);
-        if (address != HADDR_UNDEF && file->head == 0) file->head = address;
-        file->raw += H5Dget_storage_size(dataset);
-    }
+    else
+        remember(file, dataset);
     H5Pclose(properties);
     H5Sclose(space);
     H5Tclose(type);
@@ -518,12 +540,10 @@ void fw_hdf5_resize(fw_hdf5 *file, fw_dataset dataset, uint64_t rows)
     if (failed(file)) return;
     hid_t space = H5Dget_space(dataset);
     hsize_t extent[H5S_MAX_RANK] = {0};
-    hsize_t before = H5Dget_storage_size(dataset);
     int rank = H5Sget_simple_extent_dims(space, extent, NULL);
     H5Sclose(space);
     extent[0] = rows;
     if (rank < 1 || H5Dset_extent(dataset, extent) < 0) fail_writing(file, "the file");
-    file->raw += H5Dget_storage_size(dataset) - before;
 }
 
 void fw_hdf5_write_text(fw_hdf5 *file, fw_dataset dataset, const char *text)

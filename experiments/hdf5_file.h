@@ -55,9 +55,12 @@ void fw_hdf5_sync(fw_hdf5 *file);
 /* Takes the disk space of the whole file now, so that a full disk shows before a run and not in the
  * middle of it. File systems that cannot do that are left alone. */
 void fw_hdf5_reserve(fw_hdf5 *file);
-/* Bytes at the head of the file that hold all of its structure, and bytes of the whole file. A head
- * of 0 says that structure has spilled over into the data. Only for files created here. */
-void fw_hdf5_measure(fw_hdf5 *file, uint64_t *head, uint64_t *whole);
+uint64_t fw_hdf5_size(fw_hdf5 *file);
+/* Whether all structure lies in front of all data, so that none of it is further back than the
+ * first dataset's data. Only files that were created, not opened, know. */
+bool fw_hdf5_is_compact(fw_hdf5 *file);
+/* Where the data of an array begins. */
+uint64_t fw_hdf5_address(fw_hdf5 *file, fw_dataset dataset);
 
 /* Making. Groups on the way to `path` must be there. */
 void fw_hdf5_make_group(fw_hdf5 *file, const char *path);

@@ -7,6 +7,7 @@
 
 #include "experiments/folder.h"
 #include "experiments/hdf5_file.h"
+#include "experiments/trajectory_head.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -235,6 +236,21 @@ static fw_status read_head(fw_playback *playback, fw_error *error)
     return playback->file->vectors ? FW_OK : fw_fail_memory(error, "a frame of results");
 }
 
+/* A file that is being cut may be in any state. */
+static fw_status check_torn(const char *directory, fw_error *error)
+{
+    fw_folder *folder;
+    FW_TRY(fw_folder_visit(&folder, directory, error));
+    bool torn = fw_head_is_torn(folder);
+    fw_folder_close(folder);
+    if (!torn) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s/" FW_TRAJECTORY_FILE
+                   " is being closed, or its run was killed while it closed "
+                   "it; then resume puts it right",
+                   directory);
+}
+
 fw_status fw_playback_open(fw_playback **playback, const char *path, fw_error *error)
 {
     char file[FW_PATH_SIZE];
@@ -245,6 +261,7 @@ fw_status fw_playback_open(fw_playback **playback, const char *path, fw_error *e
     if (length < 0 || length >= FW_PATH_SIZE)
         return fw_fail(error, FW_BAD_INPUT, "the path of the results is longer than %d bytes",
                        FW_PATH_SIZE);
+    if (folder) FW_TRY(check_torn(path, error));
     fw_playback *opened = calloc(1, sizeof *opened);
     if (opened) opened->file = calloc(1, sizeof *opened->file);
     if (!opened || !opened->file) {

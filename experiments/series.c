@@ -11,7 +11,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { CHUNK_BYTES = 65536, CHUNK_ROWS = 1024, LONGEST_PATH = 512 };
+enum { CHUNK_BYTES = 65536, CHUNK_ROWS = 1024, LEAST_ROWS = 16, LONGEST_PATH = 512 };
 
 typedef struct quantity {
     fw_dataset value;
@@ -77,12 +77,10 @@ void fw_series_destroy(fw_series *series)
     free(series);
 }
 
-/* Rows of a quantity that lie together: one where rows are written one by one. */
-static uint64_t chunk_rows(const fw_series *series, size_t width)
+uint64_t fw_series_chunk(size_t width)
 {
-    if (series->block == 1) return 1;
     uint64_t rows = CHUNK_BYTES / (sizeof(double) * width);
-    return rows < 16 ? 16 : rows < CHUNK_ROWS ? rows : CHUNK_ROWS;
+    return rows < LEAST_ROWS ? LEAST_ROWS : rows < CHUNK_ROWS ? rows : CHUNK_ROWS;
 }
 
 /* The first element has step and time of its own, all others share them. */
@@ -117,6 +115,14 @@ static bool has_shape(fw_series *series, fw_dataset dataset, int rank, const uin
     return shape.element == FW_F64 && (int64_t)shape.extent[0] == series->room;
 }
 
+/* Whether a dataset found in the file has one element for each row that has room. */
+static bool is_line(fw_series *series, fw_dataset dataset, fw_element element)
+{
+    fw_shape shape;
+    return fw_hdf5_shape(series->file, dataset, &shape) && !shape.text &&
+           shape.element == element && shape.rank == 1 && (int64_t)shape.extent[0] == series->room;
+}
+
 int fw_series_add(fw_series *series, const char *path, int rank, const uint64_t *extent)
 {
     assert(strlen(path) < LONGEST_PATH && rank < FW_DATASET_RANK);
@@ -136,12 +142,15 @@ int fw_series_add(fw_series *series, const char *path, int rank, const uint64_t 
     if (series->fresh) {
         fw_hdf5_make_group(series->file, path);
         added->value = fw_hdf5_make_rows(series->file, value, FW_F64, rank, extent,
-                                         chunk_rows(series, added->width));
+                                         series->block == 1 ? 1 : fw_series_chunk(added->width));
     } else {
         added->value = fw_hdf5_find(series->file, value);
         if (!has_shape(series, added->value, rank, extent)) fw_hdf5_refuse(series->file, path);
     }
     make_moments(series, path);
+    if (!series->fresh && series->count == 0 &&
+        (!is_line(series, series->step, FW_I64) || !is_line(series, series->time, FW_F64)))
+        fw_hdf5_refuse(series->file, path);
     return series->count++;
 }
 

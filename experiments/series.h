@@ -20,6 +20,10 @@ fw_series *fw_series_create(fw_hdf5 *file, const char *counter, bool fresh, int 
                             double longest);
 void fw_series_destroy(fw_series *series);
 
+/* Rows of `width` doubles that share a chunk of the file in a series with blocks; where a block is
+ * one row, a chunk is one row. */
+uint64_t fw_series_chunk(size_t width);
+
 /* Makes (or finds) the element at `path`; a row of it is an array of doubles of these extents
  * (rank 0: one double). Returns the number of the quantity, counted from 0, or -1 without memory;
  * quantities are to be added before there are rows. An element that is not in the file, or not of

@@ -8,6 +8,7 @@
 #include "experiments/folder.h"
 #include "experiments/provenance.h"
 #include "experiments/series.h"
+#include "experiments/trajectory_head.h"
 #include "experiments/trajectory_layout.h"
 
 #include <assert.h>
@@ -139,21 +140,20 @@ static fw_status lay_out(fw_trajectory *trajectory, const fw_trajectory_def *def
     fw_layout_describe(trajectory->file, def);
     fw_series_reserve(trajectory->samples, def->sample_count);
     fw_series_reserve(trajectory->frames, def->frame_count);
-    uint64_t head, whole;
-    fw_hdf5_flush(trajectory->file);
-    fw_hdf5_measure(trajectory->file, &head, &whole);
-    *cramped = head == 0;
+    FW_TRY(fw_hdf5_check(trajectory->file, error));
+    *cramped = !fw_hdf5_is_compact(trajectory->file);
     if (!*cramped) fw_hdf5_reserve(trajectory->file);
     fw_hdf5_sync(trajectory->file);
     return fw_hdf5_check(trajectory->file, error);
 }
 
-/* The fresh file becomes the result. Checkpoints of an earlier one go first: with the new file they
- * would make no sense. */
+/* The fresh file becomes the result. What belongs to an earlier one goes first: with the new file
+ * it would make no sense. */
 static fw_status publish(const fw_folder *folder, fw_error *error)
 {
     FW_TRY(fw_folder_remove(folder, "checkpoint-A", error));
     FW_TRY(fw_folder_remove(folder, "checkpoint-B", error));
+    FW_TRY(fw_head_remove(folder, error));
     return fw_folder_replace(folder, FRESH_FILE, FW_TRAJECTORY_FILE, error);
 }
 
@@ -190,6 +190,58 @@ fw_status fw_trajectory_create(fw_trajectory **trajectory, const fw_trajectory_d
     if (*trajectory) fw_hdf5_close((*trajectory)->file, &ignored);
     fw_folder_remove(folder, FRESH_FILE, &ignored);
     fw_folder_abandon(folder);
+    release(*trajectory);
+    *trajectory = NULL;
+    return status;
+}
+
+/* Everything in the file is what the definition says, and goes back to the given rows. */
+static fw_status resume_in(fw_trajectory *trajectory, const fw_trajectory_def *def, int64_t frames,
+                           int64_t samples, fw_error *error)
+{
+    char path[FW_PATH_SIZE];
+    FW_TRY(fw_folder_path(trajectory->folder, FW_TRAJECTORY_FILE, path, error));
+    FW_TRY(fw_head_restore(trajectory->folder, error));
+    FW_TRY(fw_hdf5_open(&trajectory->file, path, true, error));
+    FW_TRY(fw_layout_compare(trajectory->file, def, error));
+    FW_TRY(add_series(trajectory, def, false, error));
+    FW_TRY(fw_hdf5_check(trajectory->file, error));
+    if (fw_series_count(trajectory->frames) < frames ||
+        fw_series_count(trajectory->samples) < samples)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s holds %lld frames and %lld samples, less than the %lld and %lld of the "
+                       "checkpoint",
+                       path, (long long)fw_series_count(trajectory->frames),
+                       (long long)fw_series_count(trajectory->samples), (long long)frames,
+                       (long long)samples);
+    if (fw_series_room(trajectory->frames) < def->frame_count ||
+        (def->observable_count > 0 && fw_series_room(trajectory->samples) < def->sample_count))
+        return fw_fail(error, FW_BAD_INPUT, "%s has no room for the %lld frames of this run", path,
+                       (long long)def->frame_count);
+    fw_series_rewind(trajectory->frames, frames);
+    fw_series_rewind(trajectory->samples, samples);
+    fw_layout_reopen(trajectory->file);
+    fw_hdf5_sync(trajectory->file);
+    FW_TRY(fw_hdf5_check(trajectory->file, error));
+    return fw_head_remove(trajectory->folder, error);
+}
+
+fw_status fw_trajectory_reopen(fw_trajectory **trajectory, const fw_trajectory_def *def,
+                               int64_t frames, int64_t samples, fw_error *error)
+{
+    fw_folder *folder;
+    *trajectory = NULL;
+    FW_TRY(fw_layout_check(def, error));
+    FW_TRY(fw_folder_open(&folder, def->directory, error));
+    fw_status status = allocate(trajectory, def, error);
+    if (status == FW_OK) {
+        (*trajectory)->folder = folder;
+        status = resume_in(*trajectory, def, frames, samples, error);
+        if (status == FW_OK) return FW_OK;
+        fw_error ignored;
+        fw_hdf5_close((*trajectory)->file, &ignored);
+    }
+    fw_folder_close(folder);
     release(*trajectory);
     *trajectory = NULL;
     return status;
@@ -254,6 +306,22 @@ fw_status fw_trajectory_sync(fw_trajectory *trajectory, fw_error *error)
     return fw_hdf5_check(trajectory->file, error);
 }
 
+/* Cuts the room for rows that were not written, with a way back at any moment. */
+static fw_status cut(fw_trajectory *trajectory, bool resumable, fw_error *error)
+{
+    fw_hdf5 *file = trajectory->file;
+    uint64_t head = fw_layout_head(file);
+    fw_hdf5_sync(file);
+    FW_TRY(fw_hdf5_check(file, error));
+    FW_TRY(fw_head_save(trajectory->folder, head, fw_hdf5_size(file), error));
+    fw_series_reserve(trajectory->samples, fw_series_count(trajectory->samples));
+    fw_series_reserve(trajectory->frames, fw_series_count(trajectory->frames));
+    fw_hdf5_sync(file);
+    trajectory->file = NULL;
+    FW_TRY(fw_hdf5_close(file, error));
+    return fw_head_settle(trajectory->folder, resumable, error);
+}
+
 fw_status fw_trajectory_finish(fw_trajectory *trajectory, const char *exit_reason, fw_error *error)
 {
     char end[FW_PROVENANCE_SIZE];
@@ -262,8 +330,9 @@ fw_status fw_trajectory_finish(fw_trajectory *trajectory, const char *exit_reaso
     fw_series_commit(trajectory->samples);
     fw_layout_note(trajectory->file, "end", end);
     fw_layout_note(trajectory->file, "exit_reason", exit_reason);
-    fw_series_reserve(trajectory->samples, fw_series_count(trajectory->samples));
-    fw_series_reserve(trajectory->frames, fw_series_count(trajectory->frames));
+    if (fw_series_count(trajectory->frames) < fw_series_room(trajectory->frames) ||
+        fw_series_count(trajectory->samples) < fw_series_room(trajectory->samples))
+        return cut(trajectory, strcmp(exit_reason, FW_RUN_FINISHED) != 0, error);
     fw_hdf5_sync(trajectory->file);
     fw_status status = fw_hdf5_close(trajectory->file, error);
     trajectory->file = NULL;

@@ -4,6 +4,7 @@
 #include "experiments/trajectory_layout.h"
 
 #include "experiments/provenance.h"
+#include "experiments/series.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,13 +63,15 @@ fw_status fw_layout_check(const fw_trajectory_def *def, fw_error *error)
 
 size_t fw_layout_structure(const fw_trajectory_def *def)
 {
-    size_t elements = (size_t)(3 + def->field_count);
+    size_t elements = (size_t)(1 + def->velocity + def->force + def->field_count);
     size_t objects = 64 + elements + (size_t)def->observable_count;
     size_t bodies = (size_t)def->body_count * FW_NAME_SIZE;
-    /* An address in HDF5's tree of chunks takes about 60 bytes once its nodes are nearly full. */
-    size_t chunks = elements * (size_t)def->frame_count +
-                    (size_t)def->observable_count * ((size_t)def->sample_count / 16 + 1);
-    return 32768 + 2048 * objects + bodies + 64 * chunks;
+    size_t chunks = elements * (size_t)def->frame_count;
+    for (int i = 0; i < def->observable_count; ++i)
+        chunks +=
+            (size_t)def->sample_count / fw_series_chunk((size_t)def->observables[i].components) + 1;
+    /* HDF5's tree of chunk addresses takes about 60 bytes for each, its nodes being nearly full. */
+    return 32768 + 4096 * objects + bodies + 64 * chunks;
 }
 
 static void make_metadata(fw_hdf5 *file, const fw_trajectory_def *def, const fw_provenance *now)
@@ -96,6 +99,7 @@ static void make_identities(fw_hdf5 *file, const fw_trajectory_def *def, uint64_
     int32_t *next = numbers;
     for (int body = 0; body < def->body_count; ++body)
         for (int i = 0; i < def->bodies[body].count; ++i) *next++ = body + 1;
+    /* The first data of the file: what lies in front of it is structure, see fw_layout_head. */
     fw_dataset species =
         fw_hdf5_make_array(file, "particles/trajectory/species", FW_I32, 1, &count);
     fw_hdf5_write(file, species, FW_I32, 0, count, numbers);
@@ -206,6 +210,9 @@ static void make_parameters(fw_hdf5 *file, const fw_trajectory_def *def, const f
     const int64_t threads = def->threads;
     fw_hdf5_write(file, fw_hdf5_make_array(file, "parameters/provenance/threads", FW_I64, 0, NULL),
                   FW_I64, 0, 1, &threads);
+    const int64_t resumed = 0;
+    fw_hdf5_write(file, fw_hdf5_make_array(file, "parameters/provenance/resumed", FW_I64, 0, NULL),
+                  FW_I64, 0, 1, &resumed);
     make_text(file, "parameters/provenance/end", FW_PROVENANCE_SIZE, "");
     make_text(file, "parameters/provenance/exit_reason", FW_EXIT_REASON_SIZE, FW_RUN_RUNNING);
 }
@@ -240,4 +247,70 @@ void fw_layout_note(fw_hdf5 *file, const char *name, const char *text)
     char path[FW_NAME_SIZE + 64];
     snprintf(path, sizeof path, "parameters/provenance/%s", name);
     fw_hdf5_write_text(file, fw_hdf5_find(file, path), text);
+}
+
+static fw_status compare_bodies(fw_hdf5 *file, const fw_trajectory_def *def, const int32_t *species,
+                                const char *names, fw_error *error)
+{
+    int32_t particle = 0;
+    for (int body = 0; body < def->body_count; ++body) {
+        const char *name = names + (size_t)body * FW_NAME_SIZE;
+        if (strcmp(name, def->bodies[body].name) != 0)
+            return fw_fail(error, FW_BAD_INPUT, "the results hold a body '%s' in place of '%s'",
+                           name, def->bodies[body].name);
+        for (int i = 0; i < def->bodies[body].count; ++i)
+            if (species[particle++] != body + 1)
+                return fw_fail(error, FW_BAD_INPUT,
+                               "the body '%s' has not as many particles in the results as now",
+                               name);
+    }
+    return fw_hdf5_check(file, error);
+}
+
+fw_status fw_layout_compare(fw_hdf5 *file, const fw_trajectory_def *def, fw_error *error)
+{
+    uint64_t count = 0;
+    for (int body = 0; body < def->body_count; ++body) count += (uint64_t)def->bodies[body].count;
+    char *reason = fw_hdf5_read_text(file, fw_hdf5_find(file, "parameters/provenance/exit_reason"));
+    bool finished = reason && strcmp(reason, FW_RUN_FINISHED) == 0;
+    free(reason);
+    if (!reason) fw_hdf5_refuse(file, "parameters/provenance/exit_reason");
+    FW_TRY(fw_hdf5_check(file, error));
+    if (finished) return fw_fail(error, FW_BAD_INPUT, "the run in %s is finished", def->directory);
+    fw_shape shape;
+    fw_dataset species = fw_hdf5_find(file, "particles/trajectory/species");
+    if (!fw_hdf5_shape(file, species, &shape) || shape.element != FW_I32 || shape.rank != 1 ||
+        shape.extent[0] != count)
+        return fw_fail(error, FW_BAD_INPUT, "the results in %s are not of %llu particles",
+                       def->directory, (unsigned long long)count);
+    int32_t *numbers = fw_array_allocate(count, sizeof *numbers);
+    char *names = calloc((size_t)def->body_count + 1, FW_NAME_SIZE);
+    fw_status status = FW_OK;
+    if (numbers && names) {
+        fw_hdf5_read(file, species, FW_I32, 0, count, numbers);
+        fw_hdf5_read_attributes(file, "particles/trajectory/species", "bodies", names, FW_NAME_SIZE,
+                                def->body_count);
+        status = compare_bodies(file, def, numbers, names, error);
+    } else {
+        status = fw_fail_memory(error, "the bodies of the results");
+    }
+    free(numbers);
+    free(names);
+    return status;
+}
+
+void fw_layout_reopen(fw_hdf5 *file)
+{
+    int64_t resumed = 0;
+    fw_dataset counter = fw_hdf5_find(file, "parameters/provenance/resumed");
+    fw_hdf5_read(file, counter, FW_I64, 0, 1, &resumed);
+    resumed += 1;
+    fw_hdf5_write(file, counter, FW_I64, 0, 1, &resumed);
+    fw_layout_note(file, "end", "");
+    fw_layout_note(file, "exit_reason", FW_RUN_RUNNING);
+}
+
+uint64_t fw_layout_head(fw_hdf5 *file)
+{
+    return fw_hdf5_address(file, fw_hdf5_find(file, "particles/trajectory/species"));
 }

@@ -18,6 +18,14 @@ void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def);
 /* Attributes of the series' elements, once these are there. */
 void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def);
 
+/* FW_BAD_INPUT when the file is not one of ours, was closed for good, or holds other bodies than
+ * the definition. */
+fw_status fw_layout_compare(fw_hdf5 *file, const fw_trajectory_def *def, fw_error *error);
+/* Notes that the run goes on. */
+void fw_layout_reopen(fw_hdf5 *file);
+/* Bytes at the head of the file that hold its structure and no data. */
+uint64_t fw_layout_head(fw_hdf5 *file);
+
 /* Rewrites one text of parameters/provenance. */
 void fw_layout_note(fw_hdf5 *file, const char *name, const char *text);
 

@@ -11,6 +11,22 @@
 #include <string.h>
 #include <unistd.h>
 
+static fw_error error;
+
+#define assert_fine(call)                                                                          \
+    do {                                                                                           \
+        if ((call) != FW_OK) fail_msg("%s: %s", #call, error.sentence);                            \
+    } while (0)
+
+#define assert_refused(call, wanted, words)                                                        \
+    do {                                                                                           \
+        error = (fw_error){0};                                                                     \
+        assert_int_equal((call), (wanted));                                                        \
+        assert_int_equal(error.status, (wanted));                                                  \
+        if (!strstr(error.sentence, (words)))                                                      \
+            fail_msg("'%s' does not speak of '%s'", error.sentence, (words));                      \
+    } while (0)
+
 enum { RUN_PARTICLES = 8, RUN_FRAMES = 40, RUN_SAMPLES = 300 };
 
 static const int run_counts[] = {5, 3};
@@ -52,7 +68,7 @@ static inline fw_trajectory_def run_def(const char *directory)
 }
 
 /* Frame k lies at step 10 k, time 5 k; the second body has no return force. */
-static inline fw_status run_write_frame(fw_trajectory *trajectory, int64_t frame, fw_error *error)
+static inline fw_status run_write_frame(fw_trajectory *trajectory, int64_t frame)
 {
     double vectors[3][2][RUN_PARTICLES], strain[RUN_PARTICLES], pull[RUN_PARTICLES];
     for (int i = 0; i < RUN_PARTICLES; ++i) {
@@ -69,26 +85,32 @@ static inline fw_status run_write_frame(fw_trajectory *trajectory, int64_t frame
             (fw_frame_body){vectors[0][0] + first, vectors[0][1] + first, vectors[1][0] + first,
                             vectors[1][1] + first, vectors[2][0] + first, vectors[2][1] + first,
                             fields[body]};
-    return fw_trajectory_write_frame(trajectory, 10 * frame, 5.0 * (double)frame, bodies, error);
+    return fw_trajectory_write_frame(trajectory, 10 * frame, 5.0 * (double)frame, bodies, &error);
 }
 
 /* Sample k lies at step k, time k / 2. */
-static inline fw_status run_write_sample(fw_trajectory *trajectory, int64_t sample, fw_error *error)
+static inline fw_status run_write_sample(fw_trajectory *trajectory, int64_t sample)
 {
     const double values[] = {run_value(5, sample, 0, 0), run_value(6, sample, 0, 0),
                              run_value(6, sample, 0, 1)};
-    return fw_trajectory_write_sample(trajectory, sample, 0.5 * (double)sample, values, error);
+    return fw_trajectory_write_sample(trajectory, sample, 0.5 * (double)sample, values, &error);
 }
 
-/* Samples and frames in the order in which a run writes them, up to the end of the run. */
-static inline fw_status run_write_rest(fw_trajectory *trajectory, fw_error *error)
+/* Samples from the next one up to `end`, and the frames that come with every seventh. */
+static inline fw_status run_write_until(fw_trajectory *trajectory, int64_t end)
 {
-    for (int64_t step = fw_trajectory_sample_count(trajectory); step < RUN_SAMPLES; ++step) {
-        FW_TRY(run_write_sample(trajectory, step, error));
-        if (step % 7 == 0 && step / 7 < RUN_FRAMES)
-            FW_TRY(run_write_frame(trajectory, step / 7, error));
+    for (int64_t step = fw_trajectory_sample_count(trajectory); step < end; ++step) {
+        FW_TRY(run_write_sample(trajectory, step));
+        if (step % 7 == 0 && step / 7 < RUN_FRAMES) FW_TRY(run_write_frame(trajectory, step / 7));
     }
     return FW_OK;
+}
+
+/* Frames that have been written when there are so many samples. */
+static inline int64_t run_frames_at(int64_t samples)
+{
+    int64_t frames = (samples + 6) / 7;
+    return frames < RUN_FRAMES ? frames : RUN_FRAMES;
 }
 
 /* A fresh empty folder; remove_folder removes it with its files. */

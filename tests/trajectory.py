@@ -4,6 +4,7 @@
 trajectory.py h5md FILE FRAMES SAMPLES    every item of H5MD 1.1, extents cut to what counts
 trajectory.py rows FILE...                every committed frame and sample against its formula
 trajectory.py structure BEFORE AFTER      two states of one file differ in raw data only
+trajectory.py same REFERENCE FILE...      all datasets are equal, provenance aside
 """
 import sys
 
@@ -123,7 +124,8 @@ def h5md(path, frames, samples):
         assert parameters["samples_committed"][()] == samples
         provenance = parameters["provenance"]
         assert provenance["threads"][()] == 2
-        texts = {name: provenance[name][()] for name in provenance if name != "threads"}
+        assert provenance["resumed"][()] == 0
+        texts = {name: item[()] for name, item in provenance.items() if item.dtype.kind == "S"}
         assert set(texts) == {"program", "version", "revision", "compiler", "flags", "libraries",
                               "host", "start", "end", "exit_reason"}
         assert all(texts.values()), texts
@@ -157,6 +159,26 @@ def structure(before, after):
     assert not changed.any(), np.flatnonzero(changed)
 
 
+def datasets(path):
+    found = {}
+    with h5py.File(path, "r") as file:
+        def keep(name, item):
+            if isinstance(item, h5py.Dataset) and not name.startswith("parameters/provenance"):
+                found[name] = (item.dtype, item.shape, item[()].tobytes())
+        file.visititems(keep)
+    assert len(found) >= 16, found.keys()
+    return found
+
+
+def same(reference, paths):
+    wanted = datasets(reference)
+    for path in paths:
+        found = datasets(path)
+        assert found.keys() == wanted.keys(), path
+        for name, content in wanted.items():
+            assert found[name] == content, (path, name)
+
+
 if __name__ == "__main__":
     job, *arguments = sys.argv[1:]
     if job == "h5md":
@@ -166,3 +188,5 @@ if __name__ == "__main__":
             print(*rows(path))
     elif job == "structure":
         structure(*arguments)
+    elif job == "same":
+        same(arguments[0], arguments[1:])
