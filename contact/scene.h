@@ -70,6 +70,8 @@ fw_vec2 fw_scene_momentum(const fw_scene *scene);
 int64_t fw_scene_unresolved(const fw_scene *scene);
 /* How deep any skin particle of the body (-1: of any body) lies behind a wall; 0 if none does. */
 double fw_scene_penetration(const fw_scene *scene, int body);
+/* Adds the contact forces of the last tick to x and y, one number per particle of the body. */
+void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y);
 /* How often the broadphase was asked. */
 long fw_scene_query_count(const fw_scene *scene);
 

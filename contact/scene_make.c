@@ -304,6 +304,15 @@ double fw_scene_penetration(const fw_scene *scene, int body)
     return deepest;
 }
 
+void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y)
+{
+    const scene_body *b = &scene->bodies[body];
+    for (int n = 0; n < b->contact_count; ++n) {
+        x[b->holds[n].particle] += b->holds[n].force.x;
+        y[b->holds[n].particle] += b->holds[n].force.y;
+    }
+}
+
 long fw_scene_query_count(const fw_scene *scene)
 {
     long count = 0;

@@ -178,6 +178,7 @@ typedef enum fw_take {
     FW_TAKE_MEAN,
     FW_TAKE_SPREAD, /* standard deviation */
     FW_TAKE_CHANGE, /* last minus first */
+    FW_TAKE_RATE,   /* least-squares slope against time */
     FW_TAKE_TIME_OF_MAXIMUM,
     FW_TAKE_TIME_OF_MINIMUM
 } fw_take;

@@ -1,0 +1,364 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* experiment.c - from plain data to solids, walls and loads. Start at fw_experiment_create(). */
+#include "experiments/experiment.h"
+
+#include "core/lb_solid.h"
+#include "core/noise.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* --- starting states --- */
+
+static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, int particle, uint64_t seed,
+                             uint32_t stream)
+{
+    switch (pattern->kind) {
+    case FW_PATTERN_UNIFORM:
+        return pattern->amplitude;
+    case FW_PATTERN_GAUSSIAN: {
+        double i = site.i - pattern->centre.x, j = site.j - pattern->centre.y;
+        double width2 = pattern->width * pattern->width;
+        return fw_vec2_scale(exp(-0.5 * (i * i + j * j) / width2), pattern->amplitude);
+    }
+    case FW_PATTERN_WAVE: {
+        double angle = pattern->wave_vector.x * site.i + pattern->wave_vector.y * site.j;
+        return fw_vec2_scale(cos(angle + pattern->phase), pattern->amplitude);
+    }
+    case FW_PATTERN_RANDOM:
+        return fw_vec2_scale(pattern->random,
+                             fw_noise_uniform(seed, (uint32_t)particle, 0, stream));
+    }
+    return (fw_vec2){0, 0};
+}
+
+/* Adds all patterns of a list to `values`. Each draws random numbers of its own stream. */
+static fw_status apply_patterns(const fw_patterns *patterns, const fw_sites *sites, uint64_t seed,
+                                uint32_t first_stream, fw_vec2 *values, fw_error *error)
+{
+    for (int n = 0; n < patterns->count; ++n) {
+        const fw_pattern *pattern = &patterns->item[n];
+        int *particles, count;
+        FW_TRY(fw_selection_particles(&pattern->sites, sites, &particles, &count, error));
+        for (int k = 0; k < count; ++k) {
+            int l = particles[k];
+            values[l] = fw_vec2_add(values[l], pattern_value(pattern, sites->site[l], l, seed,
+                                                             first_stream + (uint32_t)n));
+        }
+        free(particles);
+    }
+    return FW_OK;
+}
+
+/* --- LB bodies --- */
+
+/* Arrays per site that are only needed while a solid is made. */
+typedef struct start_values {
+    fw_vec2 *displacement, *velocity;
+    fw_sym2 *rest_mass, *stiffness[2];
+    bool *selected;
+} start_values;
+
+static void release_start(start_values *start)
+{
+    free(start->displacement);
+    free(start->velocity);
+    free(start->rest_mass);
+    free(start->stiffness[FW_EAST]);
+    free(start->stiffness[FW_NORTH]);
+    free(start->selected);
+}
+
+static bool allocate_start(start_values *start, size_t count)
+{
+    start->displacement = calloc(count, sizeof *start->displacement);
+    start->velocity = calloc(count, sizeof *start->velocity);
+    start->rest_mass = calloc(count, sizeof *start->rest_mass);
+    start->stiffness[FW_EAST] = calloc(count, sizeof *start->stiffness[FW_EAST]);
+    start->stiffness[FW_NORTH] = calloc(count, sizeof *start->stiffness[FW_NORTH]);
+    start->selected = calloc(count, sizeof *start->selected);
+    return start->displacement && start->velocity && start->rest_mass &&
+           start->stiffness[FW_EAST] && start->stiffness[FW_NORTH] && start->selected;
+}
+
+static fw_status mark_selected(const fw_selection *selection, const fw_sites *sites, bool *selected,
+                               fw_error *error)
+{
+    int *particles, count;
+    FW_TRY(fw_selection_particles(selection, sites, &particles, &count, error));
+    for (int l = 0; l < sites->count; ++l) selected[l] = false;
+    for (int k = 0; k < count; ++k) selected[particles[k]] = true;
+    free(particles);
+    return FW_OK;
+}
+
+static bool is_chosen(fw_link_choice choice, bool here, bool there)
+{
+    switch (choice) {
+    case FW_LINKS_INSIDE:
+        return here && there;
+    case FW_LINKS_ACROSS:
+        return here != there;
+    case FW_LINKS_TOUCHING:
+        return here || there;
+    }
+    return false;
+}
+
+static fw_status fill_masses_and_links(const fw_scenario_body *body, const fw_sites *sites,
+                                       start_values *start, fw_error *error)
+{
+    for (int n = 0; n < body->rest_mass.count; ++n) {
+        FW_TRY(mark_selected(&body->rest_mass.item[n].sites, sites, start->selected, error));
+        for (int l = 0; l < sites->count; ++l)
+            if (start->selected[l]) start->rest_mass[l] = body->rest_mass.item[n].value;
+    }
+    for (int n = 0; n < body->link_stiffness.count; ++n) {
+        const fw_replacement *change = &body->link_stiffness.item[n];
+        FW_TRY(mark_selected(&change->sites, sites, start->selected, error));
+        for (int l = 0; l < sites->count; ++l)
+            for (int d = FW_EAST; d <= FW_NORTH; ++d) {
+                int m = fw_sites_find(sites, fw_site_neighbour(sites->site[l], d));
+                if (m >= 0 && is_chosen(change->links, start->selected[l], start->selected[m]))
+                    start->stiffness[d][l] = change->value;
+            }
+    }
+    return FW_OK;
+}
+
+static fw_status fill_start(const fw_scenario *scenario, int number, const fw_sites *sites,
+                            start_values *start, fw_error *error)
+{
+    const fw_scenario_body *body = &scenario->bodies[number];
+    const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
+    const uint64_t seed = (uint64_t)scenario->run.seed;
+    /* Streams of random starts: body by body, displacements before velocities. */
+    const uint32_t stream = FW_NOISE_START + (uint32_t)number * 2 * 4096;
+    for (int l = 0; l < sites->count; ++l) {
+        start->velocity[l] = body->velocity;
+        start->rest_mass[l] = material->rest_mass;
+        start->stiffness[FW_EAST][l] = start->stiffness[FW_NORTH][l] = material->link_stiffness;
+    }
+    FW_TRY(apply_patterns(&body->displacement, sites, seed, stream, start->displacement, error));
+    FW_TRY(apply_patterns(&body->velocities, sites, seed, stream + 4096, start->velocity, error));
+    return fill_masses_and_links(body, sites, start, error);
+}
+
+static fw_status create_boltzmann(const fw_scenario *scenario, int number, const fw_sites *sites,
+                                  fw_solid **solid, fw_error *error)
+{
+    const fw_scenario_body *body = &scenario->bodies[number];
+    const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
+    start_values start = {0};
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    fw_status status = FW_OK;
+    if (!allocate_start(&start, (size_t)sites->count))
+        status = fw_fail_memory(error, "the starting state of a body");
+    if (status == FW_OK) status = fill_start(scenario, number, sites, &start, error);
+    if (status == FW_OK) {
+        def.sites = sites;
+        def.lattice = body->lattice;
+        def.damping = material->damping;
+        def.rest_masses = start.rest_mass;
+        def.stiffness_east = start.stiffness[FW_EAST];
+        def.stiffness_north = start.stiffness[FW_NORTH];
+        if (material->break_at > 0) def.break_at = material->break_at;
+        def.displacement = start.displacement;
+        def.velocity = start.velocity;
+        status = fw_lb_solid_create(solid, &def, error);
+        if (status == FW_BAD_INPUT) {
+            fw_error inner = *error;
+            status = fw_scenario_fail(scenario, body->place, error, "body %s: %s", body->name,
+                                      inner.sentence);
+        }
+    }
+    release_start(&start);
+    return status;
+}
+
+/* --- the whole scene --- */
+
+static fw_status add_body(fw_experiment *experiment, int number, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    const fw_scenario_body *body = &scenario->bodies[number];
+    fw_member *member = &experiment->members[number];
+    FW_TRY(fw_scenario_sites(body, &member->sites, error));
+    fw_solid *solid = NULL;
+    switch (scenario->materials[body->material].kind) {
+    case FW_LATTICE_BOLTZMANN:
+        FW_TRY(create_boltzmann(scenario, number, &member->sites, &solid, error));
+        break;
+    }
+    member->name = body->name;
+    member->first = 0;
+    member->count = solid->count;
+    return fw_scene_adopt_body(experiment->scene, body->name, solid, &member->solid, error);
+}
+
+static fw_status add_force(fw_experiment *experiment, int number, fw_error *error)
+{
+    static const fw_load_kind kinds[] = {
+        [FW_FORCE_EACH] = FW_LOAD_EACH,
+        [FW_FORCE_TOTAL] = FW_LOAD_TOTAL,
+        [FW_FORCE_ACCELERATION] = FW_LOAD_ACCELERATION,
+        [FW_FORCE_RANDOM] = FW_LOAD_RANDOM,
+    };
+    const fw_scenario_force *force = &experiment->scenario->forces[number];
+    const fw_member *member = &experiment->members[force->body];
+    int *particles, count;
+    FW_TRY(fw_selection_particles(&force->sites, &member->sites, &particles, &count, error));
+    for (int n = 0; n < count; ++n) particles[n] += member->first;
+    const fw_load_def def = {.kind = kinds[force->kind],
+                             .particles = particles,
+                             .particle_count = count,
+                             .vector = force->vector,
+                             .random = force->random,
+                             .balanced = force->balanced,
+                             .from = force->from,
+                             .until = force->until,
+                             .ramp = force->ramp,
+                             .period = force->period,
+                             .phase = force->phase,
+                             .seed = (uint64_t)experiment->scenario->run.seed,
+                             .stream = FW_NOISE_FORCE + (uint32_t)number};
+    fw_status status = fw_scene_add_load(experiment->scene, member->solid, &def, error);
+    free(particles);
+    return status;
+}
+
+/* The smallest distance that two bodies may keep, in spacings: closer ones share a place. */
+static const double BODIES_APART = 0.5;
+
+static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, fw_error *error)
+{
+    const fw_solid *one = fw_experiment_solid(experiment, a),
+                   *other = fw_experiment_solid(experiment, b);
+    const fw_member *ma = &experiment->members[a], *mb = &experiment->members[b];
+    const fw_scenario_body *body = &experiment->scenario->bodies[b];
+    double apart =
+        BODIES_APART * fmin(body->lattice.spacing, experiment->scenario->bodies[a].lattice.spacing);
+    double low_x = INFINITY, high_x = -INFINITY, low_y = INFINITY, high_y = -INFINITY;
+    for (int i = ma->first; i < ma->first + ma->count; ++i) {
+        low_x = fmin(low_x, one->x[i]);
+        high_x = fmax(high_x, one->x[i]);
+        low_y = fmin(low_y, one->y[i]);
+        high_y = fmax(high_y, one->y[i]);
+    }
+    for (int j = mb->first; j < mb->first + mb->count; ++j) {
+        if (other->x[j] < low_x - apart || other->x[j] > high_x + apart ||
+            other->y[j] < low_y - apart || other->y[j] > high_y + apart)
+            continue;
+        for (int i = ma->first; i < ma->first + ma->count; ++i)
+            if (hypot(other->x[j] - one->x[i], other->y[j] - one->y[i]) < apart)
+                return fw_scenario_fail(experiment->scenario, body->place, error,
+                                        "body %s starts in body %s: both have a particle near "
+                                        "(%g, %g), expected at least %g between them",
+                                        body->name, ma->name, other->x[j], other->y[j], apart);
+    }
+    return FW_OK;
+}
+
+static fw_status place_of_failure(const fw_scenario *scenario, fw_place place, fw_status status,
+                                  fw_error *error)
+{
+    if (status != FW_BAD_INPUT) return status;
+    fw_error inner = *error;
+    return fw_scenario_fail(scenario, place, error, "%s", inner.sentence);
+}
+
+static fw_status note_start(fw_experiment *experiment, fw_error *error)
+{
+    size_t count = (size_t)experiment->member_count;
+    experiment->energy_at_start = calloc(count + 1, sizeof *experiment->energy_at_start);
+    experiment->momentum_at_start = calloc(count + 1, sizeof *experiment->momentum_at_start);
+    experiment->start = calloc(count + 1, sizeof *experiment->start);
+    if (!experiment->energy_at_start || !experiment->momentum_at_start || !experiment->start)
+        return fw_fail_memory(error, "the start of an experiment");
+    for (int b = 0; b < experiment->member_count; ++b) {
+        const fw_member *member = &experiment->members[b];
+        const fw_solid *solid = fw_experiment_solid(experiment, b);
+        fw_energies energies = fw_solid_energies(solid);
+        experiment->energy_at_start[b] = energies.kinetic + energies.elastic;
+        experiment->momentum_at_start[b] = fw_solid_momentum(solid);
+        experiment->start[b] = calloc((size_t)member->count, sizeof **experiment->start);
+        if (!experiment->start[b]) return fw_fail_memory(error, "the positions at the start");
+        for (int l = 0; l < member->count; ++l)
+            experiment->start[b][l] = fw_solid_position(solid, member->first + l);
+    }
+    return FW_OK;
+}
+
+static fw_status fill(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    fw_vec2 middle =
+        scenario->body_count > 0 ? scenario->bodies[0].lattice.origin : (fw_vec2){0, 0};
+    FW_TRY(fw_scene_create(&experiment->scene, middle, scenario->run.limit, error));
+    for (int b = 0; b < scenario->body_count; ++b) FW_TRY(add_body(experiment, b, error));
+    for (int a = 0; a < scenario->body_count; ++a)
+        for (int b = a + 1; b < scenario->body_count; ++b)
+            FW_TRY(refuse_overlap(experiment, a, b, error));
+    for (int w = 0; w < scenario->wall_count; ++w) {
+        const fw_scenario_wall *wall = &scenario->walls[w];
+        FW_TRY(place_of_failure(scenario, wall->place,
+                                fw_scene_add_wall(experiment->scene, &wall->def, error), error));
+    }
+    for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
+    fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
+    FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
+    return note_start(experiment, error);
+}
+
+fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *scenario,
+                               fw_error *error)
+{
+    *experiment = NULL;
+    fw_experiment *made = calloc(1, sizeof *made);
+    fw_member *members = calloc((size_t)scenario->body_count + 1, sizeof *members);
+    if (!made || !members) {
+        free(made);
+        free(members);
+        return fw_fail_memory(error, "an experiment");
+    }
+    made->scenario = scenario;
+    made->members = members;
+    made->member_count = scenario->body_count;
+    fw_status status = fill(made, error);
+    if (status != FW_OK) {
+        fw_experiment_destroy(made);
+        return status;
+    }
+    *experiment = made;
+    return FW_OK;
+}
+
+void fw_experiment_destroy(fw_experiment *experiment)
+{
+    if (!experiment) return;
+    fw_scene_destroy(experiment->scene);
+    for (int b = 0; b < experiment->member_count; ++b)
+        fw_sites_clear(&experiment->members[b].sites);
+    for (int b = 0; experiment->start && b < experiment->member_count; ++b)
+        free(experiment->start[b]);
+    free(experiment->start);
+    free(experiment->energy_at_start);
+    free(experiment->momentum_at_start);
+    free(experiment->members);
+    free(experiment);
+}
+
+fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
+{
+    FW_TRY(fw_scene_step(experiment->scene, error));
+    if (experiment->scenario->run.reverse_at != 0 &&
+        fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
+        for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b)
+            fw_lb_solid_reverse(fw_scene_body(experiment->scene, b));
+    return FW_OK;
+}
+
+const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int member)
+{
+    return fw_scene_observe_body(experiment->scene, experiment->members[member].solid);
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* quantity.h - everything that can be measured of an experiment, by name: one constant table.
+ * Scenario files name quantities in `measure`, `expect` and `pictures`. */
+#ifndef FW_QUANTITY_H
+#define FW_QUANTITY_H
+
+#include "experiments/experiment.h"
+
+/* What a quantity is measured of. */
+typedef enum fw_scope {
+    FW_SCOPE_SCENE,  /* the whole scene only */
+    FW_SCOPE_BODIES, /* one body, or all together where none is named */
+    FW_SCOPE_BODY,   /* one body; may be left out where there is only one */
+    FW_SCOPE_SITE,   /* one site of a body */
+    FW_SCOPE_WALL    /* one wall; may be left out where there is only one */
+} fw_scope;
+
+/* -1: none. */
+typedef struct fw_subject {
+    int body, wall, particle; /* particle: within the body */
+} fw_subject;
+
+enum { FW_COMPONENTS_MOST = 4 };
+
+typedef struct fw_quantity {
+    const char *name; /* NULL ends the table */
+    fw_scope scope;
+    const char *components; /* "" for a number, else names: "x y", "xx xy yx yy" */
+    const char *unit;
+    const char *meaning;
+    const char *model; /* only of bodies of this model; NULL: of any */
+    void (*measure)(const fw_experiment *experiment, fw_subject subject, double *out);
+} fw_quantity;
+
+extern const fw_quantity fw_quantities[];
+
+const fw_quantity *fw_quantity_find(const char *name); /* NULL: there is none */
+int fw_quantity_component_count(const fw_quantity *quantity);
+/* Number of a component by name, or -1. */
+int fw_quantity_find_component(const fw_quantity *quantity, const char *name);
+/* Name of a component, written into `name`. */
+void fw_quantity_component_name(const fw_quantity *quantity, int component, char name[8]);
+
+#endif

@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* recorder.h - what a run leaves on disk: the results file and its checkpoints. */
+#ifndef FW_RECORDER_H
+#define FW_RECORDER_H
+
+#include "experiments/measurement.h"
+
+typedef struct fw_recorder fw_recorder;
+
+/* Creates the results file with room for the whole run. Everything given is observed and must live
+ * as long as the recorder. */
+fw_status fw_recorder_create(fw_recorder **recorder, fw_experiment *experiment,
+                             const fw_measurement *measurement, const char *directory,
+                             bool overwrite, int threads, fw_error *error);
+
+/* First half of a resume: loads the newest checkpoint into the scene. *rows tells how many measured
+ * rows it speaks of; *note what the user should know, if not empty. */
+fw_status fw_recorder_reopen(fw_recorder **recorder, fw_experiment *experiment,
+                             const fw_measurement *measurement, const char *directory, int threads,
+                             int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error);
+/* Second half: cuts the results file back to the checkpoint and goes on writing behind it. */
+fw_status fw_recorder_go_on(fw_recorder *recorder, fw_error *error);
+
+fw_status fw_recorder_write_row(fw_recorder *recorder, int64_t step, double time, const double *row,
+                                fw_error *error);
+fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error);
+fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error);
+
+/* Ends the file; `reason` NULL: the run reached its end. */
+fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error *error);
+void fw_recorder_destroy(fw_recorder *recorder);
+
+/* Bytes of the results file. */
+fw_status fw_recorder_size(const fw_experiment *experiment, const fw_measurement *measurement,
+                           double *bytes, fw_error *error);
+
+#endif

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* run.h - runs an experiment: steps, measures, records, checkpoints, and goes on where it stopped.
+ */
+#ifndef FW_RUN_H
+#define FW_RUN_H
+
+#include "experiments/measurement.h"
+
+#include <stdio.h>
+
+/* Plain data. */
+typedef struct fw_run_options {
+    const char *directory; /* of the results; NULL: only measured, nothing is written */
+    bool overwrite;        /* an earlier result is replaced, else refused */
+    int threads;
+    const char *name; /* for the progress line */
+    FILE *progress;   /* NULL: none */
+} fw_run_options;
+
+typedef struct fw_run fw_run;
+
+/* From the beginning. */
+fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                       fw_error *error);
+/* From the newest checkpoint in options->directory. FW_BAD_INPUT: the run is finished, or there is
+ * nothing to go on from. `scenario` is the one in the results file. *note, if not empty, tells what
+ * the user should know. */
+fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                        char note[FW_SENTENCE_SIZE], fw_error *error);
+
+/* To the end. FW_INTERRUPTED or FW_TERMINATED: a signal came; a checkpoint was written.
+ * FW_DIVERGED, FW_SYSTEM_FAILED: the last checkpoint stays whole. */
+fw_status fw_run_to_end(fw_run *run, fw_error *error);
+
+void fw_run_destroy(fw_run *run);
+
+const fw_experiment *fw_run_experiment(const fw_run *run);
+const fw_measurement *fw_run_measurement(const fw_run *run);
+
+/* Bytes of the results file, without making it. */
+fw_status fw_run_size(const fw_scenario *scenario, double *bytes, fw_error *error);
+
+#endif
