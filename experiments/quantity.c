@@ -2,6 +2,7 @@
 /* quantity.c - the table of quantities, and how each is measured. Keeps no state. */
 #include "experiments/quantity.h"
 
+#include "core/lb_dispersion.h"
 #include "core/lb_solid.h"
 
 #include <math.h>
@@ -241,6 +242,26 @@ static void broken_links(const fw_experiment *experiment, fw_subject subject, do
     out[0] = fw_lb_solid_broken(body_of(experiment, subject));
 }
 
+/* Of the material alone: plane waves on a grid of 33 x 33 wave vectors. NaN without memory. */
+static fw_lb_spectrum spectrum_of(const fw_experiment *experiment, fw_subject subject)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    int material = scenario->bodies[subject.body].material;
+    fw_lb_spectrum worst = {NAN, NAN};
+    fw_lb_spectrum_over_grid(scenario->materials[material].boltzmann.rest_mass, 33, &worst, NULL);
+    return worst;
+}
+
+static void dispersion_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = spectrum_of(experiment, subject).frequency_error;
+}
+
+static void radius_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = spectrum_of(experiment, subject).radius_error;
+}
+
 static void deformation_east(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     put(out, fw_lb_solid_deformation(body_of(experiment, subject), subject.particle, FW_EAST));
@@ -382,6 +403,8 @@ const fw_quantity fw_quantities[] = {
     {"strain", FW_SCOPE_BODY, "xx xy yx yy", "length per link", "e of Section 9.2: mean deformation of the links along the first direction", LB, strain},
     {"stress", FW_SCOPE_BODY, "xx xy yx yy", "force", "S of Section 9.2: half the difference of the external forces on both halves", LB, stress},
     {"stress-over-strain", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "S/e of Section 9.2", LB, stress_over_strain},
+    {"dispersion-error", FW_SCOPE_BODY, "", "1", "of the body's material, over 33 x 33 wave vectors: sin^2(omega/2) of the one-step matrix minus the closed form", LB, dispersion_error},
+    {"spectral-radius-error", FW_SCOPE_BODY, "", "1", "of the body's material, over 33 x 33 wave vectors: largest | |lambda|^2 - 1 |", LB, radius_error},
     {"penetration", FW_SCOPE_BODIES, "", "length", "how deep any particle lies behind a wall", NULL, penetration},
     {"unresolved", FW_SCOPE_SCENE, "", "1", "contacts since the start in which no consistent set of walls was found and the particle was held fast", NULL, unresolved},
     {"reaction", FW_SCOPE_WALL, "x y", "force", "[F(t) + F(t-1)]/2 of the wall on all bodies", NULL, reaction},

@@ -203,5 +203,5 @@ const fw_key fw_schema_keys[] = {
 {"picture", "instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024, .bounds = FW_FROM | FW_UP_TO, .low = 0, .high = 1e12, NOT_STORED, .otherwise = "chosen by the program", .unit = "steps", .meaning = "which are drawn, ascending"},
 {"picture", "field", FW_FORM_NAME, AT(fw_scenario_picture, field), .otherwise = "chosen by the program", .meaning = "field of the solid that is drawn as colour"},
 {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_NAME, .most = 64, AT(fw_scenario_picture, observables), .otherwise = "the energies", .meaning = "curves of a series"},
-{NULL}};
+{.section = NULL}};
 /* clang-format on */
