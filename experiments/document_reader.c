@@ -42,6 +42,8 @@ static const char *in_plain_words(const char *problem)
         {"found unexpected document indicator", "the text ends before the closing quote"},
         {"found character that cannot start any token",
          "a value cannot begin with this character; use blanks, not tabs, to indent"},
+        {"found a tab character that violates indentation",
+         "a tab where blanks are needed to indent"},
         {"found a tab character where an indentation space is expected",
          "a tab where blanks are needed to indent"},
         {NULL, NULL}};

@@ -83,6 +83,17 @@ static fw_status complete_run(fw_scenario *scenario, fw_error *error)
     return FW_OK;
 }
 
+static fw_status refuse_lines(const fw_scenario *scenario, const char *key, fw_error *error)
+{
+    int count;
+    const fw_node *node = fw_scenario_part(scenario, key, &count);
+    if (!node || !strchr(node->text, '\n')) return FW_OK;
+    return fw_scenario_fail(scenario, node->place, error,
+                            "%s has more than one line, expected one; longer texts belong in "
+                            "'about'",
+                            key);
+}
+
 static fw_status refuse_twins(const fw_scenario *scenario, const char *what,
                               const fw_scenario_names *names, fw_error *error)
 {
@@ -99,8 +110,10 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
 {
     fw_document *document = scenario->document;
     FW_TRY(fw_settings_apply(document, settings, setting_count, error));
-    FW_TRY(fw_schema_check(document, error));
+    FW_TRY(fw_schema_check(document, "scenario", error));
     FW_TRY(fw_schema_fill(document, "scenario", fw_document_root(document), scenario, error));
+    FW_TRY(refuse_lines(scenario, "title", error));
+    FW_TRY(refuse_lines(scenario, "figure", error));
     FW_TRY(complete_run(scenario, error));
     FW_TRY(refuse_twins(scenario, "measure", &scenario->measure, error));
     FW_TRY(refuse_twins(scenario, "record.fields", &scenario->record.fields, error));

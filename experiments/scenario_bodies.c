@@ -72,6 +72,17 @@ static fw_status read_replacements(fw_scenario *scenario, const fw_node *list, c
 
 /* --- bodies --- */
 
+static fw_status limit_sites(const fw_scenario *scenario, const fw_scenario_body *body,
+                             fw_error *error)
+{
+    int64_t total = 0;
+    for (int n = 0; n < scenario->body_count; ++n) total += scenario->bodies[n].shape.count;
+    if (total <= FW_SITES_MOST) return FW_OK;
+    return fw_scenario_fail(scenario, body->shape_place, error,
+                            "with bodies.%s the bodies have %lld sites, expected at most %d",
+                            body->name, (long long)total, FW_SITES_MOST);
+}
+
 static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenario_body *body,
                            fw_error *error)
 {
@@ -90,6 +101,7 @@ static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenar
     const fw_node *shape = fw_node_find(node, "shape");
     body->shape_place = shape->key_place;
     FW_TRY(fw_scenario_read_shape(scenario, shape, body, error));
+    FW_TRY(limit_sites(scenario, body, error));
     FW_TRY(read_patterns(scenario, fw_node_find(node, "displacement"), body, &body->displacement,
                          error));
     FW_TRY(

@@ -76,6 +76,11 @@ static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, 
                                 "the expectation of '%s' has %s, expected one of the two", quantity,
                                 within ? "both 'within' and 'within-relative'"
                                        : "a 'value' without 'within' or 'within-relative'");
+    if (relative && e->value == 0)
+        return fw_scenario_fail(scenario, relative->key_place, error,
+                                "the expectation of '%s' is 0 within a part of 0, expected "
+                                "'within' instead of 'within-relative'",
+                                quantity);
     e->kind = within ? FW_VERDICT_VALUE : FW_VERDICT_RELATIVE;
     e->within = fw_node_number(within ? within : relative);
     return FW_OK;

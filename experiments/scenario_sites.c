@@ -114,21 +114,13 @@ static fw_status read_mask(const fw_scenario *scenario, const fw_node *mask, fw_
     return pass_on(scenario, mask, body->name, &inner, error);
 }
 
-static fw_status read_rectangle(const fw_scenario *scenario, const fw_node *node,
-                                fw_scenario_body *body, fw_error *error)
+static void read_rectangle(const fw_node *node, fw_scenario_shape *shape)
 {
-    fw_scenario_shape *shape = &body->shape;
     shape->columns = (int)fw_node_integer(node->first);
     shape->rows = (int)fw_node_integer(node->last);
     shape->count = (int64_t)shape->columns * shape->rows;
     shape->last_row = shape->rows - 1;
     shape->last_column = shape->columns - 1;
-    if (shape->count <= FW_SITES_MOST) return FW_OK;
-    return fw_scenario_fail(scenario, node->place, error,
-                            "bodies.%s.shape.rectangle is [%d, %d], which is %lld sites, expected "
-                            "at most %d",
-                            body->name, shape->columns, shape->rows, (long long)shape->count,
-                            FW_SITES_MOST);
 }
 
 fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *node,
@@ -138,7 +130,8 @@ fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *nod
     const fw_node *given;
     if ((given = fw_node_find(node, "rectangle"))) {
         shape->kind = FW_SHAPE_RECTANGLE;
-        return read_rectangle(scenario, given, body, error);
+        read_rectangle(given, shape);
+        return FW_OK;
     }
     if ((given = fw_node_find(node, "disc"))) {
         shape->kind = FW_SHAPE_DISC;

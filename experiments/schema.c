@@ -117,30 +117,36 @@ static bool in_bounds(const fw_key *key, double value)
     return true;
 }
 
-/* A number where `form` may be one; `key` is what the sentence says was expected. */
-static fw_status check_number(checker *c, const fw_node *node, const fw_key *key, bool whole)
+/* A number of at most `most` in size where a single one may be. */
+static fw_status check_number(checker *c, const fw_node *node, const fw_key *key, double most)
 {
     if (node->kind != FW_SCALAR || node->quoted) return refuse(c, node, key);
     double value = 0;
     int64_t integer = 0;
+    bool whole = key->forms & FW_FORM_INTEGER;
     fw_number_fault fault = whole ? fw_integer_read(node->text, node->length, &integer)
                                   : fw_number_read(node->text, node->length, &value);
+    if (whole) value = (double)integer;
+    bool huge = fault == FW_NUMBER_TOO_LARGE || fault == FW_NUMBER_NOT_FINITE || fabs(value) > most;
+    if (fault == FW_NUMBER_FINE && !huge && in_bounds(key, value)) return FW_OK;
+
+    char expected[EXPECTED_SIZE];
+    fw_schema_expected(key, expected, sizeof expected);
+    fw_quote found = fw_text_quote(node->text, node->length);
     if (fault == FW_NUMBER_TOO_SMALL)
         return fw_document_fail(c->document, node->place, c->error,
                                 "%s is '%s', which is not 0 but too small for a number here",
-                                c->path, fw_text_quote(node->text, node->length).text);
-    if (whole) value = (double)integer;
-    bool huge = fault == FW_NUMBER_TOO_LARGE || fault == FW_NUMBER_NOT_FINITE ||
-                fabs(value) > FW_NUMBER_MOST;
-    if (huge && !(key->bounds & FW_UP_TO)) {
-        char expected[EXPECTED_SIZE];
-        fw_schema_expected(key, expected, sizeof expected);
-        return fw_document_fail(
-            c->document, node->place, c->error, "%s is '%s', expected %s, at most %g in size",
-            c->path, fw_text_quote(node->text, node->length).text, expected, FW_NUMBER_MOST);
-    }
-    if (fault != FW_NUMBER_FINE) return refuse(c, node, key);
-    return in_bounds(key, value) ? FW_OK : refuse(c, node, key);
+                                c->path, found.text);
+    if (fault == FW_NUMBER_NOT_WHOLE)
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is '%s', expected %s, written without point, exponent or "
+                                "leading zeros",
+                                c->path, found.text, expected);
+    if (huge && !(key->bounds & FW_UP_TO))
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is '%s', expected %s, finite and at most %.15g in size",
+                                c->path, found.text, expected, most);
+    return refuse(c, node, key);
 }
 
 /* How many values a layout such as "[x, y]" has. */
@@ -160,7 +166,7 @@ static fw_status check_numbers(checker *c, const fw_node *node, const fw_key *ke
     int number = 0;
     for (const fw_node *child = node->first; child; child = child->next) {
         size_t before = enter_item(c, number++);
-        FW_TRY(check_number(c, child, &single, whole));
+        FW_TRY(check_number(c, child, &single, whole ? FW_COORDINATE_MOST : FW_NUMBER_MOST));
         leave(c, before);
     }
     return FW_OK;
@@ -171,8 +177,8 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
     fw_key single = *key;
     single.forms = FW_FORM_NUMBER;
     if (node->kind == FW_SCALAR) {
-        bool number = !node->quoted && node->length && !strchr("[{", node->text[0]);
-        return number ? check_number(c, node, &single, false) : refuse(c, node, key);
+        return node->quoted || !node->length ? refuse(c, node, key)
+                                             : check_number(c, node, &single, FW_NUMBER_MOST);
     }
     bool full = node->kind == FW_LIST && node->count == 2;
     if (!full && !(node->kind == FW_LIST && node->count == 3)) return refuse(c, node, key);
@@ -185,7 +191,7 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
         if (full && (row->kind != FW_LIST || row->count != 2)) return refuse(c, node, key);
         for (const fw_node *child = full ? row->first : row; child; child = child->next) {
             size_t before = enter_item(c, count);
-            FW_TRY(check_number(c, child, &single, false));
+            FW_TRY(check_number(c, child, &single, FW_NUMBER_MOST));
             leave(c, before);
             entry[count++] = fw_node_number(child);
             if (!full) break;
@@ -201,7 +207,7 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
     if ((key->bounds & FW_ABOVE) && !(xx > 0 && yy > 0 && xx * yy - xy * xy > 0))
         return fw_document_fail(c->document, node->place, c->error,
                                 "%s is [[%.17g, %.17g], [%.17g, %.17g]], expected a positive "
-                                "definite matrix: this one has directions without stiffness",
+                                "definite matrix: this one is zero or negative in some direction",
                                 c->path, xx, xy, xy, yy);
     return FW_OK;
 }
@@ -300,8 +306,9 @@ static fw_status check_named(checker *c, const fw_node *node, const fw_key *key)
 static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key)
 {
     if (key->forms & FW_FORM_SYMMETRIC) return check_symmetric(c, node, key);
-    if (key->forms & (FW_FORM_NUMBER | FW_FORM_ANGLE)) return check_number(c, node, key, false);
-    if (key->forms & FW_FORM_INTEGER) return check_number(c, node, key, true);
+    if (key->forms & (FW_FORM_NUMBER | FW_FORM_ANGLE))
+        return check_number(c, node, key, FW_NUMBER_MOST);
+    if (key->forms & FW_FORM_INTEGER) return check_number(c, node, key, FW_INTEGER_MOST);
     if (node->length == 0) return refuse(c, node, key);
     if (key->forms & FW_FORM_TEXT) return FW_OK;
     if (key->forms & FW_FORM_WORD) return check_word(c, node, key);
@@ -391,7 +398,7 @@ static fw_status check_mapping(checker *c, const fw_node *mapping, const char *s
     return check_presence(c, mapping, section);
 }
 
-fw_status fw_schema_check(const fw_document *document, fw_error *error)
+fw_status fw_schema_check(const fw_document *document, const char *section, fw_error *error)
 {
     const fw_node *root = fw_document_root(document);
     checker c = {.document = document, .error = error};
@@ -400,5 +407,5 @@ fw_status fw_schema_check(const fw_document *document, fw_error *error)
                                 "the scenario is %s, expected keys such as 'title: ...' in lines "
                                 "of their own",
                                 describe(root).text);
-    return check_mapping(&c, root, "scenario");
+    return check_mapping(&c, root, section);
 }

@@ -24,19 +24,24 @@ typedef enum fw_form {
     FW_FORM_SYMMETRIC = 1 << 9, /* v, [xx, xy, yy] or [[xx, xy], [xy, yy]]: fw_sym2 */
     FW_FORM_LIST = 1 << 10,     /* of `items`; stored only if they are names: fw_scenario_names */
     FW_FORM_MAPPING = 1 << 11,  /* with the keys of section `inside`: the section's object */
-    FW_FORM_NAMED = 1 << 12     /* names of the user's own, each with a mapping: not stored */
+    FW_FORM_SELECTION = FW_FORM_WORD | FW_FORM_LIST | FW_FORM_MAPPING, /* not stored */
+    FW_FORM_NAMED = 1 << 12 /* names of the user's own, each with a mapping: not stored */
 } fw_form;
 
 typedef enum fw_bounds {
-    FW_UNBOUNDED = 0, /* a magnitude up to FW_NUMBER_MOST */
-    FW_ABOVE = 1,     /* low < value; for a symmetric matrix with low = 0: positive definite */
-    FW_FROM = 2,      /* low <= value */
-    FW_UP_TO = 4      /* value <= high */
+    FW_UNBOUNDED = 0,
+    FW_ABOVE = 1, /* low < value; for a symmetric matrix with low = 0: positive definite */
+    FW_FROM = 2,  /* low <= value */
+    FW_UP_TO = 4  /* value <= high */
 } fw_bounds;
 
-/* No length, speed or force anybody means is larger, and its square is far from overflow. */
+/* The largest size of a number whatever its bounds: no length, speed or force anybody means is
+ * larger, and its square is far from overflow. */
 #define FW_NUMBER_MOST 1e15
-#define FW_NOT_STORED  SIZE_MAX
+/* The same for whole numbers, and for those that come in a list, which are sites. */
+#define FW_INTEGER_MOST    1e12
+#define FW_COORDINATE_MOST 16777216
+#define FW_NOT_STORED      SIZE_MAX
 
 typedef struct fw_key {
     const char *section; /* NULL ends the table */
@@ -74,8 +79,9 @@ extern const fw_section fw_schema_sections[];
 const fw_key *fw_schema_find(const char *section, const char *name);
 const fw_section *fw_schema_section(const char *name);
 
-/* Is the whole tree what the table says? FW_BAD_INPUT with place, value and what was expected. */
-fw_status fw_schema_check(const fw_document *document, fw_error *error);
+/* Is the whole tree what the table says of that section ("scenario")? FW_BAD_INPUT with place,
+ * value and what was expected. */
+fw_status fw_schema_check(const fw_document *document, const char *section, fw_error *error);
 
 /* Is `key` one of the section? FW_BAD_INPUT with the key that may have been meant; `path` leads
  * to the mapping ("" for the root). */

@@ -32,10 +32,10 @@ void fw_schema_bounds(const fw_key *key, char *out, size_t size)
 {
     out[0] = '\0';
     if (key->bounds & FW_ABOVE) append(out, size, " above %.13g", key->low);
-    if (key->bounds & FW_FROM) append(out, size, " from %.13g", key->low);
+    if (key->bounds & FW_FROM)
+        append(out, size, key->bounds & FW_UP_TO ? " from %.13g" : " of at least %.13g", key->low);
     if (key->bounds & FW_UP_TO)
         append(out, size, "%s %.13g", key->bounds & FW_ABOVE ? " and up to" : " to", key->high);
-    if ((key->bounds & FW_FROM) && !(key->bounds & FW_UP_TO)) append(out, size, " on");
 }
 
 /* "a mapping with 'material', 'shape' and others": what must be in it. */
@@ -66,6 +66,11 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
     } simple[] = {{FW_FORM_TEXT, "a text"},        {FW_FORM_NAME, "a name"},
                   {FW_FORM_FLAG, "true or false"}, {FW_FORM_NUMBER, "a number"},
                   {FW_FORM_ANGLE, "an angle"},     {FW_FORM_INTEGER, "a whole number"}};
+    if (forms == FW_FORM_SELECTION) {
+        append(out, size, "%s",
+               sentence ? "all, a side, [[i, j], ...] or a mapping" : "a selection");
+        return;
+    }
     char bounds[80], words[300];
     fw_schema_bounds(key, bounds, sizeof bounds);
     const char *join = "";
@@ -91,7 +96,7 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
         join = " or ";
     }
     if (forms & FW_FORM_LIST) {
-        append(out, size, "%sa list, each item ", join);
+        append(out, size, "%sa list of items, each ", join);
         append_forms(key, key->items, sentence, out, size);
         join = ", or ";
     }
@@ -100,10 +105,10 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
         if (sentence)
             append_mapping(key->inside, out, size);
         else
-            append(out, size, "a mapping, see *%s*", fw_schema_section(key->inside)->heading);
+            append(out, size, "keys of *%s*", fw_schema_section(key->inside)->heading);
     }
     if (forms & FW_FORM_NAMED) {
-        append(out, size, "%snames, each with ", join);
+        append(out, size, "%snames of your own, each with ", join);
         append_forms(key, FW_FORM_MAPPING, sentence, out, size);
     }
 }
@@ -128,14 +133,25 @@ static void print_default(const fw_key *key, FILE *out)
         fprintf(out, "`%s`", key->standard);
 }
 
+/* In a table of Markdown a bar would begin the next column. */
+static void print_cell(const char *text, FILE *out)
+{
+    for (; *text; ++text) {
+        if (*text == '|') fputc('\\', out);
+        fputc(*text, out);
+    }
+}
+
 static void print_key(const fw_key *key, FILE *out)
 {
     char forms[600] = "";
     append_forms(key, key->forms, false, forms, sizeof forms);
     fprintf(out, "| `%s` | %s | %s | ", key->name, forms, key->unit ? key->unit : "");
     print_default(key, out);
-    fprintf(out, " | %s%s%s%s |\n", key->meaning, key->needs ? "; goes with `" : "",
-            key->needs ? key->needs : "", key->needs ? "`" : "");
+    fputs(" | ", out);
+    print_cell(key->meaning, out);
+    if (key->needs) fprintf(out, "; goes with `%s`", key->needs);
+    fputs(" |\n", out);
 }
 
 fw_status fw_schema_print(FILE *out, fw_error *error)
@@ -143,10 +159,11 @@ fw_status fw_schema_print(FILE *out, fw_error *error)
     fprintf(out,
             "A scenario is YAML: one document, no anchors, aliases and tags. Lengths, masses and "
             "times are in reduced units. A number is written as `12`, `-0.5` or `2.5e-3`, is "
-            "finite and at most %g in size; a whole number has neither point nor exponent; angles "
-            "and phases are in degrees; a name is a letter followed by letters, digits, `-` or "
-            "`_`. Whatever is not in these tables is refused.\n",
-            FW_NUMBER_MOST);
+            "finite and at most %g in size; a whole number has neither point nor exponent and is "
+            "at most %g in size (%d for sites); angles and phases are in degrees; a name is a "
+            "letter followed by letters, digits, `-` or `_`. Whatever is not in these tables is "
+            "refused.\n",
+            FW_NUMBER_MOST, FW_INTEGER_MOST, FW_COORDINATE_MOST);
     for (const fw_section *section = fw_schema_sections; section->name; ++section) {
         fprintf(out, "\n### %s\n\n%s\n\n", section->heading, section->meaning);
         fputs("| key | value | unit | default | meaning |\n|---|---|---|---|---|\n", out);
