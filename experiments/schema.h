@@ -104,8 +104,6 @@ void fw_node_numbers(const fw_node *list, double *values);
 void fw_schema_list_words(const char *words, char *out, size_t size);
 /* "a number above 0": what a key's value should be. */
 void fw_schema_expected(const fw_key *key, char *out, size_t size);
-/* "above 0 and up to 1", or "". */
-void fw_schema_bounds(const fw_key *key, char *out, size_t size);
 
 /* The complete reference as Markdown. FW_SYSTEM_FAILED where `out` cannot be written. */
 fw_status fw_schema_print(FILE *out, fw_error *error);

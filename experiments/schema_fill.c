@@ -37,7 +37,7 @@ int fw_node_word(const fw_node *node, const char *words)
         if (size == node->length && !memcmp(word, node->text, size)) return number;
         word += size + (word[size] == '|');
     }
-    assert(!"a word that passed the check");
+    assert(false && "a word that passed the check");
     return 0;
 }
 
@@ -115,7 +115,7 @@ static fw_status fill_value(fw_document *document, const fw_key *key, const fw_n
         return FW_OK;
     }
     default:
-        assert(!"a form that can be stored");
+        assert(false && "a form that can be stored");
         return FW_OK;
     }
 }

@@ -56,7 +56,7 @@ const fw_section fw_schema_sections[] = {
      "or `within-relative`, or `below`, `above` or both."},
     {"picture", "`pictures.NAME`", "a picture",
      "What `fretwork plot` draws unless told otherwise."},
-    {NULL, NULL, NULL, NULL}};
+    {.name = NULL}};
 
 const fw_key fw_schema_keys[] = {
     /* --- the scenario --- */
@@ -338,4 +338,4 @@ const fw_key fw_schema_keys[] = {
     {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_NAME, .most = 64,
      AT(fw_scenario_picture, observables), .otherwise = "the energies",
      .meaning = "curves of a series"},
-    {NULL}};
+    {.section = NULL}};

@@ -28,7 +28,8 @@ void fw_schema_list_words(const char *words, char *out, size_t size)
     }
 }
 
-void fw_schema_bounds(const fw_key *key, char *out, size_t size)
+/* " above 0 and up to 1", or "". */
+static void list_bounds(const fw_key *key, char *out, size_t size)
 {
     out[0] = '\0';
     if (key->bounds & FW_ABOVE) append(out, size, " above %.13g", key->low);
@@ -72,7 +73,7 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
         return;
     }
     char bounds[80], words[300];
-    fw_schema_bounds(key, bounds, sizeof bounds);
+    list_bounds(key, bounds, sizeof bounds);
     const char *join = "";
     for (size_t n = 0; n < sizeof simple / sizeof simple[0]; ++n)
         if (forms & simple[n].form) {
