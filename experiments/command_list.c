@@ -50,7 +50,7 @@ fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error)
     printf("Quantities (measure, expect.quantity, plot --observable):\n");
     printf("  %-20s %-14s %-12s %-16s %s\n", "name", "measured of", "components", "unit",
            "meaning");
-    for (const fw_quantity *q = fw_quantities; q->name; ++q)
+    for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q))
         printf("  %-20s %-14s %-12s %-16s %s\n", q->name, scope[q->scope],
                q->components[0] ? q->components : "-", q->unit, q->meaning);
     print_fields(&fw_lb_solid_model);

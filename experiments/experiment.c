@@ -4,179 +4,10 @@
 
 #include "core/lb_solid.h"
 #include "core/noise.h"
+#include "experiments/build.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* --- starting states --- */
-
-static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, int particle, uint64_t seed,
-                             uint32_t stream)
-{
-    switch (pattern->kind) {
-    case FW_PATTERN_UNIFORM:
-        return pattern->amplitude;
-    case FW_PATTERN_GAUSSIAN: {
-        double i = site.i - pattern->centre.x, j = site.j - pattern->centre.y;
-        double width2 = pattern->width * pattern->width;
-        return fw_vec2_scale(exp(-0.5 * (i * i + j * j) / width2), pattern->amplitude);
-    }
-    case FW_PATTERN_WAVE: {
-        double angle = pattern->wave_vector.x * site.i + pattern->wave_vector.y * site.j;
-        return fw_vec2_scale(cos(angle + pattern->phase), pattern->amplitude);
-    }
-    case FW_PATTERN_RANDOM:
-        return fw_vec2_scale(pattern->random,
-                             fw_noise_uniform(seed, (uint32_t)particle, 0, stream));
-    }
-    return (fw_vec2){0, 0};
-}
-
-/* Adds all patterns of a list to `values`. Each draws random numbers of its own stream. */
-static fw_status apply_patterns(const fw_patterns *patterns, const fw_sites *sites, uint64_t seed,
-                                uint32_t first_stream, fw_vec2 *values, fw_error *error)
-{
-    for (int n = 0; n < patterns->count; ++n) {
-        const fw_pattern *pattern = &patterns->item[n];
-        int *particles, count;
-        FW_TRY(fw_selection_particles(&pattern->sites, sites, &particles, &count, error));
-        for (int k = 0; k < count; ++k) {
-            int l = particles[k];
-            values[l] = fw_vec2_add(values[l], pattern_value(pattern, sites->site[l], l, seed,
-                                                             first_stream + (uint32_t)n));
-        }
-        free(particles);
-    }
-    return FW_OK;
-}
-
-/* --- LB bodies --- */
-
-/* Arrays per site that are only needed while a solid is made. */
-typedef struct start_values {
-    fw_vec2 *displacement, *velocity;
-    fw_sym2 *rest_mass, *stiffness[2];
-    bool *selected;
-} start_values;
-
-static void release_start(start_values *start)
-{
-    free(start->displacement);
-    free(start->velocity);
-    free(start->rest_mass);
-    free(start->stiffness[FW_EAST]);
-    free(start->stiffness[FW_NORTH]);
-    free(start->selected);
-}
-
-static bool allocate_start(start_values *start, size_t count)
-{
-    start->displacement = calloc(count, sizeof *start->displacement);
-    start->velocity = calloc(count, sizeof *start->velocity);
-    start->rest_mass = calloc(count, sizeof *start->rest_mass);
-    start->stiffness[FW_EAST] = calloc(count, sizeof *start->stiffness[FW_EAST]);
-    start->stiffness[FW_NORTH] = calloc(count, sizeof *start->stiffness[FW_NORTH]);
-    start->selected = calloc(count, sizeof *start->selected);
-    return start->displacement && start->velocity && start->rest_mass &&
-           start->stiffness[FW_EAST] && start->stiffness[FW_NORTH] && start->selected;
-}
-
-static fw_status mark_selected(const fw_selection *selection, const fw_sites *sites, bool *selected,
-                               fw_error *error)
-{
-    int *particles, count;
-    FW_TRY(fw_selection_particles(selection, sites, &particles, &count, error));
-    for (int l = 0; l < sites->count; ++l) selected[l] = false;
-    for (int k = 0; k < count; ++k) selected[particles[k]] = true;
-    free(particles);
-    return FW_OK;
-}
-
-static bool is_chosen(fw_link_choice choice, bool here, bool there)
-{
-    switch (choice) {
-    case FW_LINKS_INSIDE:
-        return here && there;
-    case FW_LINKS_ACROSS:
-        return here != there;
-    case FW_LINKS_TOUCHING:
-        return here || there;
-    }
-    return false;
-}
-
-static fw_status fill_masses_and_links(const fw_scenario_body *body, const fw_sites *sites,
-                                       start_values *start, fw_error *error)
-{
-    for (int n = 0; n < body->rest_mass.count; ++n) {
-        FW_TRY(mark_selected(&body->rest_mass.item[n].sites, sites, start->selected, error));
-        for (int l = 0; l < sites->count; ++l)
-            if (start->selected[l]) start->rest_mass[l] = body->rest_mass.item[n].value;
-    }
-    for (int n = 0; n < body->link_stiffness.count; ++n) {
-        const fw_replacement *change = &body->link_stiffness.item[n];
-        FW_TRY(mark_selected(&change->sites, sites, start->selected, error));
-        for (int l = 0; l < sites->count; ++l)
-            for (int d = FW_EAST; d <= FW_NORTH; ++d) {
-                int m = fw_sites_find(sites, fw_site_neighbour(sites->site[l], d));
-                if (m >= 0 && is_chosen(change->links, start->selected[l], start->selected[m]))
-                    start->stiffness[d][l] = change->value;
-            }
-    }
-    return FW_OK;
-}
-
-static fw_status fill_start(const fw_scenario *scenario, int number, const fw_sites *sites,
-                            start_values *start, fw_error *error)
-{
-    const fw_scenario_body *body = &scenario->bodies[number];
-    const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
-    const uint64_t seed = (uint64_t)scenario->run.seed;
-    /* Streams of random starts: body by body, displacements before velocities. */
-    const uint32_t stream = FW_NOISE_START + (uint32_t)number * 2 * 4096;
-    for (int l = 0; l < sites->count; ++l) {
-        start->velocity[l] = body->velocity;
-        start->rest_mass[l] = material->rest_mass;
-        start->stiffness[FW_EAST][l] = start->stiffness[FW_NORTH][l] = material->link_stiffness;
-    }
-    FW_TRY(apply_patterns(&body->displacement, sites, seed, stream, start->displacement, error));
-    FW_TRY(apply_patterns(&body->velocities, sites, seed, stream + 4096, start->velocity, error));
-    return fill_masses_and_links(body, sites, start, error);
-}
-
-static fw_status create_boltzmann(const fw_scenario *scenario, int number, const fw_sites *sites,
-                                  fw_solid **solid, fw_error *error)
-{
-    const fw_scenario_body *body = &scenario->bodies[number];
-    const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
-    start_values start = {0};
-    fw_lb_solid_def def = fw_lb_solid_def_default();
-    fw_status status = FW_OK;
-    if (!allocate_start(&start, (size_t)sites->count))
-        status = fw_fail_memory(error, "the starting state of a body");
-    if (status == FW_OK) status = fill_start(scenario, number, sites, &start, error);
-    if (status == FW_OK) {
-        def.sites = sites;
-        def.lattice = body->lattice;
-        def.damping = material->damping;
-        def.rest_masses = start.rest_mass;
-        def.stiffness_east = start.stiffness[FW_EAST];
-        def.stiffness_north = start.stiffness[FW_NORTH];
-        if (material->break_at > 0) def.break_at = material->break_at;
-        def.displacement = start.displacement;
-        def.velocity = start.velocity;
-        status = fw_lb_solid_create(solid, &def, error);
-        if (status == FW_BAD_INPUT) {
-            fw_error inner = *error;
-            status = fw_scenario_fail(scenario, body->place, error, "body %s: %s", body->name,
-                                      inner.sentence);
-        }
-    }
-    release_start(&start);
-    return status;
-}
-
-/* --- the whole scene --- */
 
 static fw_status add_body(fw_experiment *experiment, int number, fw_error *error)
 {
@@ -187,7 +18,7 @@ static fw_status add_body(fw_experiment *experiment, int number, fw_error *error
     fw_solid *solid = NULL;
     switch (scenario->materials[body->material].kind) {
     case FW_LATTICE_BOLTZMANN:
-        FW_TRY(create_boltzmann(scenario, number, &member->sites, &solid, error));
+        FW_TRY(fw_build_boltzmann(scenario, number, &member->sites, &solid, error));
         break;
     }
     member->name = body->name;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* quantity.h - everything that can be measured of an experiment, by name: one constant table.
+/* quantity.h - everything that can be measured of an experiment, by name: constant tables, one for
+ * any solid and one per model (quantity_MODEL.c).
  * Scenario files name quantities in `measure`, `expect` and `pictures`. */
 #ifndef FW_QUANTITY_H
 #define FW_QUANTITY_H
@@ -32,9 +33,14 @@ typedef struct fw_quantity {
     void (*measure)(const fw_experiment *experiment, fw_subject subject, double *out);
 } fw_quantity;
 
-extern const fw_quantity fw_quantities[];
+/* The tables, each in the file of its name. */
+extern const fw_quantity fw_common_quantities[];
+extern const fw_quantity fw_boltzmann_quantities[];
 
-const fw_quantity *fw_quantity_find(const char *name); /* NULL: there is none */
+/* All quantities, model by model: `for (q = first(); q; q = next(q))`. */
+const fw_quantity *fw_quantity_first(void);
+const fw_quantity *fw_quantity_next(const fw_quantity *quantity); /* NULL: that was the last */
+const fw_quantity *fw_quantity_find(const char *name);            /* NULL: there is none */
 int fw_quantity_component_count(const fw_quantity *quantity);
 /* Number of a component by name, or -1. */
 int fw_quantity_find_component(const fw_quantity *quantity, const char *name);

@@ -1,0 +1,279 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* quantity_common.c - what can be measured of any solid and of walls. Keeps no state. */
+#include "experiments/quantity.h"
+
+#include <math.h>
+
+static void put(double *out, fw_vec2 v)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+}
+
+static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subject)
+{
+    return fw_experiment_solid(experiment, subject.body);
+}
+
+/* --- energy and momentum --- */
+
+static fw_energies energies_of(const fw_experiment *experiment, fw_subject subject)
+{
+    if (subject.body < 0) return fw_scene_energies(experiment->scene);
+    return fw_solid_energies(body_of(experiment, subject));
+}
+
+static fw_vec2 momentum_of(const fw_experiment *experiment, fw_subject subject)
+{
+    if (subject.body < 0) return fw_scene_momentum(experiment->scene);
+    return fw_solid_momentum(body_of(experiment, subject));
+}
+
+static double total(fw_energies energies)
+{
+    return energies.kinetic + energies.elastic;
+}
+
+static void energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = total(energies_of(experiment, subject));
+}
+
+static void kinetic_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = energies_of(experiment, subject).kinetic;
+}
+
+static void elastic_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = energies_of(experiment, subject).elastic;
+}
+
+static void energy_drift(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    double start = fw_scene_ledger(experiment->scene).energy_at_start;
+    out[0] = total(fw_scene_energies(experiment->scene)) / start - 1;
+}
+
+/* What the ledger says the energy should be, and the largest of the sums it is made of. */
+static void energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    fw_ledger l = fw_scene_ledger(experiment->scene);
+    double booked = l.energy_at_start + l.external_work + l.wall_work - l.dissipated -
+                    l.friction_heat + l.noise_heat;
+    double now = total(fw_scene_energies(experiment->scene));
+    double scale = fmax(fmax(fabs(now), l.energy_at_start), l.dissipated + l.friction_heat);
+    out[0] = scale > 0 ? (now - booked) / scale : 0;
+}
+
+static void body_energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    if (subject.body < 0) {
+        energy_error(experiment, subject, out);
+        return;
+    }
+    /* The energy of a single body that meets no wall: all it exchanged is in its own account. */
+    const fw_solid *solid = body_of(experiment, subject);
+    double start = experiment->energy_at_start[subject.body];
+    double booked = start + solid->account.work - solid->account.dissipated + solid->account.heat;
+    double now = total(fw_solid_energies(solid));
+    double scale = fmax(fmax(fabs(now), start), solid->account.dissipated);
+    out[0] = scale > 0 ? (now - booked) / scale : 0;
+}
+
+static void momentum(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, momentum_of(experiment, subject));
+}
+
+static void momentum_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    fw_vec2 now = momentum_of(experiment, subject), booked;
+    if (subject.body < 0) {
+        fw_ledger l = fw_scene_ledger(experiment->scene);
+        booked = fw_vec2_add(fw_vec2_add(l.momentum_at_start, l.external_impulse),
+                             fw_vec2_add(l.wall_impulse, l.drag));
+    } else {
+        const fw_account *account = &body_of(experiment, subject)->account;
+        booked = fw_vec2_add(experiment->momentum_at_start[subject.body],
+                             fw_vec2_add(account->impulse, account->drag));
+    }
+    put(out, fw_vec2_subtract(now, booked));
+}
+
+static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    fw_vec2 now = momentum_of(experiment, subject);
+    fw_vec2 start = subject.body < 0 ? fw_scene_ledger(experiment->scene).momentum_at_start
+                                     : experiment->momentum_at_start[subject.body];
+    out[0] = sqrt(fw_vec2_dot(now, now) / fw_vec2_dot(start, start));
+}
+
+/* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
+static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_solid *solid = body_of(experiment, subject);
+    fw_vec2 p = fw_solid_momentum(solid);
+    fw_sym2 inverse = fw_sym2_invert(solid->model->mass(solid));
+    out[0] = 0.5 * fw_sym2_form(p, inverse, p) / total(fw_solid_energies(solid));
+}
+
+/* --- the ledger --- */
+
+static void external_work(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).external_work;
+}
+
+static void wall_work(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).wall_work;
+}
+
+static void dissipated(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).dissipated;
+}
+
+static void friction_heat(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).friction_heat;
+}
+
+static void fracture_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = body_of(experiment, subject)->account.fracture;
+}
+
+/* --- motion and shape --- */
+
+static void centre_of_mass(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_solid *solid = body_of(experiment, subject);
+    put(out, solid->model->centre_of_mass(solid));
+}
+
+static void position(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    int particle = experiment->members[subject.body].first + subject.particle;
+    put(out, fw_solid_position(body_of(experiment, subject), particle));
+}
+
+static fw_vec2 displacement_of(const fw_experiment *experiment, int body, int particle)
+{
+    const fw_member *member = &experiment->members[body];
+    fw_vec2 rest = fw_lattice_position(&experiment->scenario->bodies[body].lattice,
+                                       member->sites.site[particle]);
+    return fw_vec2_subtract(
+        fw_solid_position(fw_experiment_solid(experiment, body), member->first + particle), rest);
+}
+
+static void displacement(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, displacement_of(experiment, subject.body, subject.particle));
+}
+
+static void elongation(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    int last = experiment->members[subject.body].count - 1;
+    put(out, fw_vec2_subtract(displacement_of(experiment, subject.body, last),
+                              displacement_of(experiment, subject.body, 0)));
+}
+
+/* Largest distance of any particle from where it started, in x or y. */
+static void return_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_solid *solid = body_of(experiment, subject);
+    const fw_vec2 *start = experiment->start[subject.body];
+    out[0] = 0;
+    for (int l = 0; l < experiment->members[subject.body].count; ++l) {
+        fw_vec2 at = fw_solid_position(solid, experiment->members[subject.body].first + l);
+        out[0] = fmax(out[0], fmax(fabs(at.x - start[l].x), fabs(at.y - start[l].y)));
+    }
+}
+
+/* --- walls --- */
+
+static void penetration(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    int body = subject.body < 0 ? -1 : experiment->members[subject.body].solid;
+    out[0] = fw_scene_penetration(experiment->scene, body);
+}
+
+static void unresolved(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = (double)fw_scene_unresolved(experiment->scene);
+}
+
+static const fw_wall_account *account_of(const fw_experiment *experiment, fw_subject subject)
+{
+    return fw_scene_wall_account(experiment->scene, subject.wall);
+}
+
+static void reaction(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, account_of(experiment, subject)->reaction);
+}
+
+static void wall_impulse(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, account_of(experiment, subject)->impulse);
+}
+
+/* Along the tangent over along the normal, of the wall's first facet. */
+static void friction_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_facet *facet = fw_wall_facet(fw_scene_wall(experiment->scene, subject.wall), 0);
+    fw_vec2 impulse = account_of(experiment, subject)->impulse;
+    out[0] = fabs(fw_vec2_dot(impulse, fw_vec2_turn(facet->normal))) /
+             fw_vec2_dot(impulse, facet->normal);
+}
+
+static void contacts(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->contacts;
+}
+
+static void contacts_so_far(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->held;
+}
+
+/* clang-format off */
+const fw_quantity fw_common_quantities[] = {
+    {"energy", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy together", NULL, energy},
+    {"kinetic-energy", FW_SCOPE_BODIES, "", "energy", "energy of motion", NULL, kinetic_energy},
+    {"elastic-energy", FW_SCOPE_BODIES, "", "energy", "energy of deformation", NULL, elastic_energy},
+    {"energy-drift", FW_SCOPE_SCENE, "", "1", "energy over the energy at the start, minus 1", NULL, energy_drift},
+    {"energy-error", FW_SCOPE_BODIES, "", "1", "energy minus what the ledger of work and heat says, relative; of one body only while it meets no wall", NULL, body_energy_error},
+    {"kinetic-fraction", FW_SCOPE_BODY, "", "1", "energy of the motion of the centre of mass over all energy", NULL, kinetic_fraction},
+    {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum},
+    {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error},
+    {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio},
+    {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work},
+    {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work},
+    {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated},
+    {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat},
+    {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy},
+    {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass},
+    {"position", FW_SCOPE_SITE, "x y", "length", "of one particle", NULL, position},
+    {"displacement", FW_SCOPE_SITE, "x y", "length", "of one particle from its place in the lattice", NULL, displacement},
+    {"elongation", FW_SCOPE_BODY, "x y", "length", "displacement of the last particle minus that of the first", NULL, elongation},
+    {"return-error", FW_SCOPE_BODY, "", "length", "largest distance of a particle from its start, in x or y", NULL, return_error},
+    {"penetration", FW_SCOPE_BODIES, "", "length", "how deep any particle lies behind a wall", NULL, penetration},
+    {"unresolved", FW_SCOPE_SCENE, "", "1", "contacts since the start in which no consistent set of walls was found and the particle was held fast", NULL, unresolved},
+    {"reaction", FW_SCOPE_WALL, "x y", "force", "[F(t) + F(t-1)]/2 of the wall on all bodies", NULL, reaction},
+    {"wall-impulse", FW_SCOPE_WALL, "x y", "momentum", "of the wall on all bodies since the start", NULL, wall_impulse},
+    {"friction-ratio", FW_SCOPE_WALL, "", "1", "impulse of a straight wall along its tangent over that along its normal, since the start", NULL, friction_ratio},
+    {"contacts", FW_SCOPE_WALL, "", "1", "particles that the wall holds in this step", NULL, contacts},
+    {"contacts-so-far", FW_SCOPE_WALL, "", "1", "the same, summed over all steps", NULL, contacts_so_far},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+};
+/* clang-format on */
