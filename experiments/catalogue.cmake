@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Writes OUTPUT, a C file with the table fw_catalogue of all scenario files in FOLDER.
 # Bytes are written one by one: ISO C promises no more than 4095 of them in a literal.
-file(GLOB FILES "${FOLDER}/*.yaml")
-list(SORT FILES)
+file(GLOB NAMES RELATIVE "${FOLDER}" "${FOLDER}/*.yaml")
+# Sorted without the ending: '-' comes before '.', but "chain" before "chain-sudden".
+list(TRANSFORM NAMES REPLACE "\\.yaml$" "")
+list(SORT NAMES)
 set(TEXTS "")
 set(TABLE "")
-foreach(FILE ${FILES})
-  get_filename_component(NAME "${FILE}" NAME_WE)
+foreach(NAME ${NAMES})
   string(MAKE_C_IDENTIFIER "text_of_${NAME}" TEXT)
-  file(READ "${FILE}" BYTES HEX)
+  file(READ "${FOLDER}/${NAME}.yaml" BYTES HEX)
   string(REGEX REPLACE "(..)" "'\\\\x\\1'," BYTES "${BYTES}")
   string(APPEND TEXTS "static const char ${TEXT}[] = {${BYTES}'\\0'};\n")
   string(APPEND TABLE "    {\"${NAME}\", ${TEXT}, sizeof ${TEXT} - 1},\n")
