@@ -5,6 +5,7 @@
  * the disk before fw_canvas_save. Start reading at fw_canvas_create() and fw_canvas_save(). */
 #include "experiments/canvas.h"
 
+#include "experiments/markup.h"
 #include "experiments/whole_file.h"
 
 #include <cairo-pdf.h>
@@ -374,67 +375,16 @@ void fw_canvas_arrow(fw_canvas *canvas, fw_vec2 from, fw_vec2 to, fw_stroke stro
     fw_canvas_polygon(canvas, tip, 4, stroke.colour, 0);
 }
 
-/* Length of the character at `text`: 1 to 4 bytes, or 0 where it is no UTF-8. Cairo would refuse
- * the whole picture for one wrong byte. */
-static int character_length(const char *text)
-{
-    const unsigned char *bytes = (const unsigned char *)text;
-    int length = bytes[0] < 0x80   ? 1
-                 : bytes[0] < 0xc2 ? 0
-                 : bytes[0] < 0xe0 ? 2
-                 : bytes[0] < 0xf0 ? 3
-                 : bytes[0] < 0xf5 ? 4
-                                   : 0;
-    for (int k = 1; k < length; ++k) {
-        if ((bytes[k] & 0xc0) != 0x80) return 0;
-    }
-    if (bytes[0] == 0xe0 && bytes[1] < 0xa0) return 0;
-    if (bytes[0] == 0xed && bytes[1] > 0x9f) return 0; /* halves of surrogate pairs */
-    if (bytes[0] == 0xf0 && bytes[1] < 0x90) return 0;
-    if (bytes[0] == 0xf4 && bytes[1] > 0x8f) return 0;
-    return length;
-}
-
-enum { RUN_SIZE = 512 };
-
-/* Takes characters of equal height from *text into `run`; *level: 1 raised, -1 lowered. */
-static void take_run(const char **text, int *level, char run[RUN_SIZE])
-{
-    size_t used = 0;
-    const char *at = *text;
-    while (*at && used + 5 < RUN_SIZE) {
-        bool opens = *level == 0 && (*at == '^' || *at == '_') && at[1] == '{';
-        bool closes = *level != 0 && *at == '}';
-        if (opens || closes) {
-            if (used > 0) break;
-            *level = closes ? 0 : *at == '^' ? 1 : -1;
-            at += closes ? 1 : 2;
-            continue;
-        }
-        int length = character_length(at);
-        if (length == 0 || (unsigned char)*at < ' ') {
-            run[used++] = length == 0 ? '?' : ' ';
-            at += 1;
-        } else {
-            memcpy(run + used, at, (size_t)length);
-            used += (size_t)length;
-            at += length;
-        }
-    }
-    run[used] = '\0';
-    *text = at;
-}
-
 /* Walks along a text from the context's origin, drawing it or not; returns its width. */
 static double walk_text(cairo_t *context, const char *text, double size, bool bold, bool draw)
 {
     double place = 0;
     int level = 0;
-    char run[RUN_SIZE];
+    char run[FW_MARKUP_RUN];
     cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
                            bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
     while (*text) {
-        take_run(&text, &level, run);
+        fw_markup_take(&text, &level, run);
         if (run[0] == '\0') continue;
         double run_size = (level == 0 ? 1 : .72) * size * mm_per_point;
         double rise = (level == 0 ? 0 : level > 0 ? .36 : -.16) * size * mm_per_point;
@@ -459,6 +409,12 @@ double fw_canvas_text_width(const char *text, double size, bool bold)
     cairo_destroy(context);
     cairo_surface_destroy(surface);
     return width;
+}
+
+double fw_canvas_fitting_size(const char *text, double size, double width)
+{
+    double taken = fw_canvas_text_width(text, size, false);
+    return taken > width ? fmax(size * width / taken, size / 2) : size;
 }
 
 double fw_canvas_line_height(double size)

@@ -10,6 +10,8 @@
 #include "core/vec2.h"
 #include "experiments/palette.h"
 
+#include <stdbool.h>
+
 typedef struct fw_canvas fw_canvas;
 
 typedef struct fw_rect {
@@ -58,6 +60,11 @@ void fw_canvas_annulus(fw_canvas *canvas, fw_vec2 centre, double inner, double o
 /* Ends exactly at `to`; the head is `head` mm long, or less on a short arrow. */
 void fw_canvas_arrow(fw_canvas *canvas, fw_vec2 from, fw_vec2 to, fw_stroke stroke, double head);
 
+/* The sizes of text in figures, in points. */
+#define FW_TEXT_SIZE  8.5
+#define FW_SMALL_SIZE 7.5
+#define FW_TITLE_SIZE 10.5
+
 /* Which point of the text lies at the given place. */
 typedef enum fw_text_across { FW_TEXT_LEFT, FW_TEXT_CENTRE, FW_TEXT_RIGHT } fw_text_across;
 typedef enum fw_text_along { FW_TEXT_BASELINE, FW_TEXT_MIDDLE, FW_TEXT_TOP } fw_text_along;
@@ -76,6 +83,9 @@ typedef struct fw_text_look {
 void fw_canvas_text(fw_canvas *canvas, fw_vec2 at, const char *text, fw_text_look look);
 /* Width in mm, the same on every canvas. */
 double fw_canvas_text_width(const char *text, double size, bool bold);
+/* The given size, or a smaller one (down to half of it) at which the text is no wider than `width`.
+ */
+double fw_canvas_fitting_size(const char *text, double size, double width);
 /* Height of a line of text in mm. */
 double fw_canvas_line_height(double size);
 

@@ -3,8 +3,8 @@
 #ifndef FW_CHART_H
 #define FW_CHART_H
 
-#include "experiments/axes.h"
-#include "experiments/key.h"
+#include "experiments/legend.h"
+#include "experiments/panel.h"
 
 typedef enum fw_curve_look {
     FW_CURVE_LINE,

@@ -140,7 +140,7 @@ static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
 static void name_view(const fw_view *view, fw_canvas *canvas, fw_rect box)
 {
     char step[32], name[48];
-    fw_number_print(step, sizeof step, (double)view->step, 15);
+    fw_ticks_print_number(step, sizeof step, (double)view->step, 15);
     snprintf(name, sizeof name, "step %s", step);
     fw_canvas_text(canvas, (fw_vec2){box.left, box.top - 1.2}, view->name ? view->name : name,
                    (fw_text_look){FW_SMALL_SIZE, fw_colour_grey(.1), FW_TEXT_LEFT, FW_TEXT_BASELINE,

@@ -2,8 +2,9 @@
 /* figure_forces.c - deformed bodies with the forces on their particles.
  * Keeps no state. Invariant: one length of arrow means one force in all panels. Start reading at
  * fw_figure_forces(). */
+#include "experiments/colour_bar.h"
 #include "experiments/figure.h"
-#include "experiments/key.h"
+#include "experiments/legend.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -218,7 +219,7 @@ static void describe(forces_legend *legend, double largest, double scale)
     for (int k = 0; k < legend->count; ++k) legend->entries[k] = fixed[k];
     if (!(largest > 0)) return;
     char number[32];
-    fw_number_print(number, sizeof number, round_down(largest), 3);
+    fw_ticks_print_number(number, sizeof number, round_down(largest), 3);
     snprintf(legend->scale_label, sizeof legend->scale_label, "force of %s", number);
     legend->entries[legend->count++] = (fw_legend_entry){
         legend->scale_label, fw_colour_grey(.1), FW_LEGEND_ARROW, scale * round_down(largest)};

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* figure_motion.c - a body on its way: several instants in one panel.
  * Keeps no state. Start reading at fw_figure_motion(). */
+#include "experiments/colour_bar.h"
 #include "experiments/figure.h"
-#include "experiments/key.h"
+#include "experiments/legend.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -38,7 +39,7 @@ static void describe_instants(const fw_figure_motion_plan *plan, motion_layout *
     layout->has_bar = plan->view_count > NAMED_INSTANTS;
     for (int k = 0; k < plan->view_count && !layout->has_bar; ++k) {
         char step[32];
-        fw_number_print(step, sizeof step, (double)plan->views[k].step, 15);
+        fw_ticks_print_number(step, sizeof step, (double)plan->views[k].step, 15);
         snprintf(layout->labels[k], sizeof layout->labels[k], "step %s", step);
         const char *name = plan->views[k].name;
         layout->entries[layout->entry_count++] = (fw_legend_entry){
@@ -121,31 +122,35 @@ static void draw_instants(const fw_figure_motion_plan *plan, const fw_panel *pan
     if (raster) fw_canvas_raster_end(panel->canvas);
 }
 
-/* Arrow heads along a path, about 40 mm apart and at least one. */
-static void draw_directions(const fw_figure_path *path, const fw_panel *panel)
+/* Length of a path on the paper. With `apart` > 0: draws an arrow head every so many mm, the first
+ * after half of that. */
+static double walk_path(const fw_figure_path *path, const fw_panel *panel, double apart)
 {
     const fw_stroke line = {fw_colour_grey(.1), .5, FW_DASH_NONE};
-    double length = 0, walked = 0;
-    fw_vec2 before = fw_panel_place(panel, path->x[0], path->y[0]);
-    for (int round = 0; round < 2; ++round) {
-        double apart = fmax(length / fmax(1, nearbyint(length / 40)), 1e-9);
-        double next = apart / 2;
-        fw_vec2 from = before;
-        for (int k = 1; k < path->count; ++k) {
-            fw_vec2 to = fw_panel_place(panel, path->x[k], path->y[k]);
-            double step = hypot(to.x - from.x, to.y - from.y);
-            /* A path of many tiny steps has no direction from point to point. */
-            if (!isfinite(step) || step < .3) continue;
-            if (round == 0) length += step;
-            if (round == 1 && (walked += step) >= next) {
-                fw_vec2 along = fw_vec2_scale(1 / step, fw_vec2_subtract(to, from));
-                fw_canvas_arrow(panel->canvas, fw_vec2_subtract(to, fw_vec2_scale(3, along)),
-                                fw_vec2_add(to, fw_vec2_scale(1.8, along)), line, 3.3);
-                next += apart;
-            }
-            from = to;
+    double walked = 0, next = apart / 2;
+    fw_vec2 from = fw_panel_place(panel, path->x[0], path->y[0]);
+    for (int k = 1; k < path->count; ++k) {
+        fw_vec2 to = fw_panel_place(panel, path->x[k], path->y[k]);
+        double step = hypot(to.x - from.x, to.y - from.y);
+        /* Steps that are too small to see have no direction either. */
+        if (!isfinite(step) || step < .3) continue;
+        fw_vec2 along = fw_vec2_scale(1 / step, fw_vec2_subtract(to, from));
+        for (; apart > 0 && next <= walked + step; next += apart) {
+            fw_vec2 tip = fw_vec2_add(from, fw_vec2_scale(next - walked, along));
+            fw_canvas_arrow(panel->canvas, fw_vec2_subtract(tip, fw_vec2_scale(4, along)), tip,
+                            line, 3.3);
         }
+        walked += step;
+        from = to;
     }
+    return walked;
+}
+
+/* Arrow heads about 40 mm apart, at least one. */
+static void draw_directions(const fw_figure_path *path, const fw_panel *panel)
+{
+    double length = walk_path(path, panel, 0);
+    if (length > 5) walk_path(path, panel, length / fmax(1, nearbyint(length / 40)));
 }
 
 static void draw_path(const fw_figure_path *path, const fw_panel *panel)
@@ -157,7 +162,7 @@ static void draw_path(const fw_figure_path *path, const fw_panel *panel)
                   (fw_stroke){fw_colour_grey(.1), .45, FW_DASH_NONE});
     draw_directions(path, panel);
     fw_vec2 start = fw_panel_place(panel, path->x[0], path->y[0]);
-    fw_canvas_disc(panel->canvas, start, 1.15, fw_colour_grey(1));
+    fw_canvas_circle(panel->canvas, start, 1.15, (fw_stroke){fw_colour_grey(1), 1, FW_DASH_NONE});
     fw_canvas_circle(panel->canvas, start, 1.15,
                      (fw_stroke){fw_colour_grey(.1), .45, FW_DASH_NONE});
 }
@@ -171,6 +176,7 @@ static void draw(const fw_figure_motion_plan *plan, const motion_layout *layout)
     for (int k = 0; k < plan->path_count; ++k) draw_path(&plan->paths[k], panel);
     if (plan->view_count > 0) fw_view_draw_surfaces(&plan->views[plan->view_count - 1], panel);
     fw_canvas_unclip(panel->canvas);
+    if (plan->view_count == 0) fw_panel_say(panel, "no particles");
     fw_panel_draw_axes(panel, 0);
     fw_legend_draw(layout->entries, layout->entry_count, panel->canvas,
                    (fw_vec2){FW_PAGE_MARGIN, layout->legend_top}, layout->legend_width);

@@ -6,7 +6,6 @@
 #include <math.h>
 #include <string.h>
 
-static const fw_colour ink = {.1, .1, .1, 1};
 static const fw_colour quiet_ink = {.33, .33, .33, 1};
 
 fw_page fw_page_default(void)
@@ -55,7 +54,7 @@ static double set_text(const fw_page *page, fw_canvas *canvas, const char *text,
 
 double fw_page_top(const fw_page *page)
 {
-    double title = set_text(page, NULL, page->title, 0, FW_TITLE_SIZE, true, ink);
+    double title = set_text(page, NULL, page->title, 0, FW_TITLE_SIZE, true, fw_colour_ink());
     return FW_PAGE_MARGIN + title + (title > 0 ? 1.2 : 0);
 }
 
@@ -65,7 +64,7 @@ fw_status fw_page_open(const fw_page *page, double bottom, fw_canvas **canvas, f
     double gap = caption > 0 ? 2.5 : 0;
     FW_TRY(fw_canvas_create(canvas, page->file, page->width,
                             bottom + gap + caption + FW_PAGE_MARGIN, page->resolution, error));
-    set_text(page, *canvas, page->title, FW_PAGE_MARGIN, FW_TITLE_SIZE, true, ink);
+    set_text(page, *canvas, page->title, FW_PAGE_MARGIN, FW_TITLE_SIZE, true, fw_colour_ink());
     set_text(page, *canvas, page->caption, bottom + gap, FW_SMALL_SIZE, false, quiet_ink);
     return FW_OK;
 }
@@ -89,6 +88,9 @@ void fw_page_fit_equal(const fw_page *page, fw_panel *panel, double right, doubl
     double x_extent = panel->x.range.high - panel->x.range.low;
     /* The room for the numbers depends on the numbers, and those on the height: twice is enough. */
     double depth = 12;
+    if (panel->y.label) {
+        least = fmax(least, fw_canvas_text_width(panel->y.label, FW_TEXT_SIZE, false));
+    }
     for (int round = 0; round < 3; ++round) {
         double width = fmax(page->width - 2 * FW_PAGE_MARGIN - depth - right, 10);
         double least_extent = least / width * x_extent;

@@ -3,7 +3,7 @@
 #ifndef FW_PAGE_H
 #define FW_PAGE_H
 
-#include "experiments/axes.h"
+#include "experiments/panel.h"
 
 typedef struct fw_page {
     const char *file;    /* ends in .png, .svg or .pdf */

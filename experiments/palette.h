@@ -4,10 +4,6 @@
 #ifndef FW_PALETTE_H
 #define FW_PALETTE_H
 
-#include "experiments/range.h"
-
-#include <stdbool.h>
-
 /* sRGB, each part from 0 to 1; alpha 1 is opaque. */
 typedef struct fw_colour {
     double red, green, blue, alpha;
@@ -16,6 +12,12 @@ typedef struct fw_colour {
 static inline fw_colour fw_colour_grey(double lightness)
 {
     return (fw_colour){lightness, lightness, lightness, 1};
+}
+
+/* Of text, frames and axes. */
+static inline fw_colour fw_colour_ink(void)
+{
+    return fw_colour_grey(.1);
 }
 
 /* The same colour, more transparent by a factor. */
@@ -38,30 +40,5 @@ typedef enum fw_palette_map {
 
 /* Colour at 0 <= part <= 1 of a map (sequential for AUTO); beyond the ends the end's colour. */
 fw_colour fw_palette_at(fw_palette_map map, double part);
-
-/* The wish how numbers become colours; all zero is a good start. */
-typedef struct fw_colouring {
-    const char *label; /* what the numbers are, with unit: title of the colour bar */
-    fw_range range;    /* fixed ends; where high <= low they come from the values */
-    double trim;       /* part of the values that may lie beyond each end: 0 (all within), .01 */
-    bool logarithmic;  /* values <= 0 have no colour then */
-    fw_palette_map map;
-} fw_colouring;
-
-/* How numbers do become colours. */
-typedef struct fw_colour_scale {
-    const char *label;
-    fw_range range; /* low < high */
-    bool logarithmic;
-    fw_palette_map map;             /* not AUTO */
-    bool exceeds_low, exceeds_high; /* some values lie beyond the ends */
-} fw_colour_scale;
-
-/* Scale for `count` values; those that are not finite are passed over. A diverging map gets ends
- * symmetric about zero. */
-fw_colour_scale fw_colour_scale_for(fw_colouring wish, const double *values, long count);
-
-/* Colour of a value: grey where it is not finite (or <= 0 on a logarithmic scale). */
-fw_colour fw_colour_scale_at(const fw_colour_scale *scale, double value);
 
 #endif

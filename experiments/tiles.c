@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 /* Points that are piled up at one place limit each other's tiles no more after so many. */
-enum { NEIGHBOURS_MOST = 400, ROUND_CORNERS = 20, BINS_ALONG_MOST = 1024 };
+enum { NEIGHBOURS_MOST = 400, ROUND_CORNERS = 36, BINS_ALONG_MOST = 1024 };
 
 struct fw_tiles {
     const fw_vec2 *points;

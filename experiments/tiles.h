@@ -16,7 +16,7 @@ fw_status fw_tiles_create(fw_tiles **tiles, const fw_vec2 *points, int count, do
 void fw_tiles_destroy(fw_tiles *tiles);
 
 /* Corners of the tile of a point, counter-clockwise; returns how many (0: no tile). */
-enum { FW_TILE_CORNERS = 48 };
+enum { FW_TILE_CORNERS = 64 };
 int fw_tiles_corners(const fw_tiles *tiles, int point, fw_vec2 corners[FW_TILE_CORNERS]);
 
 #endif

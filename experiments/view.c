@@ -40,13 +40,13 @@ void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view)
 {
     for (int k = 0; k < view->body_count; ++k) {
         const fw_view_body *body = &view->bodies[k];
-        double half = fw_view_spacing(body) / 2;
+        double room = .75 * fw_view_spacing(body);
         fw_range x = fw_range_empty(), y = fw_range_empty();
         fw_range_include(&x, body->x, body->count, false);
         fw_range_include(&y, body->y, body->count, false);
         if (fw_range_is_empty(x) || fw_range_is_empty(y)) continue;
-        fw_range_include(&bounds->x, (double[]){x.low - half, x.high + half}, 2, false);
-        fw_range_include(&bounds->y, (double[]){y.low - half, y.high + half}, 2, false);
+        fw_range_include(&bounds->x, (double[]){x.low - room, x.high + room}, 2, false);
+        fw_range_include(&bounds->y, (double[]){y.low - room, y.high + room}, 2, false);
     }
 }
 

@@ -7,7 +7,8 @@
 #define FW_VIEW_H
 
 #include "contact/wall.h"
-#include "experiments/axes.h"
+#include "experiments/colour_scale.h"
+#include "experiments/panel.h"
 
 #include <stdint.h>
 
@@ -46,7 +47,7 @@ typedef struct fw_view_bounds {
 } fw_view_bounds;
 
 fw_view_bounds fw_view_bounds_empty(void);
-/* Widens the bounds by the particles, half a spacing more on each side. */
+/* Widens the bounds by the particles, three quarters of a spacing more on each side. */
 void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view);
 /* Widens them by the walls, unless those are more than `most` times as large as what the bounds
  * hold already: a small body in a vast box would vanish. */

@@ -3,7 +3,8 @@
 #ifndef FW_VIEW_KEY_H
 #define FW_VIEW_KEY_H
 
-#include "experiments/key.h"
+#include "experiments/colour_bar.h"
+#include "experiments/legend.h"
 #include "experiments/view.h"
 
 typedef struct fw_view_key {

@@ -1,117 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* axes.c - from numbers to places on the paper.
- * Keeps no state. Invariant: what is drawn from data stays inside the box, where the caller clips;
- * numbers and labels stay inside the room that fw_axis_depth promised. Start reading at
+/* panel.c - from numbers to places on the paper.
+ * Keeps no state. Invariant: a number of the axes' ranges lies in the box. Start reading at
  * fw_panel_place() and fw_panel_draw_axes(). */
-#include "experiments/axes.h"
+#include "experiments/panel.h"
 
 #include <math.h>
 #include <string.h>
 
-static const double tick_length = 1.3, minor_length = .7, number_gap = .9; /* mm */
-
-static const fw_colour ink = {.1, .1, .1, 1};
-
-static int wanted_ticks(double length, double apart)
-{
-    return (int)fmin(fmax(floor(length / apart), 3), 8);
-}
-
-/* Do the numbers along an x axis keep a distance from each other? */
-static bool labels_fit(const fw_axis *axis, double length)
-{
-    const fw_ticks *ticks = &axis->ticks;
-    double extent = axis->logarithmic ? log(axis->range.high / axis->range.low)
-                                      : axis->range.high - axis->range.low;
-    for (int k = 1; k < ticks->count; ++k) {
-        double apart = axis->logarithmic ? log(ticks->at[k] / ticks->at[k - 1])
-                                         : ticks->at[k] - ticks->at[k - 1];
-        double taken = (fw_canvas_text_width(ticks->label[k - 1], FW_SMALL_SIZE, false) +
-                        fw_canvas_text_width(ticks->label[k], FW_SMALL_SIZE, false)) /
-                       2;
-        if (apart / extent * length < taken + 2.5) return false;
-    }
-    return true;
-}
-
-static void take_names(fw_axis *axis)
-{
-    fw_ticks *ticks = &axis->ticks;
-    memset(ticks, 0, sizeof *ticks);
-    for (int k = 0; k < axis->name_count && ticks->count < FW_TICKS_MOST; ++k) {
-        double at = axis->names[k].at;
-        if (!(at >= axis->range.low && at <= axis->range.high)) continue;
-        ticks->at[ticks->count] = at;
-        strncat(ticks->label[ticks->count++], axis->names[k].name, FW_TICK_LABEL_SIZE - 1);
-    }
-}
-
-void fw_axis_prepare(fw_axis *axis, double length, bool across)
-{
-    if (axis->name_count > 0) {
-        take_names(axis);
-        return;
-    }
-    int wanted = wanted_ticks(length, across ? 14 : 10.5);
-    do {
-        fw_ticks_find(&axis->ticks, axis->range, axis->logarithmic, wanted);
-    } while (across && --wanted > 0 && !labels_fit(axis, length));
-    /* One number alone does not make a scale. */
-    for (wanted = 4; wanted < 8 && axis->ticks.count < 2; ++wanted) {
-        fw_ticks_find(&axis->ticks, axis->range, axis->logarithmic, wanted);
-    }
-}
-
-static double widest_number(const fw_ticks *ticks)
-{
-    double widest = 0;
-    for (int k = 0; k < ticks->count; ++k) {
-        widest = fmax(widest, fw_canvas_text_width(ticks->label[k], FW_SMALL_SIZE, false));
-    }
-    return widest;
-}
-
-double fw_axis_depth(const fw_axis *axis, bool across)
-{
-    double depth = tick_length;
-    if (axis->hidden) return 0;
-    if (axis->bare) return depth;
-    bool row = axis->label || (across && axis->ticks.note[0]);
-    depth +=
-        number_gap + (across ? fw_canvas_line_height(FW_SMALL_SIZE) : widest_number(&axis->ticks));
-    return row ? depth + 1 + fw_canvas_line_height(FW_TEXT_SIZE) : depth;
-}
-
-double fw_axis_note_height(const fw_axis *axis)
-{
-    return axis->ticks.note[0] ? .8 + fw_canvas_line_height(FW_SMALL_SIZE) : 0;
-}
-
-double fw_axis_overhang(const fw_axis *axis, double length)
-{
-    const fw_ticks *ticks = &axis->ticks;
-    if (axis->bare || ticks->count == 0) return 0;
-    fw_panel panel = {.box = {0, 0, length, length}, .x = *axis};
-    double width = fw_canvas_text_width(ticks->label[ticks->count - 1], FW_SMALL_SIZE, false);
-    return fmax(0, fw_panel_x(&panel, ticks->at[ticks->count - 1]) + width / 2 - length);
-}
-
-/* 0 at the low end of the axis, 1 at the high one. */
-static double part_of(const fw_axis *axis, double value)
-{
-    double low = axis->range.low, high = axis->range.high;
-    if (!axis->logarithmic) return (value - low) / (high - low);
-    return value > 0 ? log(value / low) / log(high / low) : NAN;
-}
-
 double fw_panel_x(const fw_panel *panel, double x)
 {
-    return panel->box.left + part_of(&panel->x, x) * panel->box.width;
+    return panel->box.left + fw_axis_part(&panel->x, x) * panel->box.width;
 }
 
 double fw_panel_y(const fw_panel *panel, double y)
 {
-    return panel->box.top + (1 - part_of(&panel->y, y)) * panel->box.height;
+    return panel->box.top + (1 - fw_axis_part(&panel->y, y)) * panel->box.height;
 }
 
 fw_vec2 fw_panel_place(const fw_panel *panel, double x, double y)
@@ -142,68 +45,75 @@ void fw_panel_draw_grid(const fw_panel *panel)
 
 static void draw_x_axis(const fw_panel *panel)
 {
-    const fw_stroke line = {ink, .22, FW_DASH_NONE};
+    const fw_stroke line = {fw_colour_ink(), .22, FW_DASH_NONE};
     const fw_axis *axis = &panel->x;
     double bottom = panel->box.top + panel->box.height;
     for (int k = 0; k < axis->ticks.minor_count; ++k) {
         double x = fw_panel_x(panel, axis->ticks.minor[k]);
-        fw_canvas_line(panel->canvas, (fw_vec2){x, bottom}, (fw_vec2){x, bottom + minor_length},
-                       line);
+        fw_canvas_line(panel->canvas, (fw_vec2){x, bottom},
+                       (fw_vec2){x, bottom + FW_AXIS_MINOR_TICK}, line);
     }
-    double number = bottom + tick_length + number_gap;
+    double number = bottom + FW_AXIS_TICK + FW_AXIS_NUMBER_GAP;
     for (int k = 0; k < axis->ticks.count; ++k) {
         double x = fw_panel_x(panel, axis->ticks.at[k]);
-        fw_canvas_line(panel->canvas, (fw_vec2){x, bottom}, (fw_vec2){x, bottom + tick_length},
+        fw_canvas_line(panel->canvas, (fw_vec2){x, bottom}, (fw_vec2){x, bottom + FW_AXIS_TICK},
                        line);
         if (axis->bare) continue;
-        fw_canvas_text(panel->canvas, (fw_vec2){x, number}, axis->ticks.label[k],
-                       (fw_text_look){FW_SMALL_SIZE, ink, FW_TEXT_CENTRE, FW_TEXT_TOP, 0, false});
+        fw_canvas_text(
+            panel->canvas, (fw_vec2){x, number}, axis->ticks.label[k],
+            (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 0, false});
     }
     if (axis->bare) return;
-    double row = number + fw_canvas_line_height(FW_SMALL_SIZE) + 1;
+    double row = number + fw_canvas_line_height(FW_SMALL_SIZE) + FW_AXIS_LABEL_GAP;
     double right = panel->box.left + panel->box.width;
     double note = fw_canvas_text_width(axis->ticks.note, FW_SMALL_SIZE, false);
-    fw_canvas_text(panel->canvas, (fw_vec2){right, row}, axis->ticks.note,
-                   (fw_text_look){FW_SMALL_SIZE, ink, FW_TEXT_RIGHT, FW_TEXT_TOP, 0, false});
+    fw_canvas_text(
+        panel->canvas, (fw_vec2){right, row}, axis->ticks.note,
+        (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_RIGHT, FW_TEXT_TOP, 0, false});
     if (!axis->label) return;
     /* In the middle, unless the note wants that room. */
     double width = fw_canvas_text_width(axis->label, FW_TEXT_SIZE, false);
     double middle = panel->box.left + panel->box.width / 2;
     if (note > 0) middle = fmin(middle, right - note - 4 - width / 2);
-    fw_canvas_text(panel->canvas, (fw_vec2){middle, row}, axis->label,
-                   (fw_text_look){FW_TEXT_SIZE, ink, FW_TEXT_CENTRE, FW_TEXT_TOP, 0, false});
+    fw_canvas_text(
+        panel->canvas, (fw_vec2){middle, row}, axis->label,
+        (fw_text_look){FW_TEXT_SIZE, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 0, false});
 }
 
 static void draw_y_axis(const fw_panel *panel, double label_place)
 {
-    const fw_stroke line = {ink, .22, FW_DASH_NONE};
+    const fw_stroke line = {fw_colour_ink(), .22, FW_DASH_NONE};
     const fw_axis *axis = &panel->y;
     double left = panel->box.left;
     for (int k = 0; k < axis->ticks.minor_count; ++k) {
         double y = fw_panel_y(panel, axis->ticks.minor[k]);
-        fw_canvas_line(panel->canvas, (fw_vec2){left, y}, (fw_vec2){left - minor_length, y}, line);
+        fw_canvas_line(panel->canvas, (fw_vec2){left, y}, (fw_vec2){left - FW_AXIS_MINOR_TICK, y},
+                       line);
     }
     for (int k = 0; k < axis->ticks.count; ++k) {
         double y = fw_panel_y(panel, axis->ticks.at[k]);
-        fw_canvas_line(panel->canvas, (fw_vec2){left, y}, (fw_vec2){left - tick_length, y}, line);
+        fw_canvas_line(panel->canvas, (fw_vec2){left, y}, (fw_vec2){left - FW_AXIS_TICK, y}, line);
         if (axis->bare) continue;
-        fw_canvas_text(panel->canvas, (fw_vec2){left - tick_length - number_gap, y},
+        fw_canvas_text(panel->canvas, (fw_vec2){left - FW_AXIS_TICK - FW_AXIS_NUMBER_GAP, y},
                        axis->ticks.label[k],
-                       (fw_text_look){FW_SMALL_SIZE, ink, FW_TEXT_RIGHT, FW_TEXT_MIDDLE, 0, false});
+                       (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_RIGHT, FW_TEXT_MIDDLE,
+                                      0, false});
     }
     if (axis->bare) return;
-    fw_canvas_text(panel->canvas, (fw_vec2){left, panel->box.top - 1.1}, axis->ticks.note,
-                   (fw_text_look){FW_SMALL_SIZE, ink, FW_TEXT_LEFT, FW_TEXT_BASELINE, 0, false});
+    fw_canvas_text(
+        panel->canvas, (fw_vec2){left, panel->box.top - 1.1}, axis->ticks.note,
+        (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_LEFT, FW_TEXT_BASELINE, 0, false});
     if (!axis->label) return;
     double depth = label_place > 0 ? label_place : fw_axis_depth(axis, false);
+    double size = fw_canvas_fitting_size(axis->label, FW_TEXT_SIZE, panel->box.height + 6);
     fw_canvas_text(panel->canvas, (fw_vec2){left - depth, panel->box.top + panel->box.height / 2},
                    axis->label,
-                   (fw_text_look){FW_TEXT_SIZE, ink, FW_TEXT_CENTRE, FW_TEXT_TOP, 90, false});
+                   (fw_text_look){size, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 90, false});
 }
 
 void fw_panel_draw_axes(const fw_panel *panel, double label_place)
 {
-    fw_canvas_frame(panel->canvas, panel->box, (fw_stroke){ink, .25, FW_DASH_NONE});
+    fw_canvas_frame(panel->canvas, panel->box, (fw_stroke){fw_colour_ink(), .25, FW_DASH_NONE});
     if (!panel->x.hidden) draw_x_axis(panel);
     if (!panel->y.hidden) draw_y_axis(panel, label_place);
 }
