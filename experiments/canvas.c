@@ -42,6 +42,28 @@ struct fw_canvas {
     fw_rect raster;
 };
 
+#ifdef __SANITIZE_ADDRESS__
+#define WITH_LEAK_CHECKER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define WITH_LEAK_CHECKER
+#endif
+#endif
+#ifdef WITH_LEAK_CHECKER
+/* Fontconfig keeps the patterns of the fonts in use until the end of the process; the leak checker,
+ * which asks these functions by their names, takes them for lost. */
+const char *__lsan_default_suppressions(void);
+const char *__lsan_default_options(void);
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libfontconfig";
+}
+const char *__lsan_default_options(void)
+{
+    return "print_suppressions=0"; /* nothing that a user's program would not print */
+}
+#endif
+
 static cairo_status_t keep_bytes(void *closure, const unsigned char *bytes, unsigned int count)
 {
     byte_store *store = closure;
