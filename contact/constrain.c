@@ -16,6 +16,7 @@ typedef struct row {
     fw_vec2 normal;
     double bound;  /* n.w >= bound */
     double lambda; /* normal force */
+    bool fast;     /* held in all components */
 } row;
 
 typedef struct problem {
@@ -182,7 +183,10 @@ static void hold_fast(problem *p, int k)
 {
     row *r = &p->rows[k];
     p->w = r->barrier->motion;
-    for (int j = 0; j < p->count; ++j) p->rows[j].lambda = 0;
+    for (int j = 0; j < p->count; ++j) {
+        p->rows[j].lambda = 0;
+        p->rows[j].fast = j == k;
+    }
     fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
                                   fw_vec2_subtract(p->w, p->free->displacement));
     r->lambda = fw_vec2_dot(r->normal, force);
@@ -281,7 +285,7 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
     fw_vec2 force =
         fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(tension, tangent));
     fw_vec2 w = displacement_for(p, force);
-    if (active)
+    if (r->lambda > 0)
         w = fw_vec2_subtract(w, fw_vec2_scale(fw_vec2_dot(r->normal, w) - r->bound, r->normal));
     p->w = w;
     if (barrier->facet->kind == FW_ROUND && active) tension = follow_curve(p, r);
@@ -297,7 +301,7 @@ static fw_constraint report(const problem *p, const double *tension)
         const fw_vec2 motion = r->barrier->motion;
         fw_vec2 normal_force = fw_vec2_scale(r->lambda, r->normal);
         fw_vec2 friction = fw_vec2_scale(tension[k], fw_vec2_turn(r->normal));
-        if (r->barrier->surface.law == FW_STICK && p->w.x == motion.x && p->w.y == motion.y)
+        if (r->fast)
             friction =
                 fw_vec2_subtract(fw_sym2_apply(fw_sym2_invert(p->free->mobility),
                                                fw_vec2_subtract(p->w, p->free->displacement)),
@@ -349,6 +353,12 @@ fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw
         p.rows[p.count++] = (row){.barrier = &all[memory->facet - 1]};
         update_row(&p, &p.rows[0]);
         tension[0] = rub(&p, &p.rows[0], all, memory);
+        if (find_passed(&p, near, near_count)) {
+            /* Without that last rub the path is free. (A mobility that is a matrix turns it away
+             * from the tangent.) */
+            *memory = (fw_contact_memory){0};
+            return (fw_constraint){0};
+        }
     } else if (memory && adds_friction(&p, &k)) {
         tension[k] = rub(&p, &p.rows[k], all, memory);
     } else if (memory) {

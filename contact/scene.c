@@ -40,16 +40,12 @@ static void predict_skins(fw_scene *scene)
 static fw_status find_contacts(fw_scene *scene, fw_error *error)
 {
     if (scene->wall_count == 0) return FW_OK;
-    const double now = fw_scene_time(scene);
     for (int w = 0; w < scene->wall_count; ++w) {
-        fw_vec2 place = fw_wall_displacement(scene->walls[w].wall, now);
-        fw_vec2 next = fw_wall_displacement(scene->walls[w].wall, now + scene->tick);
-        scene->walls[w].place = place;
-        scene->walls[w].motion = fw_vec2_subtract(next, place);
-        if (fw_wall_moves(scene->walls[w].wall))
-            fw_broadphase_move_wall(scene->broadphase, w, place, scene->walls[w].motion);
+        if (!fw_wall_moves(scene->walls[w].wall)) continue;
+        scene_follow_wall(scene, w, scene->ticks_per_step);
+        fw_broadphase_move_wall(scene->broadphase, w, scene->walls[w].place,
+                                scene->walls[w].motion);
     }
-    scene_place_barriers(scene);
     for (int b = 0; b < scene->body_count; ++b)
         FW_TRY(scene_refresh_skin(scene, &scene->bodies[b], error));
     return FW_OK;
@@ -63,8 +59,10 @@ static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
         scene->accounts[w].force = (fw_vec2){0, 0};
         scene->accounts[w].contacts = 0;
     }
-    for (int b = 0; b < scene->body_count; ++b)
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_place_barriers(scene, scene->bodies[b].solid->model->ticks_per_step);
         FW_TRY(scene_constrain_body(scene, &scene->bodies[b], error));
+    }
     return FW_OK;
 }
 

@@ -13,7 +13,7 @@ typedef struct fw_scene fw_scene;
 
 /* What has passed between the scene and one wall. Forces are those of the wall on the bodies. */
 typedef struct fw_wall_account {
-    fw_vec2 force;     /* of this step */
+    fw_vec2 force;     /* of this tick: momentum per time */
     fw_vec2 reaction;  /* [F(t) + F(t-1)]/2: the physical reaction, free of the held mode */
     fw_vec2 impulse;   /* sum of force times tick */
     double work;       /* done on the bodies by the wall's motion */

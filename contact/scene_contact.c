@@ -2,10 +2,24 @@
 /* scene_contact.c - the contact phase of a step: from runs of candidates to holds. */
 #include "contact/scene_parts.h"
 
+#include <math.h>
 #include <stdlib.h>
 
-void scene_place_barriers(fw_scene *scene)
+/* A colour of an automaton moves in every second tick only, and then for both: it meets the walls
+ * where they were when it moved last. Otherwise a wall would run over a colour that rests. */
+void scene_follow_wall(fw_scene *scene, int w, int ticks)
 {
+    const double now = fw_scene_time(scene);
+    const double since = fmax(0, now - (ticks - 1) * scene->tick);
+    scene_wall *wall = &scene->walls[w];
+    wall->place = fw_wall_displacement(wall->wall, since);
+    wall->motion =
+        fw_vec2_subtract(fw_wall_displacement(wall->wall, now + scene->tick), wall->place);
+}
+
+void scene_place_barriers(fw_scene *scene, int ticks)
+{
+    for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
     for (int f = 0; f < scene->facet_count; ++f) {
         fw_barrier *barrier = &scene->barriers[f];
         barrier->place = scene->walls[barrier->facet->wall].place;
@@ -64,12 +78,13 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
     }
 }
 
-static void book(fw_scene *scene, const fw_constraint *constraint)
+/* A force acts on its particle for `ticks`, from one move to the next. */
+static void book(fw_scene *scene, const fw_constraint *constraint, int ticks)
 {
     for (int n = 0; n < constraint->touch_count; ++n) {
         const fw_touch *touch = &constraint->touch[n];
         fw_wall_account *account = &scene->accounts[touch->wall];
-        account->force = fw_vec2_add(account->force, touch->force);
+        account->force = fw_vec2_add(account->force, fw_vec2_scale(ticks, touch->force));
         account->work += touch->work;
         account->dissipated += touch->dissipated;
         account->contacts += 1;
@@ -95,7 +110,7 @@ fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *erro
         const scene_contact *contact = &body->contacts[n];
         body->holds[n] = (fw_hold){contact->particle, contact->constraint.displacement,
                                    contact->constraint.force};
-        book(scene, &contact->constraint);
+        book(scene, &contact->constraint, body->solid->model->ticks_per_step);
     }
     return FW_OK;
 }

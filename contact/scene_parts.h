@@ -59,7 +59,10 @@ struct fw_scene {
     fw_vec2 momentum_at_start;
 };
 
-void scene_place_barriers(fw_scene *scene);
+/* Place and motion of a wall, and of all barriers, in this tick, for bodies each of whose particles
+ * moves once in so many ticks. */
+void scene_follow_wall(fw_scene *scene, int wall, int ticks);
+void scene_place_barriers(fw_scene *scene, int ticks);
 fw_status scene_refresh_skin(fw_scene *scene, scene_body *body, fw_error *error);
 fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *error);
 
