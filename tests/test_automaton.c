@@ -201,63 +201,6 @@ static void one_displaced_site_makes_the_body_drift(void **state)
     }
 }
 
-/* What contact does in the box [0, 20]^2: minimal force in the norm of the inverse mobility. */
-typedef enum wall_law { STICK, FRICTIONLESS } wall_law;
-static int advance_in_box(fw_solid *solid, wall_law law)
-{
-    int particles[36], count = 0;
-    fw_prediction prediction[36];
-    fw_hold holds[36];
-    for (int p = 0; p < 36; ++p) particles[p] = p;
-    fw_solid_predict(solid, particles, 36, prediction);
-    for (int p = 0; p < 36; ++p) {
-        fw_vec2 d = prediction[p].displacement;
-        const double x = solid->x[p] + d.x, y = solid->y[p] + d.y;
-        const bool beyond_x = x < 0 || x > 20, beyond_y = y < 0 || y > 20;
-        if (!beyond_x && !beyond_y) continue;
-        const fw_sym2 a = prediction[p].mobility;
-        if (law == STICK || (beyond_x && beyond_y))
-            d = (fw_vec2){0, 0};
-        else if (beyond_x)
-            d = (fw_vec2){0, d.y - a.xy * d.x / a.xx};
-        else
-            d = (fw_vec2){d.x - a.xy * d.y / a.yy, 0};
-        holds[count++] = (fw_hold){p, d, {0, 0}};
-    }
-    fw_solid_advance(solid, holds, count);
-    return count;
-}
-
-static void body_bounces_as_computed_independently(void **state)
-{
-    (void)state;
-    const struct {
-        double c1, c2;
-        wall_law law;
-        int first, after;
-        fw_vec2 drift;
-    } cases[] = {{1.41421356237309515, 0, FRICTIONLESS, 154, 157, {-0.0317024553, 0}},
-                 {0.4, 0.5, STICK, 151, 169, {-0.0362765743, 0.0185786962}}};
-    for (int c = 0; c < 2; ++c) {
-        fw_solid *solid = paper_body(cases[c].c1, cases[c].c2, FW_BOUNDARY_BOND);
-        int first = 0, last = 0;
-        for (int step = 1; step <= 250; ++step) {
-            int held = advance_in_box(solid, cases[c].law);
-            held += advance_in_box(solid, cases[c].law);
-            if (held > 0 && first == 0) first = step;
-            if (held > 0) last = step;
-            assert_close(energy(solid), 0.09, 1e-14);
-        }
-        assert_int_equal(first, cases[c].first);
-        assert_int_equal(last, cases[c].after);
-        const fw_vec2 v =
-            fw_sym2_apply(fw_sym2_invert(solid->model->mass(solid)), fw_solid_momentum(solid));
-        assert_close(v.x, cases[c].drift.x, 1e-10);
-        assert_close(v.y, cases[c].drift.y, 1e-10);
-        fw_solid_destroy(solid);
-    }
-}
-
 static void frictionless_hold_keeps_energy_and_tangential_momentum(void **state)
 {
     (void)state;
@@ -357,24 +300,16 @@ static void account_of_loads_and_damping_closes(void **state)
 static void constant_force_obeys_newton(void **state)
 {
     (void)state;
-    /* F on every cell in proportion to its mass: all cells accelerate alike, V = g t exactly. */
+    /* dP/dt is the sum of all forces, although each acts in every second tick only. */
     fw_sites sites = rectangle(7, 6);
     fw_elastic_automaton_def def = def_of(&sites, 0.4, 0.5);
     fw_solid *solid = made(&def);
-    const double g = 1e-3;
-    const fw_sym2 mass = solid->model->mass(solid);
     solid->loaded = true;
-    for (int p = 0; p < solid->count; ++p) {
-        /* The cells' masses are matrices at rims; a hold's force is not needed to see that the
-         * body as a whole obeys, whatever its parts do. */
-        solid->external_x[p] = g * mass.xx / solid->count;
-        solid->external_y[p] = g * mass.xy / solid->count;
-    }
+    for (int p = 0; p < solid->count; ++p) solid->external_x[p] = 1e-3;
     const int steps = 500;
     for (int tick = 0; tick < 2 * steps; ++tick) fw_solid_advance_free(solid);
-    const fw_vec2 v = fw_sym2_apply(fw_sym2_invert(mass), fw_solid_momentum(solid));
-    assert_close(v.x, g * steps, 1e-13);
-    assert_close(v.y, 0, 1e-13);
+    assert_close(fw_solid_momentum(solid).x, 1e-3 * solid->count * steps, 1e-11);
+    assert_close(fw_solid_momentum(solid).y, 0, 1e-11);
     fw_solid_destroy(solid);
     fw_sites_clear(&sites);
 }
@@ -448,7 +383,6 @@ int main(void)
         cmocka_unit_test(free_bodies_keep_energy_and_momentum),
         cmocka_unit_test(rigid_motion_does_not_ring),
         cmocka_unit_test(one_displaced_site_makes_the_body_drift),
-        cmocka_unit_test(body_bounces_as_computed_independently),
         cmocka_unit_test(frictionless_hold_keeps_energy_and_tangential_momentum),
         cmocka_unit_test(held_particle_stays_where_it_is_to_the_last_bit),
         cmocka_unit_test(account_of_loads_and_damping_closes),

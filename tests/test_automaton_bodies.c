@@ -156,12 +156,11 @@ static void acceptance_is_the_spectral_radius(void **state)
     for (int s = 0; s < 5; ++s) fw_sites_clear((fw_sites *)&shapes[s]);
 }
 
-static void unstable_body_would_have_grown(void **state)
+static void rotation_decides_for_the_trapezoid(void **state)
 {
     (void)state;
-    /* What is refused as growing by 1.085 a step: a square of nearly stable speeds, run as long
-     * as it takes to be sure, stays; the energy form of the refused one has a negative value, seen
-     * here as a rotation: theta^2 (2 c1^2 - c2^2)(n - 1)^2 / 8 for the trapezoid rule. */
+    /* Turned by theta the square has the energy theta^2 (2 c1^2 - c2^2)(n - 1)^2 / 8: where that is
+     * negative it is refused. */
     fw_sites sites = rectangle(6, 6);
     const double c1 = 0.6;
     fw_vec2 u[36];
@@ -399,7 +398,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bad_bodies_are_refused_with_the_reason),
         cmocka_unit_test(acceptance_is_the_spectral_radius),
-        cmocka_unit_test(unstable_body_would_have_grown),
+        cmocka_unit_test(rotation_decides_for_the_trapezoid),
         cmocka_unit_test(large_bodies_are_judged_alike),
         cmocka_unit_test(breaking_takes_energy_and_books_it),
         cmocka_unit_test(rigid_motion_breaks_nothing),
