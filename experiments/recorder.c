@@ -77,27 +77,38 @@ static fw_status describe_bodies(fw_recorder *r, fw_error *error)
     return FW_OK;
 }
 
+/* A field by name, from the first body that has it; once. */
+static fw_status add_field(fw_recorder *r, fw_trajectory_field *fields, fw_scenario_name name,
+                           fw_error *error)
+{
+    for (int n = 0; n < r->def.field_count; ++n)
+        if (strcmp(fields[n].name, name.text) == 0) return FW_OK;
+    for (int b = 0; b < r->experiment->member_count; ++b) {
+        const fw_field *field =
+            fw_solid_find_field(fw_experiment_solid(r->experiment, b), name.text);
+        if (!field) continue;
+        fields[r->def.field_count++] = (fw_trajectory_field){field->name, field->meaning};
+        return FW_OK;
+    }
+    return fw_scenario_fail(r->experiment->scenario, name.place, error,
+                            "no body has a field %s, expected one of those that `fretwork "
+                            "quantities` lists",
+                            name.text);
+}
+
+/* Those of `record`, and those that pictures show. */
 static fw_status describe_fields(fw_recorder *r, fw_error *error)
 {
     const fw_scenario *scenario = r->experiment->scenario;
-    int count = scenario->record.fields.count;
-    fw_trajectory_field *fields = calloc((size_t)count + 1, sizeof *fields);
+    const fw_scenario_names *wanted = &scenario->record.fields;
+    size_t most = (size_t)wanted->count + (size_t)scenario->picture_count;
+    fw_trajectory_field *fields = calloc(most + 1, sizeof *fields);
     r->def.fields = fields;
-    r->def.field_count = count;
     if (!fields) return fw_fail_memory(error, "the fields of a results file");
-    for (int n = 0; n < count; ++n) {
-        fw_scenario_name name = scenario->record.fields.item[n];
-        for (int b = 0; b < r->experiment->member_count && !fields[n].name; ++b) {
-            const fw_field *field =
-                fw_solid_find_field(fw_experiment_solid(r->experiment, b), name.text);
-            if (field) fields[n] = (fw_trajectory_field){field->name, field->meaning};
-        }
-        if (!fields[n].name)
-            return fw_scenario_fail(scenario, name.place, error,
-                                    "no body has a field %s, expected one of those that "
-                                    "`fretwork quantities` lists",
-                                    name.text);
-    }
+    for (int n = 0; n < wanted->count; ++n) FW_TRY(add_field(r, fields, wanted->item[n], error));
+    for (int p = 0; p < scenario->picture_count; ++p)
+        if (scenario->pictures[p].field.text)
+            FW_TRY(add_field(r, fields, scenario->pictures[p].field, error));
     return FW_OK;
 }
 
