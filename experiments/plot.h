@@ -5,10 +5,28 @@
 
 #include "core/status.h"
 
+#include <stdint.h>
 #include <stdio.h>
 
+/* What is to be drawn. All zero: the first picture that the scenario names, or the motion. */
+typedef struct fw_plot_wish {
+    const char *file;    /* ends in .png, .svg or .pdf; NULL: NAME.png in the results folder */
+    const char *picture; /* one of the scenario's, or NULL */
+    const char *kind;    /* "motion", "forces", "field", "strip", "series", or NULL */
+    const char *field;   /* whose values are colours; NULL: the picture's own, or the first */
+    const char *const *observables; /* of a series: "energy", "elongation.chain", "momentum.x" */
+    int observable_count;           /* 0: the picture's own, or the energies */
+    const int64_t *steps;           /* that are drawn, in any order */
+    int step_count;                 /* 0: the picture's own, or chosen */
+} fw_plot_wish;
+
+/* Draws one picture and says on `out` where it lies. FW_BAD_INPUT: there are no results, or they do
+ * not hold what is wished for; FW_SYSTEM_FAILED: memory, disk. */
+fw_status fw_plot_one(const char *directory, const fw_plot_wish *wish, FILE *out, fw_error *error);
+
 /* Draws every picture that the result's scenario names (the motion where it names none) into the
- * results folder, and says on `out` where each lies. */
+ * results folder, and says on `out` where each lies. One that fails does not keep the others from
+ * being drawn: its failure is returned in the end. */
 fw_status fw_plot_all(const char *directory, FILE *out, fw_error *error);
 
 #endif

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot_parts.h - a result as the pictures need it, and a picture that is decided; for the files
+ * plot*.c alone. */
+#ifndef FW_PLOT_PARTS_H
+#define FW_PLOT_PARTS_H
+
+#include "experiments/figure.h"
+#include "experiments/playback.h"
+#include "experiments/scenario.h"
+
+/* Everything but the numbers of single frames. */
+typedef struct fw_plot_result {
+    const char *directory;
+    fw_playback *playback;
+    fw_scenario *scenario; /* as it was run */
+    int64_t *steps;        /* of all frames */
+    double *times;
+    double *rest_x, *rest_y; /* places of all particles in their lattices */
+    int *links;              /* pairs of particles, numbered within their body, body by body */
+    int *link_first;         /* per body: number of its first link; one more for the end */
+    fw_wall **walls;
+    const char *length_unit;
+} fw_plot_result;
+
+/* FW_BAD_INPUT: there are no results, or no frame in them, or they are not of their scenario. */
+fw_status fw_plot_result_open(fw_plot_result *result, const char *directory, fw_error *error);
+/* Of a result that is all zero, opened, or could not be. */
+void fw_plot_result_close(fw_plot_result *result);
+
+/* The frame nearest to a step. */
+int64_t fw_plot_nearest_frame(const fw_plot_result *result, int64_t step);
+
+/* One frame as a view; the links that are broken (stretched beyond where they break) are left out.
+ */
+typedef struct fw_plot_view {
+    fw_view view;
+    double *x, *y, *field;
+    int *links;
+    fw_view_body *bodies;
+    fw_view_wall *walls;
+} fw_plot_view;
+
+/* `field`: name of the field in the file, or NULL. Cleared also after a failure. */
+fw_status fw_plot_view_load(fw_plot_view *view, const fw_plot_result *result, int64_t frame,
+                            const char *field, fw_error *error);
+void fw_plot_view_clear(fw_plot_view *view);
+
+typedef enum fw_plot_kind {
+    FW_PLOT_MOTION,
+    FW_PLOT_FORCES,
+    FW_PLOT_FIELD,
+    FW_PLOT_STRIP,
+    FW_PLOT_SERIES
+} fw_plot_kind;
+
+/* A picture with every choice made. */
+typedef struct fw_plot_picture {
+    fw_plot_kind kind;
+    fw_page page;
+    int frame_count; /* >= 1, but for series */
+    int64_t *frames; /* ascending */
+    const char *field;
+    int observable_count;
+    const char **observables;
+} fw_plot_picture;
+
+/* Each makes the file; `caption` of the page is added to. */
+fw_status fw_plot_draw_motion(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error);
+fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture *picture,
+                             fw_error *error);
+fw_status fw_plot_draw_strip(const fw_plot_result *result, const fw_plot_picture *picture,
+                             fw_error *error);
+fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error);
+fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error);
+
+#endif

@@ -1,0 +1,309 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot_series.c - observables over time: which curves, in which panels, under which names.
+ * State: the list of curves while it is gathered. Invariant: quantities of one unit share a panel;
+ * pure numbers have nothing in common and get one each. Start reading at fw_plot_draw_series(). */
+#include "experiments/plot_parts.h"
+
+#include "experiments/quantity.h"
+#include "experiments/spelling.h"
+
+#include "core/array.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { CURVES_MOST = 256, CURVE_NAME_SIZE = 2 * FW_NAME_SIZE };
+
+/* One component of an observable. */
+typedef struct curve {
+    int observable, component;
+    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE], part[16]; /* "momentum", "sheet", "x" */
+    const char *unit;
+    int panel;
+    double *values;
+    char label[CURVE_NAME_SIZE];
+} curve;
+
+typedef struct series {
+    const fw_plot_result *result;
+    int count;
+    curve *curves;
+    double *times;
+    int panel_count;
+    fw_chart *charts;
+    fw_curve *drawn; /* panel by panel */
+    char (*labels)[CURVE_NAME_SIZE];
+} series;
+
+/* --- which curves --- */
+
+/* "momentum.sheet" is the momentum of sheet. */
+static void split_label(const char *label, char quantity[FW_NAME_SIZE], char subject[FW_NAME_SIZE])
+{
+    size_t length = strcspn(label, ".");
+    memcpy(quantity, label, length);
+    quantity[length] = '\0';
+    snprintf(subject, FW_NAME_SIZE, "%s", label[length] ? label + length + 1 : "");
+}
+
+static bool is_called(const char *name, size_t length, const char *label, const char *quantity)
+{
+    return (strlen(label) == length && memcmp(label, name, length) == 0) ||
+           (strlen(quantity) == length && memcmp(quantity, name, length) == 0);
+}
+
+/* Does the name mean this observable? "elongation", "elongation.nine", and either with ".x" behind
+ * it. *component: that one, or -1: all. */
+static bool is_meant(const char *name, const fw_playback_observable *observable, int *component)
+{
+    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE];
+    split_label(observable->name, quantity, subject);
+    *component = -1;
+    if (is_called(name, strlen(name), observable->name, quantity)) return true;
+    const fw_quantity *known = fw_quantity_find(quantity);
+    const char *dot = strrchr(name, '.');
+    if (!known || !dot || !is_called(name, (size_t)(dot - name), observable->name, quantity))
+        return false;
+    *component = fw_quantity_find_component(known, dot + 1);
+    return *component >= 0 && *component < observable->components;
+}
+
+static fw_status add_curve(series *s, int observable, int component, fw_error *error)
+{
+    const fw_playback_observable *of = &s->result->playback->observables[observable];
+    for (int n = 0; n < s->count; ++n)
+        if (s->curves[n].observable == observable && s->curves[n].component == component)
+            return FW_OK;
+    if (s->count == CURVES_MOST)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: more than %d curves in one picture, expected fewer observables",
+                       s->result->directory, CURVES_MOST);
+    curve *added = &s->curves[s->count++];
+    *added = (curve){.observable = observable, .component = component, .unit = of->unit};
+    split_label(of->name, added->quantity, added->subject);
+    const fw_quantity *known = fw_quantity_find(added->quantity);
+    if (of->components == 1) return FW_OK;
+    if (known && fw_quantity_component_count(known) == of->components)
+        fw_quantity_component_name(known, component, added->part);
+    else
+        snprintf(added->part, sizeof added->part, "%d", component + 1);
+    return FW_OK;
+}
+
+static fw_status refuse_observable(const series *s, const char *name, fw_error *error)
+{
+    const fw_playback *playback = s->result->playback;
+    const char *directory = s->result->directory;
+    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE], known[512] = "";
+    if (fw_quantity_find(name))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: %s was not measured; to have it, name it under measure and run again",
+                       directory, name);
+    fw_guess guess = fw_guess_begin(name);
+    for (int n = 0; n < playback->observable_count; ++n) {
+        const char *label = playback->observables[n].name;
+        split_label(label, quantity, subject);
+        fw_guess_offer(&guess, label);
+        size_t used = strlen(known);
+        snprintf(known + used, sizeof known - used, "%s%s", n > 0 ? ", " : "", label);
+    }
+    if (guess.best)
+        return fw_fail(error, FW_BAD_INPUT, "%s has no observable %s; did you mean %s?", directory,
+                       name, guess.best);
+    return fw_fail(error, FW_BAD_INPUT, "%s has no observable %s, expected one of %s", directory,
+                   name, known);
+}
+
+static fw_status gather_curves(series *s, const fw_plot_picture *picture, fw_error *error)
+{
+    const fw_playback *playback = s->result->playback;
+    for (int n = 0; n < picture->observable_count; ++n) {
+        bool found = false;
+        for (int o = 0; o < playback->observable_count; ++o) {
+            int component, components = playback->observables[o].components;
+            if (!is_meant(picture->observables[n], &playback->observables[o], &component)) continue;
+            found = true;
+            for (int c = 0; c < components; ++c)
+                if (component < 0 || component == c) FW_TRY(add_curve(s, o, c, error));
+        }
+        if (!found) return refuse_observable(s, picture->observables[n], error);
+    }
+    return FW_OK;
+}
+
+/* --- numbers --- */
+
+static fw_status read_curves(series *s, fw_error *error)
+{
+    fw_playback *playback = s->result->playback;
+    size_t count = (size_t)playback->sample_count;
+    int most = 1;
+    for (int n = 0; n < s->count; ++n) {
+        int components = playback->observables[s->curves[n].observable].components;
+        most = components > most ? components : most;
+    }
+    double *rows = fw_array_of_doubles(count * (size_t)most);
+    s->times = fw_array_of_doubles(count);
+    fw_status status =
+        rows && s->times ? FW_OK : fw_fail_memory(error, "the observables of a picture");
+    if (status == FW_OK) status = fw_playback_read_sample_times(playback, NULL, s->times, error);
+    for (int n = 0; n < s->count && status == FW_OK; ++n) {
+        curve *c = &s->curves[n];
+        size_t components = (size_t)playback->observables[c->observable].components;
+        c->values = fw_array_of_doubles(count);
+        status = c->values ? fw_playback_read_observable(playback, c->observable, rows, error)
+                           : fw_fail_memory(error, "the observables of a picture");
+        for (size_t k = 0; k < count && status == FW_OK; ++k)
+            c->values[k] = rows[k * components + (size_t)c->component];
+    }
+    free(rows);
+    return status;
+}
+
+/* Is a step one unit of time, at all samples? */
+static fw_status count_steps(const series *s, bool *steps_are_times, fw_error *error)
+{
+    size_t count = (size_t)s->result->playback->sample_count;
+    int64_t *steps = fw_array_allocate(count, sizeof *steps);
+    if (!steps) return fw_fail_memory(error, "the steps of a picture");
+    fw_status status = fw_playback_read_sample_times(s->result->playback, steps, NULL, error);
+    *steps_are_times = status == FW_OK;
+    for (size_t k = 0; k < count && status == FW_OK; ++k)
+        if (s->times[k] != (double)steps[k]) *steps_are_times = false;
+    free(steps);
+    return status;
+}
+
+/* --- panels and names --- */
+
+static bool share_panel(const curve *one, const curve *other)
+{
+    if (strcmp(one->quantity, other->quantity) == 0) return true;
+    return strcmp(one->unit, other->unit) == 0 && strcmp(one->unit, "1") != 0;
+}
+
+static void assign_panels(series *s)
+{
+    for (int n = 0; n < s->count; ++n) {
+        int same = 0;
+        while (same < n && !share_panel(&s->curves[same], &s->curves[n])) ++same;
+        s->curves[n].panel = same < n ? s->curves[same].panel : s->panel_count++;
+    }
+}
+
+/* As it reads in a sentence: "kinetic energy". */
+static void print_words(char *text, size_t size, const char *name)
+{
+    snprintf(text, size, "%s", name);
+    for (char *c = text; *c; ++c)
+        if (*c == '-') *c = ' ';
+}
+
+typedef struct panel_facts {
+    int curves;
+    bool one_quantity, one_subject;
+} panel_facts;
+
+static panel_facts facts_of(const series *s, int panel)
+{
+    panel_facts facts = {0, true, true};
+    const curve *first = NULL;
+    for (int n = 0; n < s->count; ++n) {
+        const curve *c = &s->curves[n];
+        if (c->panel != panel) continue;
+        if (!first) first = c;
+        facts.curves += 1;
+        facts.one_quantity = facts.one_quantity && strcmp(c->quantity, first->quantity) == 0;
+        facts.one_subject = facts.one_subject && strcmp(c->subject, first->subject) == 0;
+    }
+    return facts;
+}
+
+/* What tells a curve from the others in its panel: "nine: elongation x", "nine: x", "x". */
+static void name_curve(curve *c, panel_facts facts)
+{
+    char quantity[FW_NAME_SIZE];
+    print_words(quantity, sizeof quantity, c->quantity);
+    const char *subject = facts.one_subject ? "" : c->subject[0] ? c->subject : "all";
+    bool more = !facts.one_quantity || c->part[0];
+    snprintf(c->label, sizeof c->label, "%s%s%s%s%s", subject, subject[0] && more ? ": " : "",
+             facts.one_quantity ? "" : quantity, !facts.one_quantity && c->part[0] ? " " : "",
+             c->part);
+}
+
+/* What is drawn upwards: "elongation (length)", "energy", "kinetic fraction". */
+static void name_panel(const series *s, int panel, panel_facts facts, char *label, size_t size)
+{
+    const curve *c = s->curves;
+    while (c->panel != panel) ++c;
+    char quantity[FW_NAME_SIZE];
+    print_words(quantity, sizeof quantity, c->quantity);
+    bool pure = strcmp(c->unit, "1") == 0 || c->unit[0] == '\0';
+    if (!facts.one_quantity)
+        snprintf(label, size, "%s", c->unit);
+    else if (pure || strcmp(c->unit, quantity) == 0)
+        snprintf(label, size, "%s", quantity);
+    else
+        snprintf(label, size, "%s (%s)", quantity, c->unit);
+}
+
+static fw_status lay_out(series *s, fw_error *error)
+{
+    assign_panels(s);
+    s->charts = calloc((size_t)s->panel_count, sizeof *s->charts);
+    s->labels = calloc((size_t)s->panel_count, sizeof *s->labels);
+    s->drawn = calloc((size_t)s->count, sizeof *s->drawn);
+    if (!s->charts || !s->labels || !s->drawn) return fw_fail_memory(error, "the panels");
+    fw_curve *next = s->drawn;
+    for (int p = 0; p < s->panel_count; ++p) {
+        panel_facts facts = facts_of(s, p);
+        name_panel(s, p, facts, s->labels[p], sizeof s->labels[p]);
+        s->charts[p] =
+            (fw_chart){.label = s->labels[p], .curves = next, .curve_count = facts.curves};
+        for (int n = 0; n < s->count; ++n) {
+            curve *c = &s->curves[n];
+            if (c->panel != p) continue;
+            name_curve(c, facts);
+            *next++ = (fw_curve){.label = facts.curves > 1 ? c->label : NULL,
+                                 .count = (int)s->result->playback->sample_count,
+                                 .x = s->times,
+                                 .y = c->values,
+                                 .look = FW_CURVE_LINE};
+        }
+    }
+    return FW_OK;
+}
+
+static fw_status draw(series *s, const fw_plot_picture *picture, fw_error *error)
+{
+    char caption[2048];
+    bool steps_are_times = false;
+    fw_page page = picture->page;
+    const fw_scenario_run *run = &s->result->scenario->run;
+    const fw_figure_mark reversal = {(double)run->reverse_at, "reversal"};
+    FW_TRY(count_steps(s, &steps_are_times, error));
+    snprintf(caption, sizeof caption, "%s%sAll quantities in reduced units.",
+             page.caption ? page.caption : "", page.caption && page.caption[0] ? " " : "");
+    page.caption = caption;
+    return fw_figure_series(&page, s->charts, s->panel_count,
+                            steps_are_times ? "time / steps" : "time", &reversal,
+                            run->reverse_at > 0 && steps_are_times ? 1 : 0, error);
+}
+
+fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error)
+{
+    series s = {.result = result, .curves = calloc(CURVES_MOST, sizeof *s.curves)};
+    fw_status status =
+        s.curves ? gather_curves(&s, picture, error) : fw_fail_memory(error, "the curves");
+    if (status == FW_OK) status = read_curves(&s, error);
+    if (status == FW_OK) status = lay_out(&s, error);
+    if (status == FW_OK) status = draw(&s, picture, error);
+    for (int n = 0; n < s.count; ++n) free(s.curves[n].values);
+    free(s.curves);
+    free(s.times);
+    free(s.charts);
+    free(s.drawn);
+    free(s.labels);
+    return status;
+}
