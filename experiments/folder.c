@@ -112,6 +112,13 @@ fw_status fw_folder_remove(const fw_folder *folder, const char *name, fw_error *
                    strerror(errno));
 }
 
+void fw_folder_discard(const fw_folder *folder, const char *name)
+{
+    int descriptor = openat(folder->descriptor, name, O_WRONLY | O_TRUNC);
+    if (descriptor >= 0) close(descriptor);
+    unlinkat(folder->descriptor, name, 0);
+}
+
 fw_status fw_folder_replace(const fw_folder *folder, const char *fresh, const char *name,
                             fw_error *error)
 {

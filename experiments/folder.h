@@ -30,6 +30,8 @@ bool fw_folder_has(const fw_folder *folder, const char *name);
 fw_status fw_folder_path(const fw_folder *folder, const char *name, char *path, fw_error *error);
 /* Whether there was anything to remove makes no difference. */
 fw_status fw_folder_remove(const fw_folder *folder, const char *name, fw_error *error);
+/* Removes a file that something may hold open, and gives its space back at once. */
+void fw_folder_discard(const fw_folder *folder, const char *name);
 /* `fresh` takes the place of `name` in one step, for good: the folder is synchronised. */
 fw_status fw_folder_replace(const fw_folder *folder, const char *fresh, const char *name,
                             fw_error *error);

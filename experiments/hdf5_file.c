@@ -20,7 +20,8 @@ struct fw_hdf5 {
     uint64_t head; /* address of the first raw data */
     hid_t *made;   /* all datasets made here */
     int made_count;
-    fw_error failure; /* FW_OK: none so far */
+    bool writable, broken; /* broken: something could not be written */
+    fw_error failure;      /* FW_OK: none so far */
     char path[];
 };
 
@@ -48,6 +49,7 @@ static fw_status explain(fw_error *error, const char *path, const char *attempt,
 static void fail_writing(fw_hdf5 *file, const char *object)
 {
     char reason[FW_SENTENCE_SIZE];
+    file->broken = true;
     snprintf(reason, sizeof reason, "HDF5 refuses %s", object);
     if (file->failure.status == FW_OK)
         explain(&file->failure, file->path, "write", FW_SYSTEM_FAILED, reason);
@@ -78,8 +80,9 @@ static hid_t access_properties(size_t structure)
     hid_t access = H5Pcreate(H5P_FILE_ACCESS);
     H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18);
     H5Pset_fclose_degree(access, H5F_CLOSE_STRONG);
-    /* Without a chunk cache a write goes to its final place at once. */
+    /* Without caches a write goes to its final place at once. */
     H5Pset_cache(access, 0, 0, 0, 0);
+    H5Pset_sieve_buf_size(access, 0);
     /* Structure in one block at the head, raw data behind it without gaps. */
     if (structure > 0) H5Pset_meta_block_size(access, structure);
     H5Pset_small_data_block_size(access, 0);
@@ -111,6 +114,7 @@ fw_status fw_hdf5_create(fw_hdf5 **file, const char *path, size_t structure, fw_
         free(fresh);
         return status;
     }
+    fresh->writable = true;
     *file = fresh;
     return FW_OK;
 }
@@ -136,14 +140,20 @@ fw_status fw_hdf5_open(fw_hdf5 **file, const char *path, bool writable, fw_error
         free(opened);
         return fw_fail(error, FW_BAD_INPUT, "%s is not a whole HDF5 file", path);
     }
+    opened->writable = writable;
     *file = opened;
     return FW_OK;
 }
 
+/* What cannot be written now could not be written while closing either, and HDF5 is left in pieces
+ * by a close that fails: the next file then crashes. So a broken file is left open until the
+ * process ends; its descriptor goes on standing for it, and no other file is taken for it. */
 fw_status fw_hdf5_close(fw_hdf5 *file, fw_error *error)
 {
     if (!file) return FW_OK;
-    if (H5Fclose(file->id) < 0) fail_writing(file, "the file");
+    if (file->writable && !file->broken && H5Fflush(file->id, H5F_SCOPE_LOCAL) < 0)
+        fail_writing(file, "the file");
+    if (!file->broken && H5Fclose(file->id) < 0) fail_writing(file, "the file");
     fw_status status = fw_hdf5_check(file, error);
     free(file->made);
     free(file);
@@ -173,30 +183,34 @@ void fw_hdf5_flush(fw_hdf5 *file)
     if (!failed(file) && H5Fflush(file->id, H5F_SCOPE_LOCAL) < 0) fail_writing(file, "the file");
 }
 
+/* The descriptor of the open file; -1 when the file has failed. */
+static int descriptor_of(fw_hdf5 *file)
+{
+    int *descriptor = NULL;
+    if (failed(file)) return -1;
+    if (H5Fget_vfd_handle(file->id, H5P_DEFAULT, (void **)&descriptor) >= 0) return *descriptor;
+    fail_writing(file, "a descriptor");
+    return -1;
+}
+
 void fw_hdf5_sync(fw_hdf5 *file)
 {
     fw_hdf5_flush(file);
-    if (failed(file)) return;
-    int *descriptor = NULL;
-    if (H5Fget_vfd_handle(file->id, H5P_DEFAULT, (void **)&descriptor) < 0)
-        fail_writing(file, "the file");
-    else if (fsync(*descriptor) < 0)
-        fw_fail(&file->failure, FW_SYSTEM_FAILED, "cannot write %s: %s", file->path,
-                strerror(errno));
+    int descriptor = descriptor_of(file);
+    if (descriptor < 0 || fsync(descriptor) == 0) return;
+    file->broken = true;
+    fw_fail(&file->failure, FW_SYSTEM_FAILED, "cannot write %s: %s", file->path, strerror(errno));
 }
 
 void fw_hdf5_reserve(fw_hdf5 *file)
 {
     fw_hdf5_flush(file);
     uint64_t whole = fw_hdf5_size(file);
-    if (failed(file)) return;
-    int *descriptor = NULL;
-    if (H5Fget_vfd_handle(file->id, H5P_DEFAULT, (void **)&descriptor) < 0) {
-        fail_writing(file, "the file");
-        return;
-    }
-    int reason = posix_fallocate(*descriptor, 0, (off_t)whole);
+    int descriptor = descriptor_of(file);
+    if (descriptor < 0) return;
+    int reason = posix_fallocate(descriptor, 0, (off_t)whole);
     if (reason == 0 || reason == EOPNOTSUPP || reason == EINVAL) return;
+    file->broken = true;
     fw_fail(&file->failure, FW_SYSTEM_FAILED, "no room for %s, which takes %.3g MB: %s", file->path,
             (double)whole / 1e6, strerror(reason));
 }

@@ -39,7 +39,8 @@ fw_status fw_hdf5_create(fw_hdf5 **file, const char *path, size_t structure, fw_
 /* FW_BAD_INPUT when there is none or it is not a whole HDF5 file, FW_SYSTEM_FAILED when it cannot
  * be read. */
 fw_status fw_hdf5_open(fw_hdf5 **file, const char *path, bool writable, fw_error *error);
-/* Writes what is left and releases everything, also when writing fails. NULL is legal. */
+/* Writes what is left and releases the file; after a failure in writing the system keeps it open
+ * until the process ends, and this process must not open it again. NULL is legal. */
 fw_status fw_hdf5_close(fw_hdf5 *file, fw_error *error);
 
 /* The first failure since the file was opened. */

@@ -106,8 +106,7 @@ fw_status fw_sealed_file_commit(fw_sealed_file *file, fw_error *error)
     else
         status = fw_fail(error, FW_SYSTEM_FAILED, "cannot write %s: %s", file->fresh_path,
                          strerror(file->failure));
-    fw_error ignored;
-    if (status != FW_OK) fw_folder_remove(file->folder, file->fresh_name, &ignored);
+    if (status != FW_OK) fw_folder_discard(file->folder, file->fresh_name);
     free(file);
     return status;
 }

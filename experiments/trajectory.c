@@ -188,7 +188,7 @@ fw_status fw_trajectory_create(fw_trajectory **trajectory, const fw_trajectory_d
     if (status == FW_OK) return FW_OK;
     fw_error ignored;
     if (*trajectory) fw_hdf5_close((*trajectory)->file, &ignored);
-    fw_folder_remove(folder, FRESH_FILE, &ignored);
+    fw_folder_discard(folder, FRESH_FILE);
     fw_folder_abandon(folder);
     release(*trajectory);
     *trajectory = NULL;

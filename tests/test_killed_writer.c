@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_killed_writer.c - whenever a run is killed, every frame that counts is there, and the run
+ * can go on to the file that it would have left unharmed. slow_killed_writer.c does it ten times
+ * more. */
+#include "tests/laws.h"
+
+#include "tests/killed_writer.h"
+
+static void killed_run_loses_no_committed_frame(void **state)
+{
+    (void)state;
+    casualties count = kill_writers(30, 1);
+    assert_true(count.running > 5 && count.frames > 50);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {cmocka_unit_test(killed_run_loses_no_committed_frame)};
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
