@@ -98,6 +98,7 @@ static void whole_run_is_h5md(void **state)
     make_folder(folder, sizeof folder);
     record(folder, RUN_SAMPLES, FW_RUN_FINISHED);
     check_with_h5py("h5md", folder, "40 300");
+    check_with_h5py("reader", folder, "2>/dev/null");
     remove_folder(folder);
 }
 

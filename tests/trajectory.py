@@ -4,6 +4,7 @@
 trajectory.py h5md FILE FRAMES SAMPLES    every item of H5MD 1.1, extents cut to what counts
 trajectory.py rows FILE...                every committed frame and sample against its formula
 trajectory.py structure BEFORE AFTER      two states of one file differ in raw data only
+trajectory.py reader FILE                 MDAnalysis reads the same numbers, where it is installed
 trajectory.py same REFERENCE FILE...      all datasets are equal, provenance aside
 """
 import sys
@@ -179,14 +180,34 @@ def same(reference, paths):
             assert found[name] == content, (path, name)
 
 
+def reader(path):
+    try:
+        import MDAnalysis
+    except ImportError:
+        print("no MDAnalysis here: file not read with it")
+        return
+    # Units are reduced, so MDAnalysis must not convert any.
+    universe = MDAnalysis.Universe.empty(COUNT, trajectory=True)
+    universe.load_new(path, format="H5MD", convert_units=False)
+    assert len(universe.trajectory) == 40
+    for k, moment in enumerate(universe.trajectory):
+        assert moment.time == 5.0 * k and moment.data["step"] == 10 * k
+        for kind, found in enumerate([moment.positions, moment.velocities, moment.forces]):
+            assert np.array_equal(found[:, :2], value(kind, [k], 2)[0]), (k, kind)
+            assert not found[:, 2].any()
+    assert universe.trajectory.n_frames == 40
+
+
 if __name__ == "__main__":
     job, *arguments = sys.argv[1:]
     if job == "h5md":
         h5md(arguments[0], int(arguments[1]), int(arguments[2]))
     elif job == "rows":
         for path in arguments:
-            print(*rows(path))
+            rows(path)
     elif job == "structure":
         structure(*arguments)
+    elif job == "reader":
+        reader(arguments[0])
     elif job == "same":
         same(arguments[0], arguments[1:])
