@@ -114,6 +114,19 @@ fw_status fw_automaton_modes(const fw_automaton_matrices *matrices, fw_vec2 wave
     return FW_OK;
 }
 
+void fw_automaton_mode_fill(const double complex black[2], const double complex white[2],
+                            fw_vec2 wave, double complex amplitude, const fw_sites *sites,
+                            bool black_is_odd, fw_vec2 *displacement)
+{
+    for (int p = 0; p < sites->count; ++p) {
+        const fw_site site = sites->site[p];
+        const bool is_black = ((site.i + site.j) & 1) == (int)black_is_odd;
+        const double complex *a = is_black ? black : white;
+        const double complex here = amplitude * cexp(I * (wave.x * site.i + wave.y * site.j));
+        displacement[p] = (fw_vec2){creal(a[0] * here), creal(a[1] * here)};
+    }
+}
+
 /* |lambda| of lambda + 1/lambda + 2 = z, the larger one. */
 static double growth_of(double complex z)
 {

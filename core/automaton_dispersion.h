@@ -33,6 +33,12 @@ typedef struct fw_automaton_mode {
 fw_status fw_automaton_modes(const fw_automaton_matrices *matrices, fw_vec2 wave,
                              fw_automaton_mode mode[FW_MODES], fw_error *error);
 
+/* Displacements Re(amplitude a exp(i k.s)) of sites s = (i, j), a being `black` or `white`: to be
+ * started `displaced_as_given`. */
+void fw_automaton_mode_fill(const double complex black[2], const double complex white[2],
+                            fw_vec2 wave, double complex amplitude, const fw_sites *sites,
+                            bool black_is_odd, fw_vec2 *displacement);
+
 /* The worst that a step does to plane waves with k on a grid of grid x grid over the Brillouin
  * zone (rows and columns at multiples of 2 pi / grid). Any speeds >= 0, also outside the disc,
  * where the matrices of Eq 30 turn complex. */

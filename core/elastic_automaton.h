@@ -47,7 +47,8 @@ typedef struct fw_elastic_automaton_def {
     /* The start, per site or NULL for zero: displaced by u and moving at V. */
     const fw_vec2 *displacement, *velocity;
     /* false: in a strained lattice white rests at an offset from black, and u is corrected for it,
-     *     w = u + V/2 - (P d/dx + Q d/dy) u / 2    (and shifted as a whole: momentum sum m V / 4),
+     *     w = u + V/2 - (P d/dx + Q d/dy) u / 2    (and shifted as a whole: momentum sum m V / 4;
+     * V is half its own velocity, half that of its neighbours),
      * so that strain alone brings no spurious velocity. true: both colours are displaced by u just
      * as it is given, as in the paper's Figs 3 and 5; that also gives the body momentum. */
     bool displaced_as_given;

@@ -141,12 +141,7 @@ static fw_solid *carrier(int columns, int rows, fw_automaton_speeds speeds, fw_v
     fw_sites sites;
     assert_int_equal(fw_sites_rectangle(&sites, columns, rows, NULL), FW_OK);
     fw_vec2 *u = malloc((size_t)sites.count * sizeof *u);
-    for (int p = 0; p < sites.count; ++p) {
-        const fw_site site = sites.site[p];
-        const double complex phase = cexp(I * (wave.x * site.i + wave.y * site.j));
-        const double complex *a = (site.i + site.j) & 1 ? white : black;
-        u[p] = (fw_vec2){creal(a[0] * phase), creal(a[1] * phase)};
-    }
+    fw_automaton_mode_fill(black, white, wave, 1, &sites, false, u);
     fw_elastic_automaton_def def = fw_elastic_automaton_def_default();
     def.sites = &sites;
     def.speeds = speeds;
