@@ -51,7 +51,7 @@ static fw_status find_contacts(fw_scene *scene, fw_error *error)
     return FW_OK;
 }
 
-/* 4. constrain: the forces that hold contact particles. */
+/* 4. constrain: the forces that hold contact particles, and those of the grips. */
 static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
@@ -62,6 +62,7 @@ static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
     for (int b = 0; b < scene->body_count; ++b) {
         scene_place_barriers(scene, scene->bodies[b].solid->model->ticks_per_step);
         FW_TRY(scene_constrain_body(scene, &scene->bodies[b], error));
+        scene_collect_holds(scene, b);
     }
     return FW_OK;
 }
@@ -71,7 +72,7 @@ static void advance_solids(fw_scene *scene)
 {
     for (int b = 0; b < scene->body_count; ++b)
         fw_solid_advance(scene->bodies[b].solid, scene->bodies[b].holds,
-                         scene->bodies[b].contact_count);
+                         scene->bodies[b].hold_count);
 }
 
 /* 6. account: work, heat and impulse of each wall. */

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene.h - solids, walls and loads in one place, and the time step that moves them.
- * A scene is made in three stages: create; add bodies, walls and loads; begin. Then step. */
+ * A scene is made in three stages: create; add bodies, walls, grips and loads; begin. Then step. */
 #ifndef FW_SCENE_H
 #define FW_SCENE_H
 
 #include "contact/constrain.h"
+#include "contact/grip.h"
 #include "contact/load.h"
 #include "contact/wall.h"
 #include "core/solid.h"
@@ -23,14 +24,17 @@ typedef struct fw_wall_account {
 } fw_wall_account;
 
 /* What the whole scene has exchanged since it began. Closes to rounding:
- * energy = start + external work + wall work - dissipated - friction heat + noise heat,
- * momentum = start + external + wall impulse + drag. */
+ * see fw_ledger_energy and fw_ledger_momentum. */
 typedef struct fw_ledger {
     double energy_at_start;
     fw_vec2 momentum_at_start;
-    double external_work, wall_work, dissipated, friction_heat, noise_heat;
-    fw_vec2 external_impulse, wall_impulse, drag;
+    double external_work, wall_work, grip_work, dissipated, friction_heat, noise_heat;
+    fw_vec2 external_impulse, wall_impulse, grip_impulse, drag;
 } fw_ledger;
+
+/* What energy and momentum should be, by the ledger. */
+double fw_ledger_energy(const fw_ledger *ledger);
+fw_vec2 fw_ledger_momentum(const fw_ledger *ledger);
 
 /* A particle further than `limit` from `middle` in x or y has escaped; INFINITY: none can. */
 fw_status fw_scene_create(fw_scene **scene, fw_vec2 middle, double limit, fw_error *error);
@@ -41,6 +45,9 @@ void fw_scene_destroy(fw_scene *scene);
 fw_status fw_scene_adopt_body(fw_scene *scene, const char *name, fw_solid *solid, int *body,
                               fw_error *error);
 fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *error);
+/* Holds particles of that body. FW_BAD_INPUT: another grip holds one of them already, or the body
+ * is an automaton. */
+fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, fw_error *error);
 /* The load acts on particles of that body. */
 fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
 
@@ -62,6 +69,11 @@ int fw_scene_wall_count(const fw_scene *scene);
 const fw_wall *fw_scene_wall(const fw_scene *scene, int wall);
 fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall);
 
+int fw_scene_grip_count(const fw_scene *scene);
+/* For another drive in the next phase. */
+fw_grip *fw_scene_grip(fw_scene *scene, int grip);
+const fw_grip *fw_scene_observe_grip(const fw_scene *scene, int grip);
+
 const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall);
 fw_ledger fw_scene_ledger(const fw_scene *scene);
 fw_energies fw_scene_energies(const fw_scene *scene);
@@ -70,12 +82,13 @@ fw_vec2 fw_scene_momentum(const fw_scene *scene);
 int64_t fw_scene_unresolved(const fw_scene *scene);
 /* How deep any skin particle of the body (-1: of any body) lies behind a wall; 0 if none does. */
 double fw_scene_penetration(const fw_scene *scene, int body);
-/* Adds the contact forces of the last tick to x and y, one number per particle of the body. */
+/* Adds the forces of walls and grips in the last tick to x and y, one number per particle of the
+ * body. */
 void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y);
 /* How often the broadphase was asked. */
 long fw_scene_query_count(const fw_scene *scene);
 
-/* The state, section by section: section 0 is the scene's own, then one per body. */
+/* The state, section by section: the scene's own, one per body, and that of the grips. */
 int fw_scene_section_count(const fw_scene *scene);
 const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list);
 /* After saved values were written back into the arrays of all sections. */

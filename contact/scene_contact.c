@@ -101,16 +101,38 @@ fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *erro
         if (run.facet_count == 0 && !body->memory) continue;
         list_near(scene, run);
         for (int entry = run.first; entry < run.first + run.count; ++entry)
-            FW_TRY(constrain_entry(scene, body, n, entry, error));
+            if (!body->gripped || !body->gripped[fw_skin_particles(body->skin)[entry]])
+                FW_TRY(constrain_entry(scene, body, n, entry, error));
     }
     /* Runs follow a curve through space that is another one after a restart; sums go by particle.
      */
     qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
+    for (int n = 0; n < body->contact_count; ++n)
+        book(scene, &body->contacts[n].constraint, body->solid->model->ticks_per_step);
+    return FW_OK;
+}
+
+static int compare_holds(const void *left, const void *right)
+{
+    const fw_hold *a = left, *b = right;
+    return (a->particle > b->particle) - (a->particle < b->particle);
+}
+
+void scene_collect_holds(fw_scene *scene, int number)
+{
+    scene_body *body = &scene->bodies[number];
+    body->hold_count = body->contact_count;
     for (int n = 0; n < body->contact_count; ++n) {
         const scene_contact *contact = &body->contacts[n];
         body->holds[n] = (fw_hold){contact->particle, contact->constraint.displacement,
                                    contact->constraint.force};
-        book(scene, &contact->constraint, body->solid->model->ticks_per_step);
     }
-    return FW_OK;
+    if (!body->gripped) return;
+    for (int n = 0; n < scene->grip_count; ++n) {
+        if (scene->grips[n].body != number) continue;
+        fw_grip *grip = scene->grips[n].grip;
+        fw_grip_hold(grip, body->solid, fw_scene_time(scene), body->holds + body->hold_count);
+        body->hold_count += fw_grip_particle_count(grip);
+    }
+    qsort(body->holds, (size_t)body->hold_count, sizeof *body->holds, compare_holds);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_make.c - making a scene, asking it, and putting it back to a saved state. */
+/* scene_make.c - making a scene, its state, and putting it back to a saved one. */
 #include "contact/scene_parts.h"
 
 #include <math.h>
@@ -31,11 +31,14 @@ void fw_scene_destroy(fw_scene *scene)
         fw_skin_destroy(body->skin);
         free(body->memory);
         free(body->contacts);
+        free(body->gripped);
         free(body->holds);
     }
     fw_broadphase_destroy(scene->broadphase);
     for (int w = 0; w < scene->wall_count; ++w) fw_wall_destroy(scene->walls[w].wall);
     for (int n = 0; n < scene->load_count; ++n) fw_load_destroy(scene->loads[n].load);
+    for (int n = 0; n < scene->grip_count; ++n) fw_grip_destroy(scene->grips[n].grip);
+    free(scene->grips);
     free(scene->bodies);
     free(scene->walls);
     free(scene->accounts);
@@ -87,6 +90,35 @@ fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *e
     *wall = (scene_wall){0};
     FW_TRY(fw_wall_create(&wall->wall, scene->wall_count, def, error));
     scene->wall_count += 1;
+    return FW_OK;
+}
+
+fw_status fw_scene_add_grip(fw_scene *scene, int number, const fw_grip_def *def, fw_error *error)
+{
+    scene_body *body = &scene->bodies[number];
+    scene_grip *grips = grown(scene->grips, scene->grip_count, sizeof *grips);
+    if (grips) scene->grips = grips;
+    if (!body->gripped)
+        body->gripped = fw_array_allocate((size_t)body->solid->count, sizeof *body->gripped);
+    if (!grips || !body->gripped) return fw_fail_memory(error, "a grip");
+    if (body->solid->model->ticks_per_step != 1)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "grip %s holds a body that moves in half-steps, expected one of particles "
+                       "that all move at once",
+                       def->name);
+    if (scene->grip_count == FW_STATE_CAPACITY)
+        return fw_fail(error, FW_BAD_INPUT, "grip %s is one too many, expected at most %d",
+                       def->name, FW_STATE_CAPACITY);
+    for (int n = 0; n < def->particle_count; ++n)
+        if (body->gripped[def->particles[n]])
+            return fw_fail(error, FW_BAD_INPUT,
+                           "grip %s holds particle %d of body %s, which another grip holds already",
+                           def->name, def->particles[n], body->name);
+    scene_grip *grip = &scene->grips[scene->grip_count];
+    grip->body = number;
+    FW_TRY(fw_grip_create(&grip->grip, def, error));
+    for (int n = 0; n < def->particle_count; ++n) body->gripped[def->particles[n]] = 1;
+    scene->grip_count += 1;
     return FW_OK;
 }
 
@@ -152,9 +184,8 @@ static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error
     FW_TRY(fw_skin_create(&body->skin, body->solid, error));
     body->skin_revision = body->solid->skin_revision;
     body->contacts = calloc(count, sizeof *body->contacts);
-    body->holds = calloc(count, sizeof *body->holds);
     if (any_wall_rubs(scene)) body->memory = calloc(count, sizeof *body->memory);
-    if (!body->contacts || !body->holds || (any_wall_rubs(scene) && !body->memory))
+    if (!body->contacts || (any_wall_rubs(scene) && !body->memory))
         return fw_fail_memory(error, "the contacts of a body");
     return FW_OK;
 }
@@ -186,144 +217,20 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
             FW_TRY(prepare_body(scene, &scene->bodies[b], error));
         }
     }
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        body->holds = calloc((size_t)body->solid->count, sizeof *body->holds);
+        if (!body->holds) return fw_fail_memory(error, "the holds of a body");
+    }
     fw_energies energies = fw_scene_energies(scene);
     scene->energy_at_start = energies.kinetic + energies.elastic;
     scene->momentum_at_start = fw_scene_momentum(scene);
     return FW_OK;
 }
 
-int64_t fw_scene_steps(const fw_scene *scene)
-{
-    return scene->clock.step;
-}
-
-double fw_scene_time(const fw_scene *scene)
-{
-    return (double)scene->clock.ticks * scene->tick;
-}
-
-int fw_scene_body_count(const fw_scene *scene)
-{
-    return scene->body_count;
-}
-
-const char *fw_scene_body_name(const fw_scene *scene, int body)
-{
-    return scene->bodies[body].name;
-}
-
-fw_solid *fw_scene_body(fw_scene *scene, int body)
-{
-    return scene->bodies[body].solid;
-}
-
-const fw_solid *fw_scene_observe_body(const fw_scene *scene, int body)
-{
-    return scene->bodies[body].solid;
-}
-
-int fw_scene_wall_count(const fw_scene *scene)
-{
-    return scene->wall_count;
-}
-
-const fw_wall *fw_scene_wall(const fw_scene *scene, int wall)
-{
-    return scene->walls[wall].wall;
-}
-
-fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall)
-{
-    return fw_wall_displacement(scene->walls[wall].wall, fw_scene_time(scene));
-}
-
-const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall)
-{
-    return &scene->accounts[wall];
-}
-
-fw_ledger fw_scene_ledger(const fw_scene *scene)
-{
-    fw_ledger ledger = {.energy_at_start = scene->energy_at_start,
-                        .momentum_at_start = scene->momentum_at_start};
-    for (int b = 0; b < scene->body_count; ++b) {
-        const fw_account *account = &scene->bodies[b].solid->account;
-        ledger.external_work += account->work;
-        ledger.dissipated += account->dissipated;
-        ledger.noise_heat += account->heat;
-        ledger.external_impulse = fw_vec2_add(ledger.external_impulse, account->impulse);
-        ledger.drag = fw_vec2_add(ledger.drag, account->drag);
-    }
-    for (int w = 0; w < scene->wall_count; ++w) {
-        ledger.wall_work += scene->accounts[w].work;
-        ledger.friction_heat += scene->accounts[w].dissipated;
-        ledger.wall_impulse = fw_vec2_add(ledger.wall_impulse, scene->accounts[w].impulse);
-    }
-    return ledger;
-}
-
-fw_energies fw_scene_energies(const fw_scene *scene)
-{
-    fw_energies sum = {0, 0};
-    for (int b = 0; b < scene->body_count; ++b) {
-        fw_energies energies = fw_solid_energies(scene->bodies[b].solid);
-        sum.kinetic += energies.kinetic;
-        sum.elastic += energies.elastic;
-    }
-    return sum;
-}
-
-fw_vec2 fw_scene_momentum(const fw_scene *scene)
-{
-    fw_vec2 sum = {0, 0};
-    for (int b = 0; b < scene->body_count; ++b)
-        sum = fw_vec2_add(sum, fw_solid_momentum(scene->bodies[b].solid));
-    return sum;
-}
-
-int64_t fw_scene_unresolved(const fw_scene *scene)
-{
-    return scene->clock.unresolved;
-}
-
-double fw_scene_penetration(const fw_scene *scene, int body)
-{
-    double deepest = 0;
-    for (int w = 0; w < scene->wall_count; ++w) {
-        fw_vec2 place = fw_scene_wall_displacement(scene, w);
-        for (int b = 0; b < scene->body_count; ++b) {
-            const fw_solid *solid = scene->bodies[b].solid;
-            if (body >= 0 && b != body) continue;
-            for (int n = 0; n < solid->skin_count; ++n) {
-                fw_vec2 at = fw_solid_position(solid, solid->skin[n]);
-                deepest =
-                    fmax(deepest, fw_wall_depth(scene->walls[w].wall, fw_vec2_subtract(at, place)));
-            }
-        }
-    }
-    return deepest;
-}
-
-void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y)
-{
-    const scene_body *b = &scene->bodies[body];
-    for (int n = 0; n < b->contact_count; ++n) {
-        x[b->holds[n].particle] += b->holds[n].force.x;
-        y[b->holds[n].particle] += b->holds[n].force.y;
-    }
-}
-
-long fw_scene_query_count(const fw_scene *scene)
-{
-    long count = 0;
-    for (int b = 0; b < scene->body_count; ++b)
-        if (scene->bodies[b].skin) count += fw_skin_query_count(scene->bodies[b].skin);
-    return count;
-}
-
 int fw_scene_section_count(const fw_scene *scene)
 {
-    return 1 + scene->body_count;
+    return 1 + scene->body_count + (scene->grip_count > 0);
 }
 
 const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
@@ -337,6 +244,13 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
         fw_state_list_add(list, "energy-at-start", FW_F64, 1, &scene->energy_at_start);
         fw_state_list_add(list, "momentum-at-start", FW_F64, 2, &scene->momentum_at_start);
         return "scene";
+    }
+    if (section > scene->body_count) {
+        for (int n = 0; n < scene->grip_count; ++n)
+            fw_state_list_add(list, fw_grip_name(scene->grips[n].grip), FW_F64,
+                              sizeof(fw_grip_account) / sizeof(double),
+                              fw_grip_account_of(scene->grips[n].grip));
+        return "grips";
     }
     scene_body *body = &scene->bodies[section - 1];
     body->solid->model->state(body->solid, list);

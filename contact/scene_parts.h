@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c (its
- * contact phase) and scene_make.c (making, asking, restoring) and by nobody else. */
+ * contact phase), scene_make.c (making, restoring) and scene_ask.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -19,8 +19,10 @@ typedef struct scene_body {
     int skin_revision;         /* of the solid when `skin` was made */
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
     scene_contact *contacts;   /* of this tick, ascending; room for all particles of the skin */
-    fw_hold *holds;            /* the same as the solid takes them */
     int contact_count;
+    uint8_t *gripped; /* per particle; NULL where no grip holds the body */
+    fw_hold *holds;   /* of contacts and grips, ascending; room for all particles */
+    int hold_count;
 } scene_body;
 
 typedef struct scene_wall {
@@ -35,6 +37,11 @@ typedef struct scene_load {
     fw_load *load;
 } scene_load;
 
+typedef struct scene_grip {
+    int body;
+    fw_grip *grip;
+} scene_grip;
+
 /* Counters of the scene, all part of the state. */
 typedef struct scene_clock {
     int64_t step, ticks, unresolved;
@@ -46,11 +53,12 @@ struct fw_scene {
     double tick;
     int ticks_per_step;
     scene_clock clock;
-    int body_count, wall_count, load_count;
+    int body_count, wall_count, load_count, grip_count;
     scene_body *bodies;
     scene_wall *walls;
     fw_wall_account *accounts; /* per wall */
     scene_load *loads;
+    scene_grip *grips;
     fw_broadphase *broadphase;
     int facet_count;
     fw_barrier *barriers; /* of all facets, in the broadphase's order */
@@ -65,5 +73,7 @@ void scene_follow_wall(fw_scene *scene, int wall, int ticks);
 void scene_place_barriers(fw_scene *scene, int ticks);
 fw_status scene_refresh_skin(fw_scene *scene, scene_body *body, fw_error *error);
 fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *error);
+/* All holds of the body in this tick: contacts and grips. */
+void scene_collect_holds(fw_scene *scene, int body);
 
 #endif

@@ -160,17 +160,8 @@ bool fw_wall_moves(const fw_wall *wall)
 
 fw_vec2 fw_wall_displacement(const fw_wall *wall, double time)
 {
-    const fw_path *path = &wall->def.path;
-    fw_vec2 displacement = {0, 0};
-    if (!wall->moves) return displacement;
-    double elapsed = fmin(fmax(time, path->from), path->until) - path->from;
-    displacement = fw_vec2_scale(elapsed, path->velocity);
-    if (path->period > 0) {
-        /* Whole periods are taken off first: the phase stays exact however late it is. */
-        double angle = 6.283185307179586 * fmod(time, path->period) / path->period + path->phase;
-        displacement = fw_vec2_add(displacement, fw_vec2_scale(sin(angle), path->amplitude));
-    }
-    return displacement;
+    if (!wall->moves) return (fw_vec2){0, 0};
+    return fw_path_displacement(&wall->def.path, time);
 }
 
 int fw_wall_facet_count(const fw_wall *wall)

@@ -7,6 +7,7 @@
 #define FW_WALL_H
 
 #include "contact/facet.h"
+#include "contact/path.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
@@ -32,16 +33,6 @@ typedef struct fw_surface {
 } fw_surface;
 
 typedef enum fw_wall_shape { FW_BOX, FW_CHAIN, FW_POLYGON, FW_CIRCLE } fw_wall_shape;
-
-/* The prescribed path of a wall: displacement from its place in the definition,
- * velocity (t - from) for from <= t <= until, plus amplitude sin(2 pi t / period + phase). */
-typedef struct fw_path {
-    fw_vec2 velocity;
-    double from, until; /* time window of the velocity; until may be INFINITY */
-    fw_vec2 amplitude;
-    double period; /* 0: no oscillation */
-    double phase;  /* radians */
-} fw_path;
 
 /* Plain data that describes a wall; start from fw_wall_def_default(). */
 typedef struct fw_wall_def {

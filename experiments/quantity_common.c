@@ -61,8 +61,7 @@ static void energy_error(const fw_experiment *experiment, fw_subject subject, do
 {
     (void)subject;
     fw_ledger l = fw_scene_ledger(experiment->scene);
-    double booked = l.energy_at_start + l.external_work + l.wall_work - l.dissipated -
-                    l.friction_heat + l.noise_heat;
+    double booked = fw_ledger_energy(&l);
     double now = total(fw_scene_energies(experiment->scene));
     double scale = fmax(fmax(fabs(now), l.energy_at_start), l.dissipated + l.friction_heat);
     out[0] = scale > 0 ? (now - booked) / scale : 0;
@@ -93,8 +92,7 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
     fw_vec2 now = momentum_of(experiment, subject), booked;
     if (subject.body < 0) {
         fw_ledger l = fw_scene_ledger(experiment->scene);
-        booked = fw_vec2_add(fw_vec2_add(l.momentum_at_start, l.external_impulse),
-                             fw_vec2_add(l.wall_impulse, l.drag));
+        booked = fw_ledger_momentum(&l);
     } else {
         const fw_account *account = &body_of(experiment, subject)->account;
         booked = fw_vec2_add(experiment->momentum_at_start[subject.body],

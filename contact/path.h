@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* path.h - prescribed motion of a rigid thing, as a pure function of time: displacement from its
+ * place in the definition, velocity (t - from) for from <= t <= until, plus
+ * amplitude sin(2 pi t / period + phase). */
+#ifndef FW_PATH_H
+#define FW_PATH_H
+
+#include "core/vec2.h"
+
+typedef struct fw_path {
+    fw_vec2 velocity;
+    double from, until; /* time window of the velocity */
+    fw_vec2 amplitude;
+    double period; /* 0: no oscillation */
+    double phase;  /* radians */
+} fw_path;
+
+fw_vec2 fw_path_displacement(const fw_path *path, double time);
+
+#endif
