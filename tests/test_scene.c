@@ -82,7 +82,7 @@ static void assert_books_balance(const fw_scene *scene, double tolerance)
 {
     fw_ledger l = fw_scene_ledger(scene);
     double booked = fw_ledger_energy(&l);
-    double scale = fmax(l.energy_at_start, energy_of(scene));
+    double scale = fmax(fmax(l.energy_at_start, energy_of(scene)), fabs(l.external_work));
     assert_close(energy_of(scene) / scale, booked / scale, tolerance);
     fw_vec2 p = fw_scene_momentum(scene);
     fw_vec2 expected = fw_ledger_momentum(&l);
