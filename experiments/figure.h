@@ -115,6 +115,11 @@ typedef struct fw_figure_stack_plan {
 } fw_figure_stack_plan;
 fw_status fw_figure_stack(const fw_page *page, const fw_figure_stack_plan *plan, fw_error *error);
 
+/* Several such columns side by side, as an experiment and its control: rows of panels at one scale,
+ * one scale of colours (that of the first plan). */
+fw_status fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *plans, int count,
+                            fw_error *error);
+
 /* Observables over time. */
 fw_status fw_figure_series(const fw_page *page, const fw_chart *charts, int chart_count,
                            const char *time_label, const fw_figure_mark *marks, int mark_count,

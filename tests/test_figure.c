@@ -494,6 +494,11 @@ static void a_dispersion_is_drawn(void **state)
                     "curves");
 }
 
+static fw_status draw_pair(const fw_page *page, const void *data, fw_error *error)
+{
+    return fw_figure_columns(page, data, 2, error);
+}
+
 /* Two beams of hexagonal lattices whose axes differ, as in Popov & Filippov Fig 6. */
 enum { BEAM = 14 * 24, BEAMS = 2 * BEAM, BINS = 28 };
 
@@ -557,6 +562,24 @@ static void a_profile_is_drawn_under_its_configuration(void **state)
                     page_with("Two beams rub until their contact turns liquid",
                               "After Popov & Filippov 2008, Fig. 6."),
                     "profile");
+    /* The control in a column of its own. */
+    double calm[BEAMS];
+    for (int k = 0; k < BEAMS; ++k) calm[k] = .04 + .6 * exp(-x[k] * x[k]);
+    const fw_view_body resting[2] = {
+        {.name = "left", .count = BEAM, .x = x, .y = y, .field = calm, .spacing = 1},
+        {.name = "right",
+         .count = BEAM,
+         .x = x + BEAM,
+         .y = y + BEAM,
+         .field = calm + BEAM,
+         .spacing = 1}};
+    const fw_view rest = {.name = "control, A = 0", .bodies = resting, .body_count = 2};
+    const fw_chart control_charts[2] = {
+        {.label = charts[0].label, .curves = returns + 1, .curve_count = 1}, charts[1]};
+    fw_figure_stack_plan both[2] = {plan, plan};
+    both[1].views = &rest;
+    both[1].charts = control_charts;
+    draw_everywhere(draw_pair, both, page_with("Driven beams and their control", NULL), "columns");
 }
 
 static fw_status draw_map(const fw_page *page, const void *data, fw_error *error)
