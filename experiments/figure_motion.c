@@ -153,18 +153,18 @@ static void draw_directions(const fw_figure_path *path, const fw_panel *panel)
     if (length > 5) walk_path(path, panel, length / fmax(1, nearbyint(length / 40)));
 }
 
+/* Cased in white, to be seen on the bodies. */
 static void draw_path(const fw_figure_path *path, const fw_panel *panel)
 {
+    const fw_colour white = fw_colour_grey(1);
+    const fw_stroke line = {fw_colour_grey(.1), .45, FW_DASH_NONE};
     if (path->count < 1) return;
-    fw_panel_line(panel, path->x, path->y, path->count,
-                  (fw_stroke){fw_colour_grey(1), 1.1, FW_DASH_NONE});
-    fw_panel_line(panel, path->x, path->y, path->count,
-                  (fw_stroke){fw_colour_grey(.1), .45, FW_DASH_NONE});
-    draw_directions(path, panel);
     fw_vec2 start = fw_panel_place(panel, path->x[0], path->y[0]);
-    fw_canvas_circle(panel->canvas, start, 1.15, (fw_stroke){fw_colour_grey(1), 1, FW_DASH_NONE});
-    fw_canvas_circle(panel->canvas, start, 1.15,
-                     (fw_stroke){fw_colour_grey(.1), .45, FW_DASH_NONE});
+    fw_panel_line(panel, path->x, path->y, path->count, (fw_stroke){white, 1.1, FW_DASH_NONE});
+    fw_canvas_circle(panel->canvas, start, 1.15, (fw_stroke){white, 1.1, FW_DASH_NONE});
+    fw_panel_line(panel, path->x, path->y, path->count, line);
+    fw_canvas_circle(panel->canvas, start, 1.15, line);
+    draw_directions(path, panel);
 }
 
 static void draw(const fw_figure_motion_plan *plan, const motion_layout *layout)

@@ -175,7 +175,8 @@ static void draw_inside(const fw_view_wall *wall, const fw_panel *panel)
     fw_vec2 first = corner_of(wall, panel, 0);
     for (int k = 1; k + 1 < corner_count(wall->def); ++k) {
         fw_vec2 triangle[3] = {first, corner_of(wall, panel, k), corner_of(wall, panel, k + 1)};
-        fw_canvas_polygon(panel->canvas, triangle, 3, forbidden, .05);
+        /* The rim closes the seams of the fan; outside it hides below the surface's line. */
+        fw_canvas_polygon(panel->canvas, triangle, 3, forbidden, .3);
     }
 }
 
