@@ -10,6 +10,7 @@
 #include "core/status.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 typedef enum fw_pair_kind { FW_LENNARD_JONES, FW_MORSE } fw_pair_kind;
 
@@ -40,11 +41,9 @@ typedef struct fw_pair {
 static inline fw_pair fw_pair_at(const fw_pair_potential *potential, double r2)
 {
     const double outer = potential->cut.outer;
-    if (!(r2 < outer * outer)) return (fw_pair){0, 0};
-    const double r = sqrt(r2);
+    const double inverse = 1 / r2, r = sqrt(r2), inverse_r = inverse * r;
     fw_pair bare;
     if (potential->kind == FW_LENNARD_JONES) {
-        const double inverse = 1 / r2;
         const double square = potential->distance * potential->distance * inverse;
         const double sixth = square * square * square;
         bare.energy = potential->depth * sixth * (sixth - 2);
@@ -52,11 +51,12 @@ static inline fw_pair fw_pair_at(const fw_pair_potential *potential, double r2)
     } else {
         const double decay = exp(-potential->steepness * (r - potential->distance));
         bare.energy = potential->depth * decay * (decay - 2);
-        bare.push = 2 * potential->depth * potential->steepness * decay * (decay - 1) / r;
+        bare.push = 2 * potential->depth * potential->steepness * decay * (decay - 1) * inverse_r;
     }
     const fw_weight weight = fw_smooth_cut_at(potential->cut, r);
-    return (fw_pair){bare.energy * weight.value,
-                     bare.push * weight.value - bare.energy * weight.slope / r};
+    const double push = bare.push * weight.value - bare.energy * weight.slope * inverse_r;
+    const bool inside = r2 < outer * outer;
+    return (fw_pair){inside ? bare.energy * weight.value : 0, inside ? push : 0};
 }
 
 #endif

@@ -1,14 +1,38 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* particle_forces.c - sums over the bonds of movable lattice particles (Popov & Filippov Eqs 13,
- * 18). Each particle gathers from its neighbours in ascending order and writes only its own
- * entries, and what lies beyond a cut adds an exact zero: the result depends neither on threads nor
- * on when lists were made. Start reading at fw_particles_find_forces(). */
+/* particle_forces.c - the forces of movable lattice particles (Popov & Filippov Eqs 13, 18).
+ *
+ * Some particles at a time: the pairs that are near enough are written one after the other into
+ * short arrays (gather), what they do is computed for all of them alike (a loop without branches,
+ * which becomes vector code), and each particle adds up its own, in ascending order of neighbours.
+ * A pair's values depend on the pair alone and what lies beyond a cut adds an exact zero, so the
+ * result depends neither on threads, nor on when lists were made, nor on how particles are cut into
+ * batches. Start reading at fw_particles_find_forces(). */
 #include "core/particle_forces.h"
 
-#include <assert.h>
 #include <math.h>
 
-enum { PARALLEL_FROM = 1024 }; /* particles; below it threads cost more than they bring */
+enum {
+    PARALLEL_FROM = 1024, /* particles; below it threads cost more than they bring */
+    PAIRS = 256,          /* of a batch: its arrays stay in the nearest cache */
+    CHUNK = 256           /* particles that a thread takes at a time */
+};
+
+/* Pairs of a batch, and what they do to their owner. */
+typedef struct fw_batch {
+    int count;
+    double dx[PAIRS], dy[PAIRS], r2[PAIRS]; /* r_i - r_j */
+    double strength[PAIRS];                 /* of the potential */
+    double own[PAIRS];                      /* 1 for a pair inside a body, else 0 */
+    double force_x[PAIRS], force_y[PAIRS];  /* of the potential, and of fixed axes */
+    /* For axes that turn: the parts of the return force, and what the turn is made of. */
+    double first_x[PAIRS], first_y[PAIRS], second_x[PAIRS], second_y[PAIRS];
+    double sum_cosine[PAIRS], sum_sine[PAIRS];
+} fw_batch;
+
+/* Where the pairs of one particle lie in the batch. */
+typedef struct fw_share {
+    int particle, begin, end;
+} fw_share;
 
 /* Neighbours ascend and groups are contiguous: those of the own body are one stretch. */
 static void find_own_bodies(fw_particles *particles)
@@ -26,121 +50,207 @@ static void find_own_bodies(fw_particles *particles)
     particles->generation = neighbours->generation;
 }
 
-/* The force of the potential on particle i from the neighbours at list[from] .. list[to - 1]. */
-static inline fw_vec2 pushes(const fw_particles *particles, int i, size_t from, size_t to)
+/* --- gather --- */
+
+/* Appends the neighbours of i at list[from] .. list[to - 1] that are within reach. */
+static inline int gather_stretch(const fw_particles *particles, int i, size_t from, size_t to,
+                                 double strength, double own, fw_batch *batch, int begin)
 {
-    const fw_pair_potential potential = particles->potential;
     const double *restrict x = particles->langevin.head.x, *restrict y = particles->langevin.head.y;
     const int *restrict list = particles->neighbours->list;
-    fw_vec2 force = {0, 0};
+    const double reach = particles->neighbours->radius * particles->neighbours->radius;
+    const double at_x = x[i], at_y = y[i];
+    int count = begin;
     for (size_t k = from; k < to; ++k) {
-        const double dx = x[i] - x[list[k]], dy = y[i] - y[list[k]];
-        const fw_pair pair = fw_pair_at(&potential, dx * dx + dy * dy);
-        force.x += pair.push * dx;
-        force.y += pair.push * dy;
+        const double dx = at_x - x[list[k]], dy = at_y - y[list[k]];
+        const double r2 = dx * dx + dy * dy;
+        batch->dx[count] = dx;
+        batch->dy[count] = dy;
+        batch->r2[count] = r2;
+        count += r2 < reach;
     }
-    return force;
+    for (int k = begin; k < count; ++k) {
+        batch->strength[k] = strength;
+        batch->own[k] = own;
+    }
+    return count;
 }
 
-static inline fw_vec2 potential_force(const fw_particles *particles, int i)
+/* Neighbours list[from] .. list[to - 1] of particle i, in ascending order, at most as many as a
+ * batch holds. */
+static fw_share gather(const fw_particles *particles, const fw_particle_group *group, int i,
+                       size_t from, size_t to, fw_batch *batch)
 {
-    const size_t *begin = particles->neighbours->begin;
-    const double inside = particles->groups[particles->group_of[i]].strength;
-    fw_vec2 force = {0, 0};
-    if (inside > 0)
-        force = fw_vec2_scale(inside,
-                              pushes(particles, i, particles->own_begin[i], particles->own_end[i]));
-    if (particles->strength_across > 0) {
-        const fw_vec2 lower = pushes(particles, i, begin[i], particles->own_begin[i]);
-        const fw_vec2 higher = pushes(particles, i, particles->own_end[i], begin[i + 1]);
-        force = fw_vec2_add(force,
-                            fw_vec2_scale(particles->strength_across, fw_vec2_add(lower, higher)));
-    }
-    return force;
+    const double inside = group->strength, across = particles->strength_across;
+    const size_t own_begin = particles->own_begin[i], own_end = particles->own_end[i];
+    const size_t first = own_begin < from ? from : own_begin < to ? own_begin : to;
+    const size_t last = own_end < from ? from : own_end < to ? own_end : to;
+    const bool bound = inside > 0 || group->return_force.amplitude > 0;
+    const int begin = batch->count;
+    int count = begin;
+    if (across > 0) count = gather_stretch(particles, i, from, first, across, 0, batch, count);
+    if (bound) count = gather_stretch(particles, i, first, last, inside, 1, batch, count);
+    if (across > 0) count = gather_stretch(particles, i, last, to, across, 0, batch, count);
+    batch->count = count;
+    return (fw_share){i, begin, count};
 }
 
-static inline fw_vec2 lab_return_force(const fw_particles *particles, int i)
+/* --- compute --- */
+
+/* The constants in the calls of these loops let each become vector code of its own. */
+static inline __attribute__((always_inline)) void push_all(const fw_pair_potential *potential,
+                                                           fw_pair_kind kind, fw_batch *batch)
 {
-    const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-    const fw_return_force rule = group->return_force;
-    const fw_phase axes = group->axes;
-    const double *restrict x = particles->langevin.head.x, *restrict y = particles->langevin.head.y;
-    const int *restrict list = particles->neighbours->list;
-    fw_vec2 force = {0, 0};
-    for (size_t k = particles->own_begin[i]; k < particles->own_end[i]; ++k) {
-        const double dx = x[i] - x[list[k]], dy = y[i] - y[list[k]];
-        const fw_vec2 pull = fw_return_lab(&rule, axes, dx, dy, dx * dx + dy * dy);
-        force.x += pull.x;
-        force.y += pull.y;
+    fw_pair_potential rule = *potential;
+    rule.kind = kind;
+    const int count = batch->count;
+    for (int k = 0; k < count; ++k) {
+        const double push = batch->strength[k] * fw_pair_at(&rule, batch->r2[k]).push;
+        batch->force_x[k] = push * batch->dx[k];
+        batch->force_y[k] = push * batch->dy[k];
     }
-    return force;
 }
 
-/* Everything that the bonds of i in its own body contribute to its return force. */
-static inline fw_return_pair return_sums(const fw_particles *particles, int i)
+static inline __attribute__((always_inline)) void return_all(const fw_return_force *force, int fold,
+                                                             fw_phase axes, fw_batch *batch)
 {
-    const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-    const fw_return_force rule = group->return_force;
-    const fw_phase axes = group->axes;
-    const double *restrict x = particles->langevin.head.x, *restrict y = particles->langevin.head.y;
-    const int *restrict list = particles->neighbours->list;
-    fw_return_pair sums = {.energy = 0};
-    for (size_t k = particles->own_begin[i]; k < particles->own_end[i]; ++k) {
-        const double dx = x[i] - x[list[k]], dy = y[i] - y[list[k]];
-        const fw_return_pair pair = fw_return_pair_at(&rule, axes, dx, dy, dx * dx + dy * dy);
-        sums.first = fw_vec2_add(sums.first, pair.first);
-        sums.second = fw_vec2_add(sums.second, pair.second);
-        sums.energy += pair.energy;
-        sums.energy_second += pair.energy_second;
-        sums.sum.cosine += pair.sum.cosine;
-        sums.sum.sine += pair.sum.sine;
+    fw_return_force rule = *force;
+    rule.fold = fold;
+    for (int k = 0; k < batch->count; ++k) {
+        const fw_vec2 pull = fw_return_lab(&rule, axes, batch->dx[k], batch->dy[k], batch->r2[k]);
+        batch->force_x[k] += batch->own[k] * pull.x;
+        batch->force_y[k] += batch->own[k] * pull.y;
     }
-    return sums;
 }
+
+static inline __attribute__((always_inline)) void turn_all(const fw_return_force *force, int fold,
+                                                           fw_phase axes, fw_batch *batch)
+{
+    fw_return_force rule = *force;
+    rule.fold = fold;
+    for (int k = 0; k < batch->count; ++k) {
+        const double own = batch->own[k];
+        const fw_return_pair pair =
+            fw_return_pair_at(&rule, axes, batch->dx[k], batch->dy[k], batch->r2[k]);
+        batch->first_x[k] = own * pair.first.x;
+        batch->first_y[k] = own * pair.first.y;
+        batch->second_x[k] = own * pair.second.x;
+        batch->second_y[k] = own * pair.second.y;
+        batch->sum_cosine[k] = own * pair.sum.cosine;
+        batch->sum_sine[k] = own * pair.sum.sine;
+    }
+}
+
+static void compute(const fw_particles *particles, const fw_particle_group *group, bool turning,
+                    fw_batch *batch)
+{
+    const fw_return_force *rule = &group->return_force;
+    if (particles->potential.kind == FW_LENNARD_JONES)
+        push_all(&particles->potential, FW_LENNARD_JONES, batch);
+    else
+        push_all(&particles->potential, FW_MORSE, batch);
+    if (turning) {
+        if (rule->fold == 6)
+            turn_all(rule, 6, group->axes, batch);
+        else if (rule->fold == 4)
+            turn_all(rule, 4, group->axes, batch);
+        else
+            turn_all(rule, rule->fold, group->axes, batch);
+    } else if (rule->amplitude > 0) {
+        if (rule->fold == 6)
+            return_all(rule, 6, group->axes, batch);
+        else if (rule->fold == 4)
+            return_all(rule, 4, group->axes, batch);
+        else
+            return_all(rule, rule->fold, group->axes, batch);
+    }
+}
+
+/* --- add up --- */
+
+static inline double sum_of(const double *values, fw_share share, double sum)
+{
+    for (int k = share.begin; k < share.end; ++k) sum += values[k];
+    return sum;
+}
+
+static void add_up(fw_particles *particles, bool turning, const fw_batch *batch, fw_share share)
+{
+    fw_langevin *solid = &particles->langevin;
+    const int i = share.particle;
+    solid->force_x[i] = sum_of(batch->force_x, share, solid->force_x[i]);
+    solid->force_y[i] = sum_of(batch->force_y, share, solid->force_y[i]);
+    if (!turning) return;
+    particles->first_x[i] = sum_of(batch->first_x, share, particles->first_x[i]);
+    particles->first_y[i] = sum_of(batch->first_y, share, particles->first_y[i]);
+    particles->second_x[i] = sum_of(batch->second_x, share, particles->second_x[i]);
+    particles->second_y[i] = sum_of(batch->second_y, share, particles->second_y[i]);
+    particles->sum_cosine[i] = sum_of(batch->sum_cosine, share, particles->sum_cosine[i]);
+    particles->sum_sine[i] = sum_of(batch->sum_sine, share, particles->sum_sine[i]);
+}
+
+static void clear(fw_particles *particles, bool turning, int i)
+{
+    particles->langevin.force_x[i] = particles->langevin.force_y[i] = 0;
+    if (!turning) return;
+    particles->first_x[i] = particles->first_y[i] = 0;
+    particles->second_x[i] = particles->second_y[i] = 0;
+    particles->sum_cosine[i] = particles->sum_sine[i] = 0;
+}
+
+/* --- bodies --- */
 
 static bool turns(const fw_particle_group *group)
 {
     return group->return_force.axes != FW_AXES_LAB && group->return_force.amplitude > 0;
 }
 
-/* The forces of a body without return force, or with fixed axes. */
-static void find_fixed(fw_particles *particles, const fw_particle_group *group)
+/* Particles first to end - 1 of a body. A particle whose neighbours do not fit into what is left
+ * of a batch goes on in the next one. */
+static void find_chunk(fw_particles *particles, const fw_particle_group *group, int first, int end)
 {
-    fw_langevin *solid = &particles->langevin;
-    const bool returning = group->return_force.amplitude > 0;
-#pragma omp parallel for schedule(static) if (group->count > PARALLEL_FROM)
-    for (int i = group->first; i < group->first + group->count; ++i) {
-        fw_vec2 force = potential_force(particles, i);
-        if (returning) force = fw_vec2_add(force, lab_return_force(particles, i));
-        solid->force_x[i] = force.x;
-        solid->force_y[i] = force.y;
+    const size_t *begin = particles->neighbours->begin;
+    const bool turning = turns(group);
+    fw_batch batch;
+    fw_share shares[PAIRS];
+    batch.count = 0;
+    int share_count = 0;
+    for (int i = first; i < end; ++i) {
+        clear(particles, turning, i);
+        for (size_t k = begin[i]; k < begin[i + 1];) {
+            const size_t room = (size_t)(PAIRS - batch.count);
+            const size_t to = begin[i + 1] - k <= room ? begin[i + 1] : k + room;
+            shares[share_count++] = gather(particles, group, i, k, to, &batch);
+            k = to;
+            if (k < begin[i + 1] || share_count == PAIRS) {
+                compute(particles, group, turning, &batch);
+                for (int s = 0; s < share_count; ++s) add_up(particles, turning, &batch, shares[s]);
+                batch.count = share_count = 0;
+            }
+        }
     }
+    compute(particles, group, turning, &batch);
+    for (int s = 0; s < share_count; ++s) add_up(particles, turning, &batch, shares[s]);
 }
 
-/* The forces of a body whose axes follow from all its bonds: the two parts of each return force
- * first, then the turn that puts them together. */
-static void find_turning(fw_particles *particles, fw_particle_group *group)
+static void find_all(fw_particles *particles, const fw_particle_group *group)
+{
+    const int end = group->first + group->count;
+#pragma omp parallel for schedule(static) if (group->count > PARALLEL_FROM)
+    for (int begin = group->first; begin < end; begin += CHUNK)
+        find_chunk(particles, group, begin, begin + CHUNK < end ? begin + CHUNK : end);
+}
+
+/* Puts the two parts of the return forces of a body together, once all its bonds are known. */
+static void turn_together(fw_particles *particles, fw_particle_group *group)
 {
     fw_langevin *solid = &particles->langevin;
-    const int first = group->first, end = group->first + group->count;
-#pragma omp parallel for schedule(static) if (group->count > PARALLEL_FROM)
-    for (int i = first; i < end; ++i) {
-        const fw_vec2 force = potential_force(particles, i);
-        const fw_return_pair sums = return_sums(particles, i);
-        solid->force_x[i] = force.x;
-        solid->force_y[i] = force.y;
-        particles->first_x[i] = sums.first.x;
-        particles->first_y[i] = sums.first.y;
-        particles->second_x[i] = sums.second.x;
-        particles->second_y[i] = sums.second.y;
-        particles->sum_cosine[i] = sums.sum.cosine;
-        particles->sum_sine[i] = sums.sum.sine;
-    }
+    const int first = group->first;
     const fw_phase sum = {fw_array_sum(particles->sum_cosine + first, (size_t)group->count),
                           fw_array_sum(particles->sum_sine + first, (size_t)group->count)};
     const fw_turn turn = fw_return_turn(group->return_force.axes, sum);
     group->turn = turn;
-    for (int i = first; i < end; ++i) {
+    for (int i = first; i < first + group->count; ++i) {
         solid->force_x[i] +=
             turn.first * particles->first_x[i] + turn.second * particles->second_x[i];
         solid->force_y[i] +=
@@ -156,122 +266,7 @@ void fw_particles_find_forces(fw_langevin *solid)
     if (particles->generation != particles->neighbours->generation) find_own_bodies(particles);
     for (int g = 0; g < particles->group_count; ++g) {
         fw_particle_group *group = &particles->groups[g];
-        if (turns(group))
-            find_turning(particles, group);
-        else
-            find_fixed(particles, group);
+        find_all(particles, group);
+        if (turns(group)) turn_together(particles, group);
     }
-}
-
-static fw_vec2 turned(fw_turn turn, fw_vec2 first, fw_vec2 second)
-{
-    return fw_vec2_add(fw_vec2_scale(turn.first, first), fw_vec2_scale(turn.second, second));
-}
-
-void fw_particles_return_forces(const fw_solid *solid, double *x, double *y)
-{
-    const fw_particles *particles = (const fw_particles *)solid;
-#pragma omp parallel for schedule(static) if (solid->count > PARALLEL_FROM)
-    for (int i = 0; i < solid->count; ++i) {
-        const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-        const fw_return_pair sums = return_sums(particles, i);
-        const fw_vec2 force = turned(group->turn, sums.first, sums.second);
-        x[i] = force.x;
-        y[i] = force.y;
-    }
-}
-
-/* Calls for each neighbour of i whether it is in the same body, and how strong the potential is. */
-static double strength_of(const fw_particles *particles, int i, size_t k)
-{
-    const bool own = k >= particles->own_begin[i] && k < particles->own_end[i];
-    return own ? particles->groups[particles->group_of[i]].strength : particles->strength_across;
-}
-
-void fw_particles_pair_energies(const fw_solid *solid, double *energies)
-{
-    const fw_particles *particles = (const fw_particles *)solid;
-    const fw_neighbours *neighbours = particles->neighbours;
-#pragma omp parallel for schedule(static) if (solid->count > PARALLEL_FROM)
-    for (int i = 0; i < solid->count; ++i) {
-        const fw_turn turn = particles->groups[particles->group_of[i]].turn;
-        const fw_return_pair sums = return_sums(particles, i);
-        /* Surface axes add a force that has no potential; what is left is V for fixed axes. */
-        double energy = turn.first * sums.energy + turn.second * sums.energy_second;
-        for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-            const int j = neighbours->list[k];
-            const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
-            const fw_pair pair = fw_pair_at(&particles->potential, dx * dx + dy * dy);
-            energy += strength_of(particles, i, k) * pair.energy;
-        }
-        energies[i] = 0.5 * energy;
-    }
-}
-
-/* Sum over the neighbours of i of (r_i - r_j) (x) F_ij / 2. */
-static fw_tensor virial_of(const fw_particles *particles, int i)
-{
-    const fw_solid *head = &particles->langevin.head;
-    const fw_neighbours *neighbours = particles->neighbours;
-    const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-    fw_tensor sum = {0};
-    for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-        const int j = neighbours->list[k];
-        const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
-        const double r2 = dx * dx + dy * dy;
-        const double push =
-            strength_of(particles, i, k) * fw_pair_at(&particles->potential, r2).push;
-        fw_vec2 force = {push * dx, push * dy};
-        if (particles->group_of[j] == particles->group_of[i]) {
-            const fw_return_pair pair =
-                fw_return_pair_at(&group->return_force, group->axes, dx, dy, r2);
-            force = fw_vec2_add(force, turned(group->turn, pair.first, pair.second));
-        }
-        sum.xx += 0.5 * dx * force.x;
-        sum.xy += 0.5 * dx * force.y;
-        sum.yx += 0.5 * dy * force.x;
-        sum.yy += 0.5 * dy * force.y;
-    }
-    return sum;
-}
-
-fw_tensor fw_particles_virial(const fw_solid *solid, int group)
-{
-    const fw_particles *particles = (const fw_particles *)solid;
-    const int first = group < 0 ? 0 : particles->groups[group].first;
-    const int count = group < 0 ? solid->count : particles->groups[group].count;
-    double *const *virial = particles->virial;
-#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int i = first; i < first + count; ++i) {
-        const fw_tensor own = virial_of(particles, i);
-        virial[0][i] = own.xx;
-        virial[1][i] = own.xy;
-        virial[2][i] = own.yx;
-        virial[3][i] = own.yy;
-    }
-    const size_t size = (size_t)count;
-    return (fw_tensor){fw_array_sum(virial[0] + first, size), fw_array_sum(virial[1] + first, size),
-                       fw_array_sum(virial[2] + first, size),
-                       fw_array_sum(virial[3] + first, size)};
-}
-
-fw_phase fw_particles_bond_order(const fw_solid *solid, int particle, int *bonds)
-{
-    const fw_particles *particles = (const fw_particles *)solid;
-    const fw_neighbours *neighbours = particles->neighbours;
-    const int fold = particles->groups[particles->group_of[particle]].return_force.fold;
-    fw_phase sum = {0, 0};
-    *bonds = 0;
-    for (size_t k = neighbours->begin[particle]; k < neighbours->begin[particle + 1]; ++k) {
-        const int j = neighbours->list[k];
-        const double dx = solid->x[particle] - solid->x[j], dy = solid->y[particle] - solid->y[j];
-        const double r2 = dx * dx + dy * dy;
-        if (!(r2 < particles->bond_radius * particles->bond_radius)) continue;
-        const fw_phase phase = fw_phase_of_bond(fold, dx, dy, 1 / r2);
-        sum.cosine += phase.cosine;
-        sum.sine += phase.sine;
-        *bonds += 1;
-    }
-    if (*bonds > 0) sum = (fw_phase){sum.cosine / *bonds, sum.sine / *bonds};
-    return sum;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_forces.h - how the solid of particles.h is built inside, for the files that share it:
- * particles.c (life), particle_checks.c (what is refused), particle_forces.c (sums over bonds),
- * particle_fields.c (fields). */
+ * particles.c (life), particle_checks.c (what is refused), particle_forces.c (forces),
+ * particle_sums.c (other sums over bonds), particle_fields.c (fields). */
 #ifndef FW_PARTICLE_FORCES_H
 #define FW_PARTICLE_FORCES_H
 

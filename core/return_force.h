@@ -29,6 +29,7 @@
 #include "core/vec2.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 typedef enum fw_return_variant { FW_RETURN_CONSERVATIVE, FW_RETURN_CONSTANT } fw_return_variant;
 
@@ -120,26 +121,38 @@ static inline fw_vec2 fw_return_part(fw_return_factors factors, fw_phase phase, 
     return (fw_vec2){radial * dx - tangential * dy, radial * dy + tangential * dx};
 }
 
-/* The force on i alone, for lab axes: `axes` = e^{i n angle}. Nothing from the cut on. */
+/* e^{i n (phi - angle)} with `axes` = e^{i n angle}. */
+static inline fw_phase fw_return_phase(const fw_return_force *force, fw_phase axes, double dx,
+                                       double dy, double inverse_r2)
+{
+    return fw_phase_product(fw_phase_of_bond(force->fold, dx, dy, inverse_r2),
+                            (fw_phase){axes.cosine, -axes.sine});
+}
+
+/* The force on i alone, for lab axes. Nothing from the cut on. */
 static inline fw_vec2 fw_return_lab(const fw_return_force *force, fw_phase axes, double dx,
                                     double dy, double r2)
 {
-    if (!(r2 < force->cut.outer * force->cut.outer)) return (fw_vec2){0, 0};
+    const bool inside = r2 < force->cut.outer * force->cut.outer;
     const double inverse_r2 = 1 / r2;
-    const fw_phase phase = fw_phase_product(fw_phase_of_bond(force->fold, dx, dy, inverse_r2),
-                                            (fw_phase){axes.cosine, -axes.sine});
-    return fw_return_part(fw_return_factors_at(force, sqrt(r2), inverse_r2), phase, dx, dy);
+    const fw_phase phase = fw_return_phase(force, axes, dx, dy, inverse_r2);
+    const fw_vec2 pull =
+        fw_return_part(fw_return_factors_at(force, sqrt(r2), inverse_r2), phase, dx, dy);
+    return (fw_vec2){inside ? pull.x : 0, inside ? pull.y : 0};
 }
 
 /* Everything about a pair, for any axes. Nothing from the cut on. */
 static inline fw_return_pair fw_return_pair_at(const fw_return_force *force, fw_phase axes,
                                                double dx, double dy, double r2)
 {
-    if (!(r2 < force->cut.outer * force->cut.outer)) return (fw_return_pair){.energy = 0};
+    const bool inside = r2 < force->cut.outer * force->cut.outer;
     const double inverse_r2 = 1 / r2;
-    const fw_return_factors factors = fw_return_factors_at(force, sqrt(r2), inverse_r2);
-    const fw_phase phase = fw_phase_product(fw_phase_of_bond(force->fold, dx, dy, inverse_r2),
-                                            (fw_phase){axes.cosine, -axes.sine});
+    fw_return_factors factors = fw_return_factors_at(force, sqrt(r2), inverse_r2);
+    factors.tangential = inside ? factors.tangential : 0;
+    factors.radial = inside ? factors.radial : 0;
+    factors.energy = inside ? factors.energy : 0;
+    factors.weight = inside ? factors.weight : 0;
+    const fw_phase phase = fw_return_phase(force, axes, dx, dy, inverse_r2);
     fw_return_pair pair = {.first = fw_return_part(factors, phase, dx, dy),
                            .energy = factors.energy * phase.cosine};
     if (force->axes == FW_AXES_COROTATING) {

@@ -23,11 +23,13 @@ typedef struct fw_weight {
     double slope; /* dS/dr */
 } fw_weight;
 
-/* S and its slope at distance r < outer. */
+/* S and its slope at distance r; 0 from the outer end on, except for a cut without width, where the
+ * caller decides. Without branches, so that loops over pairs become vector code. */
 static inline fw_weight fw_smooth_cut_at(fw_smooth_cut cut, double r)
 {
     double x = (r - cut.inner) * cut.scale;
     x = x > 0 ? x : 0;
+    x = x < 1 ? x : 1;
     const double square = x * x;
     const double value = 1 - x * square * (10 - x * (15 - 6 * x));
     const double slope = -30 * square * (1 - x) * (1 - x) * cut.scale;
