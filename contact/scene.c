@@ -92,6 +92,9 @@ static fw_status check_finite(const fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         const fw_solid *solid = scene->bodies[b].solid;
+        if (solid->trouble)
+            return fw_fail(error, FW_SYSTEM_FAILED, "step %lld: body %s: %s",
+                           (long long)scene->clock.step, scene->bodies[b].name, solid->trouble);
         int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
         if (lost < 0) continue;
         return fw_fail(error, FW_DIVERGED,
