@@ -111,6 +111,14 @@ void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, doubl
     }
 }
 
+void fw_langevin_reverse(fw_langevin *solid)
+{
+    for (int i = 0; i < solid->head.count; ++i) {
+        solid->velocity_x[i] = -solid->velocity_x[i];
+        solid->velocity_y[i] = -solid->velocity_y[i];
+    }
+}
+
 /* --- the step --- */
 
 /* The numbers of one step. */

@@ -59,6 +59,9 @@ fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *erro
 void fw_langevin_start(fw_langevin *solid);
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
 
+/* Turns every velocity round: without damping the way back is the way it came. */
+void fw_langevin_reverse(fw_langevin *solid);
+
 /* Velocities drawn from Maxwell's distribution at that temperature, for particles first to
  * first + count - 1, then shifted to leave their momentum zero. */
 void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, double temperature);

@@ -170,7 +170,7 @@ static const fw_field fields[] = {
     {NULL, NULL, NULL},
 };
 
-static const fw_solid_model model = {
+const fw_solid_model fw_linear_lattice_model = {
     .name = "linear-lattice",
     .ticks_per_step = 1,
     .destroy = destroy,
@@ -189,7 +189,7 @@ static const fw_solid_model model = {
 
 bool fw_solid_is_linear_lattice(const fw_solid *solid)
 {
-    return solid->model == &model;
+    return solid->model == &fw_linear_lattice_model;
 }
 
 fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)
@@ -340,7 +340,8 @@ fw_status fw_linear_lattice_create(fw_solid **solid, const fw_linear_lattice_def
     FW_TRY(check_def(def, error));
     fw_linear_lattice *lattice = calloc(1, sizeof *lattice);
     if (!lattice) return fw_fail_memory(error, "a linear lattice");
-    fw_status status = fw_langevin_create(&lattice->langevin, &model, def->sites->count, error);
+    fw_status status =
+        fw_langevin_create(&lattice->langevin, &fw_linear_lattice_model, def->sites->count, error);
     if (status == FW_OK) status = build(lattice, def, error);
     if (status != FW_OK) {
         destroy(&lattice->langevin.head);

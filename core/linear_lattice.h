@@ -32,6 +32,8 @@ typedef struct fw_linear_lattice_def {
     uint64_t seed;
 } fw_linear_lattice_def;
 
+extern const fw_solid_model fw_linear_lattice_model;
+
 /* Mass 1, k1 = 10, k2 = 50, compensated, time step .005. */
 fw_linear_lattice_def fw_linear_lattice_def_default(void);
 

@@ -78,7 +78,7 @@ static void restored(fw_solid *solid)
     fw_langevin_restored(solid);
 }
 
-static const fw_solid_model model = {
+const fw_solid_model fw_particles_model = {
     .name = "movable-particles",
     .ticks_per_step = 1,
     .destroy = destroy,
@@ -97,7 +97,7 @@ static const fw_solid_model model = {
 
 bool fw_solid_is_particles(const fw_solid *solid)
 {
-    return solid->model == &model;
+    return solid->model == &fw_particles_model;
 }
 
 fw_particles *fw_particles_of(fw_solid *solid)
@@ -212,7 +212,7 @@ fw_status fw_particles_create(fw_solid **solid, const fw_particles_def *def, fw_
     if (!particles) return fw_fail_memory(error, "a solid of movable particles");
     int count = 0;
     for (int g = 0; g < def->group_count; ++g) count += def->groups[g].count;
-    fw_status status = fw_langevin_create(&particles->langevin, &model, count, error);
+    fw_status status = fw_langevin_create(&particles->langevin, &fw_particles_model, count, error);
     if (status == FW_OK) status = build(particles, def, error);
     if (status != FW_OK) {
         destroy(&particles->langevin.head);

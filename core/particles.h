@@ -39,6 +39,8 @@ typedef struct fw_particles_def {
     double skin;           /* of the neighbour list; results do not depend on it */
 } fw_particles_def;
 
+extern const fw_solid_model fw_particles_model;
+
 /* Mass 1, strength 1, no return force. */
 fw_particle_group_def fw_particle_group_def_default(void);
 /* Default potential, strength across 1, time step .005, no damping, temperature 0, overlap energy
