@@ -28,8 +28,8 @@ fw_status fw_build_fail(const fw_scenario *scenario, int body, fw_status status,
                             scenario->bodies[body].name, inner.sentence);
 }
 
-static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, int particle, uint64_t seed,
-                             uint32_t stream)
+static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, fw_vec2 place, int particle,
+                             uint64_t seed, uint32_t stream)
 {
     switch (pattern->kind) {
     case FW_PATTERN_UNIFORM:
@@ -43,6 +43,13 @@ static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, int partic
         double angle = pattern->wave_vector.x * site.i + pattern->wave_vector.y * site.j;
         return fw_vec2_scale(cos(angle + pattern->phase), pattern->amplitude);
     }
+    case FW_PATTERN_PLANE:
+        return fw_vec2_scale(cos(fw_vec2_dot(pattern->wave_vector, place) + pattern->phase),
+                             pattern->amplitude);
+    case FW_PATTERN_GRADIENT: {
+        const double *g = pattern->gradient;
+        return (fw_vec2){g[0] * place.x + g[1] * place.y, g[2] * place.x + g[3] * place.y};
+    }
     case FW_PATTERN_RANDOM:
         return fw_vec2_scale(pattern->random,
                              fw_noise_uniform(seed, (uint32_t)particle, 0, stream));
@@ -50,17 +57,19 @@ static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, int partic
     return (fw_vec2){0, 0};
 }
 
-fw_status fw_build_patterns(const fw_patterns *patterns, const fw_sites *sites, uint64_t seed,
-                            uint32_t first_stream, fw_vec2 *values, fw_error *error)
+fw_status fw_build_patterns(const fw_patterns *patterns, const fw_sites *sites,
+                            const fw_lattice *lattice, uint64_t seed, uint32_t first_stream,
+                            fw_vec2 *values, fw_error *error)
 {
     for (int n = 0; n < patterns->count; ++n) {
         const fw_pattern *pattern = &patterns->item[n];
         int *particles, count;
         FW_TRY(fw_selection_particles(&pattern->sites, sites, &particles, &count, error));
         for (int k = 0; k < count; ++k) {
-            int l = particles[k];
-            values[l] = fw_vec2_add(values[l], pattern_value(pattern, sites->site[l], l, seed,
-                                                             first_stream + (uint32_t)n));
+            const int l = particles[k];
+            const fw_vec2 place = fw_lattice_vector(lattice, sites->site[l]);
+            values[l] = fw_vec2_add(values[l], pattern_value(pattern, sites->site[l], place, l,
+                                                             seed, first_stream + (uint32_t)n));
         }
         free(particles);
     }

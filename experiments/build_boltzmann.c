@@ -91,10 +91,10 @@ static fw_status fill_start(const fw_scenario *scenario, int number, const fw_si
         start->rest_mass[l] = material->rest_mass;
         start->stiffness[FW_EAST][l] = start->stiffness[FW_NORTH][l] = material->link_stiffness;
     }
-    FW_TRY(fw_build_patterns(&body->displacement, sites, seed, fw_build_displacement_stream(number),
-                             start->displacement, error));
-    FW_TRY(fw_build_patterns(&body->velocities, sites, seed, fw_build_velocity_stream(number),
-                             start->velocity, error));
+    FW_TRY(fw_build_patterns(&body->displacement, sites, &body->lattice, seed,
+                             fw_build_displacement_stream(number), start->displacement, error));
+    FW_TRY(fw_build_patterns(&body->velocities, sites, &body->lattice, seed,
+                             fw_build_velocity_stream(number), start->velocity, error));
     return fill_masses_and_links(body, sites, start, error);
 }
 

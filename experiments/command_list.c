@@ -7,6 +7,8 @@
 #include "experiments/schema.h"
 
 #include "core/lb_solid.h"
+#include "core/linear_lattice.h"
+#include "core/particles.h"
 
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error)
 {
@@ -54,6 +56,8 @@ fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error)
         printf("  %-20s %-14s %-12s %-16s %s\n", q->name, scope[q->scope],
                q->components[0] ? q->components : "-", q->unit, q->meaning);
     print_fields(&fw_lb_solid_model);
+    print_fields(&fw_particles_model);
+    print_fields(&fw_linear_lattice_model);
     return FW_OK;
 }
 

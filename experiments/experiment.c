@@ -3,28 +3,79 @@
 #include "experiments/experiment.h"
 
 #include "core/lb_solid.h"
+#include "core/linear_lattice.h"
 #include "core/noise.h"
+#include "core/particles.h"
 #include "experiments/build.h"
+#include "experiments/member.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+/* What the scene calls the solid that all movable particles are in; no body can have a blank. */
+static const char PARTICLES[] = "movable particles";
+
+static fw_material_kind kind_of(const fw_experiment *experiment, int member)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    return scenario->materials[scenario->bodies[member].material].kind;
+}
+
+static fw_status adopt(fw_experiment *experiment, int number, const char *name, fw_solid *solid,
+                       fw_error *error)
+{
+    fw_status status = fw_scene_adopt_body(experiment->scene, name, solid,
+                                           &experiment->members[number].solid, error);
+    return fw_build_fail(experiment->scenario, number, status, error);
+}
+
+/* The first body of movable particles brings all of them. */
+static fw_status add_particles(fw_experiment *experiment, int number, fw_error *error)
+{
+    int first = 0, bodies = 0;
+    for (int b = 0; b < experiment->member_count; ++b) {
+        if (kind_of(experiment, b) != FW_MOVABLE_PARTICLES) continue;
+        if (b < number) return FW_OK;
+        experiment->members[b].first = first;
+        first += experiment->members[b].count;
+        bodies += 1;
+    }
+    fw_solid *solid;
+    FW_TRY(fw_build_particles(experiment->scenario, experiment->members, &solid, error));
+    const char *name = bodies > 1 ? PARTICLES : experiment->members[number].name;
+    FW_TRY(adopt(experiment, number, name, solid, error));
+    for (int b = number + 1; b < experiment->member_count; ++b)
+        if (kind_of(experiment, b) == FW_MOVABLE_PARTICLES)
+            experiment->members[b].solid = experiment->members[number].solid;
+    return FW_OK;
+}
+
 static fw_status add_body(fw_experiment *experiment, int number, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
-    const fw_scenario_body *body = &scenario->bodies[number];
-    fw_member *member = &experiment->members[number];
-    FW_TRY(fw_scenario_sites(body, &member->sites, error));
+    const fw_member *member = &experiment->members[number];
     fw_solid *solid = NULL;
-    switch (scenario->materials[body->material].kind) {
+    switch (kind_of(experiment, number)) {
     case FW_LATTICE_BOLTZMANN:
         FW_TRY(fw_build_boltzmann(scenario, number, &member->sites, &solid, error));
         break;
+    case FW_LINEAR_LATTICE:
+        FW_TRY(fw_build_linear(scenario, number, &member->sites, &solid, error));
+        break;
+    case FW_MOVABLE_PARTICLES:
+        return add_particles(experiment, number, error);
     }
+    return adopt(experiment, number, member->name, solid, error);
+}
+
+static fw_status make_sites(fw_experiment *experiment, int number, fw_error *error)
+{
+    const fw_scenario_body *body = &experiment->scenario->bodies[number];
+    fw_member *member = &experiment->members[number];
+    FW_TRY(fw_scenario_sites(body, &member->sites, error));
     member->name = body->name;
-    member->first = 0;
-    member->count = solid->count;
-    return fw_scene_adopt_body(experiment->scene, body->name, solid, &member->solid, error);
+    member->count = member->sites.count;
+    return FW_OK;
 }
 
 static fw_status add_force(fw_experiment *experiment, int number, fw_error *error)
@@ -109,9 +160,9 @@ static fw_status note_start(fw_experiment *experiment, fw_error *error)
     for (int b = 0; b < experiment->member_count; ++b) {
         const fw_member *member = &experiment->members[b];
         const fw_solid *solid = fw_experiment_solid(experiment, b);
-        fw_energies energies = fw_solid_energies(solid);
+        fw_energies energies = fw_member_energies(experiment, b);
         experiment->energy_at_start[b] = energies.kinetic + energies.elastic;
-        experiment->momentum_at_start[b] = fw_solid_momentum(solid);
+        experiment->momentum_at_start[b] = fw_member_momentum(experiment, b);
         experiment->start[b] = calloc((size_t)member->count, sizeof **experiment->start);
         if (!experiment->start[b]) return fw_fail_memory(error, "the positions at the start");
         for (int l = 0; l < member->count; ++l)
@@ -126,10 +177,13 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     fw_vec2 middle =
         scenario->body_count > 0 ? scenario->bodies[0].lattice.origin : (fw_vec2){0, 0};
     FW_TRY(fw_scene_create(&experiment->scene, middle, scenario->run.limit, error));
+    for (int b = 0; b < scenario->body_count; ++b) FW_TRY(make_sites(experiment, b, error));
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(add_body(experiment, b, error));
     for (int a = 0; a < scenario->body_count; ++a)
         for (int b = a + 1; b < scenario->body_count; ++b)
-            FW_TRY(refuse_overlap(experiment, a, b, error));
+            /* Within one solid the energy of overlapping particles was looked at already. */
+            if (experiment->members[a].solid != experiment->members[b].solid)
+                FW_TRY(refuse_overlap(experiment, a, b, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
         FW_TRY(place_of_failure(scenario, wall->place,
@@ -179,13 +233,21 @@ void fw_experiment_destroy(fw_experiment *experiment)
     free(experiment);
 }
 
+static void reverse(fw_solid *solid)
+{
+    if (fw_solid_is_particles(solid) || fw_solid_is_linear_lattice(solid))
+        fw_langevin_reverse((fw_langevin *)solid);
+    else
+        fw_lb_solid_reverse(solid);
+}
+
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
 {
     FW_TRY(fw_scene_step(experiment->scene, error));
     if (experiment->scenario->run.reverse_at != 0 &&
         fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
         for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b)
-            fw_lb_solid_reverse(fw_scene_body(experiment->scene, b));
+            reverse(fw_scene_body(experiment->scene, b));
     return FW_OK;
 }
 

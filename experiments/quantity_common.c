@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* quantity_common.c - what can be measured of any solid and of walls. Keeps no state. */
+#include "experiments/member.h"
 #include "experiments/quantity.h"
 
 #include <math.h>
@@ -20,13 +21,13 @@ static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subje
 static fw_energies energies_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.body < 0) return fw_scene_energies(experiment->scene);
-    return fw_solid_energies(body_of(experiment, subject));
+    return fw_member_energies(experiment, subject.body);
 }
 
 static fw_vec2 momentum_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.body < 0) return fw_scene_momentum(experiment->scene);
-    return fw_solid_momentum(body_of(experiment, subject));
+    return fw_member_momentum(experiment, subject.body);
 }
 
 static double total(fw_energies energies)
@@ -63,8 +64,14 @@ static void energy_error(const fw_experiment *experiment, fw_subject subject, do
     fw_ledger l = fw_scene_ledger(experiment->scene);
     double booked = fw_ledger_energy(&l);
     double now = total(fw_scene_energies(experiment->scene));
-    double scale = fmax(fmax(fabs(now), l.energy_at_start), l.dissipated + l.friction_heat);
+    double scale = fmax(fmax(fabs(now), fabs(l.energy_at_start)), l.dissipated + l.friction_heat);
     out[0] = scale > 0 ? (now - booked) / scale : 0;
+}
+
+/* Movable particles of all bodies are one solid, with one account: theirs is taken together. */
+static bool goes_with(const fw_experiment *experiment, int body, int other)
+{
+    return experiment->members[other].solid == experiment->members[body].solid;
 }
 
 static void body_energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -75,10 +82,12 @@ static void body_energy_error(const fw_experiment *experiment, fw_subject subjec
     }
     /* The energy of a single body that meets no wall: all it exchanged is in its own account. */
     const fw_solid *solid = body_of(experiment, subject);
-    double start = experiment->energy_at_start[subject.body];
+    double start = 0;
+    for (int b = 0; b < experiment->member_count; ++b)
+        if (goes_with(experiment, subject.body, b)) start += experiment->energy_at_start[b];
     double booked = start + solid->account.work - solid->account.dissipated + solid->account.heat;
     double now = total(fw_solid_energies(solid));
-    double scale = fmax(fmax(fabs(now), start), solid->account.dissipated);
+    double scale = fmax(fmax(fabs(now), fabs(start)), solid->account.dissipated);
     out[0] = scale > 0 ? (now - booked) / scale : 0;
 }
 
@@ -89,14 +98,18 @@ static void momentum(const fw_experiment *experiment, fw_subject subject, double
 
 static void momentum_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    fw_vec2 now = momentum_of(experiment, subject), booked;
+    fw_vec2 now, booked;
     if (subject.body < 0) {
         fw_ledger l = fw_scene_ledger(experiment->scene);
+        now = fw_scene_momentum(experiment->scene);
         booked = fw_ledger_momentum(&l);
     } else {
-        const fw_account *account = &body_of(experiment, subject)->account;
-        booked = fw_vec2_add(experiment->momentum_at_start[subject.body],
-                             fw_vec2_add(account->impulse, account->drag));
+        const fw_solid *solid = body_of(experiment, subject);
+        now = fw_solid_momentum(solid);
+        booked = fw_vec2_add(solid->account.impulse, solid->account.drag);
+        for (int b = 0; b < experiment->member_count; ++b)
+            if (goes_with(experiment, subject.body, b))
+                booked = fw_vec2_add(booked, experiment->momentum_at_start[b]);
     }
     put(out, fw_vec2_subtract(now, booked));
 }
@@ -112,10 +125,10 @@ static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, 
 /* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
 static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    const fw_solid *solid = body_of(experiment, subject);
-    fw_vec2 p = fw_solid_momentum(solid);
-    fw_sym2 inverse = fw_sym2_invert(solid->model->mass(solid));
-    out[0] = 0.5 * fw_sym2_form(p, inverse, p) / total(fw_solid_energies(solid));
+    fw_vec2 p = fw_member_momentum(experiment, subject.body);
+    fw_sym2 inverse = fw_sym2_invert(fw_member_mass(experiment, subject.body));
+    out[0] =
+        0.5 * fw_sym2_form(p, inverse, p) / total(fw_member_energies(experiment, subject.body));
 }
 
 /* --- the ledger --- */
@@ -153,8 +166,7 @@ static void fracture_energy(const fw_experiment *experiment, fw_subject subject,
 
 static void centre_of_mass(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    const fw_solid *solid = body_of(experiment, subject);
-    put(out, solid->model->centre_of_mass(solid));
+    put(out, fw_member_centre_of_mass(experiment, subject.body));
 }
 
 static void position(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -166,8 +178,10 @@ static void position(const fw_experiment *experiment, fw_subject subject, double
 static fw_vec2 displacement_of(const fw_experiment *experiment, int body, int particle)
 {
     const fw_member *member = &experiment->members[body];
-    fw_vec2 rest = fw_lattice_position(&experiment->scenario->bodies[body].lattice,
-                                       member->sites.site[particle]);
+    const fw_scenario_body *from = &experiment->scenario->bodies[body];
+    const fw_vec2 rest = from->shape.kind == FW_SHAPE_PLACED
+                             ? experiment->start[body][particle]
+                             : fw_lattice_position(&from->lattice, member->sites.site[particle]);
     return fw_vec2_subtract(
         fw_solid_position(fw_experiment_solid(experiment, body), member->first + particle), rest);
 }
@@ -262,7 +276,7 @@ const fw_quantity fw_common_quantities[] = {
     {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy},
     {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass},
     {"position", FW_SCOPE_SITE, "x y", "length", "of one particle", NULL, position},
-    {"displacement", FW_SCOPE_SITE, "x y", "length", "of one particle from its place in the lattice", NULL, displacement},
+    {"displacement", FW_SCOPE_SITE, "x y", "length", "of one particle from its place in the lattice, or from where it was placed", NULL, displacement},
     {"elongation", FW_SCOPE_BODY, "x y", "length", "displacement of the last particle minus that of the first", NULL, elongation},
     {"return-error", FW_SCOPE_BODY, "", "length", "largest distance of a particle from its start, in x or y", NULL, return_error},
     {"penetration", FW_SCOPE_BODIES, "", "length", "how deep any particle lies behind a wall", NULL, penetration},

@@ -119,6 +119,7 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     FW_TRY(refuse_twins(scenario, "record.fields", &scenario->record.fields, error));
     FW_TRY(fw_scenario_read_materials(scenario, error));
     FW_TRY(fw_scenario_read_bodies(scenario, error));
+    FW_TRY(fw_scenario_check_dynamics(scenario, error));
     FW_TRY(fw_scenario_read_walls(scenario, error));
     FW_TRY(fw_scenario_read_forces(scenario, error));
     FW_TRY(fw_scenario_read_expectations(scenario, error));

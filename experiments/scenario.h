@@ -10,6 +10,8 @@
 
 #include "contact/wall.h"
 #include "core/lattice.h"
+#include "core/pair_potential.h"
+#include "core/return_force.h"
 #include "experiments/document.h"
 
 /* A text that is looked up later, and where it stands. */
@@ -32,7 +34,24 @@ typedef struct fw_scenario_boltzmann {
     double break_at; /* stretch beyond which a link breaks; 0: never */
 } fw_scenario_boltzmann;
 
-typedef enum fw_material_kind { FW_LATTICE_BOLTZMANN } fw_material_kind;
+typedef struct fw_scenario_particles {
+    fw_pair_potential potential;
+    fw_return_force return_force; /* amplitude 0: none */
+    int64_t symmetry;             /* its fold, as written */
+    bool own_angle;               /* the axes were given an angle; else they are the lattice's */
+    double mass, strength;
+} fw_scenario_particles;
+
+typedef struct fw_scenario_linear {
+    double k1, k2, mass;
+    bool compensated;
+} fw_scenario_linear;
+
+typedef enum fw_material_kind {
+    FW_LATTICE_BOLTZMANN,
+    FW_MOVABLE_PARTICLES,
+    FW_LINEAR_LATTICE
+} fw_material_kind;
 
 typedef struct fw_scenario_material {
     const char *name;
@@ -40,6 +59,8 @@ typedef struct fw_scenario_material {
     fw_material_kind kind;
     union {
         fw_scenario_boltzmann boltzmann;
+        fw_scenario_particles particles;
+        fw_scenario_linear linear;
     };
 } fw_scenario_material;
 
@@ -49,15 +70,19 @@ typedef enum fw_shape_kind {
     FW_SHAPE_RECTANGLE,
     FW_SHAPE_DISC,
     FW_SHAPE_SITES,
-    FW_SHAPE_MASK
+    FW_SHAPE_MASK,
+    FW_SHAPE_PLACED
 } fw_shape_kind;
 
 typedef struct fw_scenario_shape {
     fw_shape_kind kind;
     int columns, rows; /* rectangle */
     double radius;     /* disc, in spacings */
-    fw_sites sites;    /* sites and mask: sorted, owned by the scenario; else empty */
-    int64_t count;     /* how many sites, whatever the kind */
+    fw_vec2 low,
+        high;     /* placed: somewhere in here, relative to the origin; sites [0, 0], [1, 0] ... */
+    double apart; /* placed: at least */
+    fw_sites sites; /* sites and mask: sorted, owned by the scenario; else empty */
+    int64_t count;  /* how many sites, whatever the kind */
     int first_row, last_row, first_column, last_column; /* the smallest frame around them */
 } fw_scenario_shape;
 
@@ -75,6 +100,8 @@ typedef enum fw_pattern_kind {
     FW_PATTERN_UNIFORM,  /* amplitude */
     FW_PATTERN_GAUSSIAN, /* amplitude exp(-|s - centre|^2 / (2 width^2)), s = (i, j) */
     FW_PATTERN_WAVE,     /* amplitude cos(wave_vector . s + phase) */
+    FW_PATTERN_PLANE,    /* amplitude cos(wave_vector . r + phase), r the place less the origin */
+    FW_PATTERN_GRADIENT, /* gradient r */
     FW_PATTERN_RANDOM    /* each component uniform in [-random, random) */
 } fw_pattern_kind;
 
@@ -84,7 +111,8 @@ typedef struct fw_pattern {
     fw_vec2 amplitude;
     fw_vec2 centre;      /* in sites: [i, j] */
     double width;        /* in sites */
-    fw_vec2 wave_vector; /* radians per site */
+    fw_vec2 wave_vector; /* radians per site, or per length */
+    double gradient[4];  /* xx xy yx yy */
     double phase;        /* radians */
     double random;
 } fw_pattern;
@@ -118,6 +146,8 @@ typedef struct fw_scenario_body {
     fw_vec2 velocity;
     fw_patterns displacement;
     fw_patterns velocities;
+    double spin;        /* angular velocity about its middle at the start */
+    double temperature; /* of its velocities at the start */
     fw_replacements rest_mass;
     fw_replacements link_stiffness;
 } fw_scenario_body;
@@ -151,6 +181,14 @@ typedef struct fw_scenario_force {
 } fw_scenario_force;
 
 /* --- running and recording --- */
+
+/* Of all movable particles and linear lattices of a scenario. */
+typedef struct fw_scenario_dynamics {
+    double time_step, damping, temperature;
+    double strength_across; /* of the potential between particles of different bodies */
+    double bond_radius;
+    double overlap_energy;
+} fw_scenario_dynamics;
 
 typedef struct fw_scenario_run {
     int64_t steps;
@@ -245,6 +283,7 @@ typedef struct fw_scenario {
     fw_scenario_wall *walls;
     int force_count;
     fw_scenario_force *forces;
+    fw_scenario_dynamics dynamics;
     fw_scenario_run run;
     fw_scenario_record record;
     fw_scenario_names measure; /* count 0: the standard set */

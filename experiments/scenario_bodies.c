@@ -3,6 +3,18 @@
  * with. Keeps no state. Start reading at read_body(). */
 #include "experiments/scenario_parts.h"
 
+#include <string.h>
+
+static fw_material_kind kind_of(const char *model)
+{
+    static const char *const models[] = {[FW_LATTICE_BOLTZMANN] = "lattice-boltzmann",
+                                         [FW_MOVABLE_PARTICLES] = "movable-particles",
+                                         [FW_LINEAR_LATTICE] = "linear-lattice"};
+    int kind = 0;
+    while (strcmp(models[kind], model) != 0) ++kind; /* the schema knows no other */
+    return (fw_material_kind)kind;
+}
+
 fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error)
 {
     int count;
@@ -13,8 +25,10 @@ fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error)
         fw_scenario_material *material = &scenario->materials[scenario->material_count++];
         material->name = node->key;
         material->place = node->key_place;
-        material->kind = FW_LATTICE_BOLTZMANN;
         FW_TRY(fw_schema_fill(scenario->document, "material", node, material, error));
+        material->kind = kind_of(node->first->key);
+        if (material->kind == FW_MOVABLE_PARTICLES)
+            FW_TRY(fw_scenario_read_particles(scenario, node->first, &material->particles, error));
     }
     return FW_OK;
 }
@@ -34,6 +48,15 @@ static fw_status read_pattern(fw_scenario *scenario, const fw_node *node,
     if ((given = fw_node_find(node, "gaussian"))) {
         pattern->kind = FW_PATTERN_GAUSSIAN;
         return fw_schema_fill(scenario->document, "gaussian", given, pattern, error);
+    }
+    if ((given = fw_node_find(node, "plane-wave"))) {
+        pattern->kind = FW_PATTERN_PLANE;
+        return fw_schema_fill(scenario->document, "plane-wave", given, pattern, error);
+    }
+    if ((given = fw_node_find(node, "gradient"))) {
+        pattern->kind = FW_PATTERN_GRADIENT;
+        fw_node_numbers(given, pattern->gradient);
+        return FW_OK;
     }
     if ((given = fw_node_find(node, "wave"))) {
         pattern->kind = FW_PATTERN_WAVE;
@@ -83,6 +106,51 @@ static fw_status limit_sites(const fw_scenario *scenario, const fw_scenario_body
                             body->name, (long long)total, FW_SITES_MOST);
 }
 
+static fw_status check_lattice(const fw_scenario *scenario, const fw_node *node,
+                               const fw_scenario_body *body, fw_error *error)
+{
+    const fw_node *lattice = fw_node_find(node, "lattice");
+    const fw_material_kind kind = scenario->materials[body->material].kind;
+    if (kind == FW_LATTICE_BOLTZMANN && body->lattice.kind != FW_SQUARE)
+        return fw_scenario_fail(scenario, lattice->place, error,
+                                "bodies.%s.lattice is 'hexagonal', expected 'square': the lattice "
+                                "Boltzmann solid has four links per site",
+                                body->name);
+    if (kind == FW_LINEAR_LATTICE && body->lattice.kind != FW_HEXAGONAL)
+        return fw_scenario_fail(scenario, lattice ? lattice->place : body->place, error,
+                                "bodies.%s.lattice is 'square', expected 'hexagonal': the linear "
+                                "lattice has six bonds per site",
+                                body->name);
+    return FW_OK;
+}
+
+/* Keys of a body that only some models have. */
+static fw_status refuse_foreign_keys(const fw_scenario *scenario, const fw_node *node,
+                                     const fw_scenario_body *body, fw_error *error)
+{
+    enum {
+        BOLTZMANN = 1 << FW_LATTICE_BOLTZMANN,
+        POINT_MASSES = 1 << FW_MOVABLE_PARTICLES | 1 << FW_LINEAR_LATTICE
+    };
+    static const struct {
+        const char *key;
+        unsigned kinds;
+        const char *whose;
+    } keys[] = {{"rest-mass", BOLTZMANN, "lattice Boltzmann bodies have"},
+                {"link-stiffness", BOLTZMANN, "lattice Boltzmann bodies have"},
+                {"spin", POINT_MASSES, "movable particles and linear lattices have"},
+                {"temperature", POINT_MASSES, "movable particles and linear lattices have"}};
+    const unsigned own = 1u << scenario->materials[body->material].kind;
+    for (size_t n = 0; n < sizeof keys / sizeof keys[0]; ++n) {
+        const fw_node *given = fw_node_find(node, keys[n].key);
+        if (given && !(keys[n].kinds & own))
+            return fw_scenario_fail(scenario, given->key_place, error,
+                                    "bodies.%s has '%s', which only %s", body->name, keys[n].key,
+                                    keys[n].whose);
+    }
+    return FW_OK;
+}
+
 static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenario_body *body,
                            fw_error *error)
 {
@@ -92,12 +160,8 @@ static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenar
     int count;
     FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "materials", &count), "material",
                             fw_node_find(node, "material"), &body->material, error));
-    if (body->lattice.kind != FW_SQUARE &&
-        scenario->materials[body->material].kind == FW_LATTICE_BOLTZMANN)
-        return fw_scenario_fail(scenario, fw_node_find(node, "lattice")->place, error,
-                                "bodies.%s.lattice is 'hexagonal', expected 'square': the lattice "
-                                "Boltzmann solid has four links per site",
-                                body->name);
+    FW_TRY(check_lattice(scenario, node, body, error));
+    FW_TRY(refuse_foreign_keys(scenario, node, body, error));
     const fw_node *shape = fw_node_find(node, "shape");
     body->shape_place = shape->key_place;
     FW_TRY(fw_scenario_read_shape(scenario, shape, body, error));

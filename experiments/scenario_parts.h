@@ -15,6 +15,15 @@ fw_status fw_scenario_read_forces(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error);
 
+/* What belongs together in a material of movable particles, from the mapping with its keys. */
+fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,
+                                     fw_scenario_particles *particles, fw_error *error);
+/* Dynamics, and that bodies that share it go together. */
+fw_status fw_scenario_check_dynamics(const fw_scenario *scenario, fw_error *error);
+/* A random placement from the mapping under `placed`. */
+fw_status fw_scenario_read_placed(const fw_scenario *scenario, const fw_node *node,
+                                  fw_scenario_body *body, fw_error *error);
+
 /* Shape of a body from the mapping under its key `shape`. */
 fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *node,
                                  fw_scenario_body *body, fw_error *error);

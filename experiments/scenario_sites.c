@@ -139,6 +139,8 @@ fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *nod
         measure_disc(body);
         return FW_OK;
     }
+    if ((given = fw_node_find(node, "placed")))
+        return fw_scenario_read_placed(scenario, given, body, error);
     if ((given = fw_node_find(node, "sites"))) {
         shape->kind = FW_SHAPE_SITES;
         FW_TRY(read_list(scenario, given, body, error));
@@ -153,7 +155,7 @@ fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *nod
 fw_status fw_scenario_sites(const fw_scenario_body *body, fw_sites *sites, fw_error *error)
 {
     const fw_scenario_shape *shape = &body->shape;
-    if (shape->kind == FW_SHAPE_RECTANGLE)
+    if (shape->kind == FW_SHAPE_RECTANGLE || shape->kind == FW_SHAPE_PLACED)
         return fw_sites_rectangle(sites, shape->columns, shape->rows, error);
     if (shape->kind == FW_SHAPE_DISC)
         return fw_sites_disc(sites, body->lattice.kind, shape->radius, error);
@@ -165,7 +167,8 @@ bool fw_scenario_has_site(const fw_scenario_body *body, fw_site site)
     const fw_scenario_shape *shape = &body->shape;
     bool in_frame = site.i >= shape->first_column && site.i <= shape->last_column &&
                     site.j >= shape->first_row && site.j <= shape->last_row;
-    if (!in_frame || shape->kind == FW_SHAPE_RECTANGLE) return in_frame;
+    if (!in_frame || shape->kind == FW_SHAPE_RECTANGLE || shape->kind == FW_SHAPE_PLACED)
+        return in_frame;
     if (shape->kind == FW_SHAPE_DISC)
         return in_disc(body->lattice.kind, shape->radius, site.i, site.j);
     return fw_sites_find(&shape->sites, site) >= 0;
@@ -255,7 +258,7 @@ static bool selects_any(const fw_selection *s, const fw_scenario_body *body)
 {
     const fw_scenario_shape *shape = &body->shape;
     if (s->first_row > s->last_row || s->first_column > s->last_column) return false;
-    if (shape->kind == FW_SHAPE_RECTANGLE) return true;
+    if (shape->kind == FW_SHAPE_RECTANGLE || shape->kind == FW_SHAPE_PLACED) return true;
     if (shape->kind == FW_SHAPE_DISC) {
         for (int row = s->first_row; row <= s->last_row; ++row) {
             int first, last;

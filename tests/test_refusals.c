@@ -50,7 +50,8 @@ static const struct {
     {"rectangle: [20, 10]", "rectangle: [20, 10], disc: 5",
      "7:34: bodies.sheet.shape has both 'rectangle' and 'disc', expected one of them"},
     {"shape: {rectangle: [20, 10]}", "shape: {}",
-     "7:12: bodies.sheet.shape is incomplete, expected one of rectangle, disc, sites, mask"},
+     "7:12: bodies.sheet.shape is incomplete, expected one of rectangle, disc, sites, mask, "
+     "placed"},
     {"total: [0.1, 0]", "total: [0.1, 0], force: [1, 0]",
      "14:54: forces.pull has both 'force' and 'total', expected one of them"},
     {"total: [0.1, 0], ", "",
@@ -249,7 +250,7 @@ static const struct {
                       "written without point, exponent or leading zeros"},
     {"steps=3",
      "steps=3: unknown key 'steps', expected a key of a scenario: title, source, figure, about, "
-     "materials, bodies, walls, forces, run, record, measure, expect, pictures"},
+     "materials, bodies, walls, forces, dynamics, run, record, measure, expect, pictures"},
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
     {"walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}",
      "walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}: walls.floor.surface.coulomb is '-1', "
@@ -275,7 +276,7 @@ static const struct {
     {"forces.pull.until=5",
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
     {"a=b=c", "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, about, "
-              "materials, bodies, walls, forces, run, record, measure, expect, pictures"},
+              "materials, bodies, walls, forces, dynamics, run, record, measure, expect, pictures"},
 };
 
 static char *change(const char *written, const char *instead)
