@@ -23,6 +23,16 @@ fw_status fw_fail_memory(fw_error *error, const char *what)
     return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %s", what);
 }
 
+/* As much of the text as there is room for. */
+static void append(fw_error *error, const char *text)
+{
+    size_t used = strlen(error->sentence), length = strlen(text);
+    size_t room = sizeof error->sentence - 1 - used;
+    if (length > room) length = room;
+    memcpy(error->sentence + used, text, length);
+    error->sentence[used + length] = '\0';
+}
+
 fw_status fw_fail_within(fw_error *error, const char *format, ...)
 {
     char sentence[FW_SENTENCE_SIZE];
@@ -31,9 +41,7 @@ fw_status fw_fail_within(fw_error *error, const char *format, ...)
     va_start(arguments, format);
     vsnprintf(error->sentence, sizeof error->sentence, format, arguments);
     va_end(arguments);
-    size_t room = sizeof error->sentence - 1 - strlen(error->sentence);
-    strncat(error->sentence, ": ", room);
-    room = sizeof error->sentence - 1 - strlen(error->sentence);
-    strncat(error->sentence, sentence, room);
+    append(error, ": ");
+    append(error, sentence);
     return error->status;
 }

@@ -6,7 +6,6 @@
 #include "experiments/spelling.h"
 
 #include <errno.h>
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -37,7 +36,7 @@ static const option options[] = {
      "folder of the results, or the picture's file (.png, .svg, .pdf)"},
     {'s', "--set", NULL, "KEY=VALUE", "changes a value, as bodies.sheet.velocity=[0.1,0]"},
     {'e', "--seed", NULL, "N", "seed of everything random, the same as --set run.seed=N"},
-    {'t', "--threads", "-j", "N", "threads; results do not depend on them"},
+    {'t', "--threads", "-j", "N", "threads (1); more pay from some 100,000 particles on, results do not depend on them"},
     {'q', "--quiet", "-q", NULL, "no progress"},
     {'w', "--overwrite", NULL, NULL, "replaces an earlier result in the folder"},
     {'n', "--no-plot", NULL, NULL, "draws no pictures"},
@@ -246,5 +245,5 @@ fw_status fw_command_load(fw_scenario **scenario, const char *word, const fw_arg
 
 int fw_command_threads(const fw_arguments *arguments)
 {
-    return arguments->threads > 0 ? arguments->threads : omp_get_num_procs();
+    return arguments->threads > 0 ? arguments->threads : 1;
 }

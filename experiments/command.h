@@ -18,7 +18,7 @@ typedef struct fw_arguments {
     const char *output;                     /* -o; NULL: not given */
     const char *field, *picture, *observable, *at, *kind, *json;
     char seed[48]; /* the setting that --seed stands for */
-    int threads;   /* 0: as many as there are processors */
+    int threads;   /* 0: not given */
     bool quiet, overwrite, no_plot, help;
 } fw_arguments;
 
