@@ -87,8 +87,8 @@ static bool may_have_met(const fw_neighbours *neighbours, const double *restrict
 {
     const double *restrict built_x = neighbours->built_x, *restrict built_y = neighbours->built_y;
     double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
-#pragma omp parallel for simd schedule(static) reduction(min                                       \
-                                                         : left, low)                              \
+#pragma omp parallel for schedule(static) reduction(min                                            \
+                                                    : left, low)                                   \
     reduction(max                                                                                  \
               : right, high) if (neighbours->count > PARALLEL_FROM)
     for (int i = 0; i < neighbours->count; ++i) {
