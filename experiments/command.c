@@ -19,7 +19,7 @@ const fw_command fw_commands[] = {
      fw_command_resume},
     {"verify", "verify [NAME...]", "runs experiments and holds them against what they should show",
      "hstqj", 0, FW_WORDS_MOST, fw_command_verify},
-    {"plot", "plot DIR", "draws pictures of a result", "hokfbap", 1, 1, fw_command_plot},
+    {"plot", "plot DIR", "draws pictures of a result", "hokfbapl", 1, 1, fw_command_plot},
     {"quantities", "quantities", "what can be measured, recorded and expected, by name", "h", 0, 0,
      fw_command_quantities},
     {"reference", "reference", "every key of a scenario file", "h", 0, 0, fw_command_reference},
@@ -43,7 +43,9 @@ static const option options[] = {
     {'k', "--kind", NULL, "KIND", "motion, forces, field, strip or series"},
     {'f', "--field", NULL, "NAME", "field that is drawn as colour"},
     {'b', "--observable", NULL, "NAME[,NAME]", "observables that are drawn over time"},
-    {'a', "--at", NULL, "STEP[,STEP]", "steps that are drawn"},
+    {'a', "--at", NULL, "STEP[,STEP]",
+     "steps that are drawn; of a series, from the first to the second"},
+    {'l', "--logarithmic", NULL, NULL, "logarithmic axes for the values of a series"},
     {'p', "--picture", NULL, "NAME", "one of the scenario's own pictures"},
     {'j', "--json", NULL, "FILE", "the verdicts as JSON too (- : on stdout)"},
     {'h', "--help", "-h", NULL, "this text"},
@@ -145,6 +147,9 @@ static fw_status store(fw_arguments *a, const option *o, const char *value, fw_e
         break;
     case 'p':
         a->picture = value;
+        break;
+    case 'l':
+        a->logarithmic = true;
         break;
     case 'j':
         a->json = value;

@@ -19,7 +19,7 @@ typedef struct fw_arguments {
     const char *field, *picture, *observable, *at, *kind, *json;
     char seed[48]; /* the setting that --seed stands for */
     int threads;   /* 0: not given */
-    bool quiet, overwrite, no_plot, help;
+    bool quiet, overwrite, no_plot, logarithmic, help;
 } fw_arguments;
 
 /* One row per command. `options` are the letters of those it takes, see command.c. */

@@ -68,7 +68,8 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
 {
     const fw_arguments *a = arguments;
     const char *directory = a->words[0];
-    if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at)
+    if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
+        !a->logarithmic)
         return fw_plot_all(directory, stdout, error);
     plot_lists *lists = calloc(1, sizeof *lists);
     if (!lists) return fw_fail_memory(error, "what to draw");
@@ -76,6 +77,7 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
                          .picture = a->picture,
                          .kind = a->kind,
                          .field = a->field,
+                         .logarithmic = a->logarithmic,
                          .observables = lists->names,
                          .steps = lists->steps};
     fw_status status = read_names(a->observable, lists, &wish.observable_count, error);

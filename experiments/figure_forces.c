@@ -13,7 +13,7 @@
 typedef fw_figure_forces_panel forces_panel;
 
 static const double chain_height = 22, name_height = 5.2, panel_gap = 2.5; /* mm */
-static const double disc_radius = .95, ring_radius = 1.25;                 /* mm */
+static const double disc_radius = .95, ring_radius = 1.25; /* mm, where links are long enough */
 
 static const fw_stroke thin_arrow = {{0, .447, .698, 1}, .38, FW_DASH_NONE};
 static const fw_stroke fat_arrow = {{.835, .369, 0, 1}, 1.15, FW_DASH_NONE};
@@ -81,49 +81,79 @@ static void choose_ranges(const fw_figure_forces_plan *plan, fw_panel *panels)
     }
 }
 
-static void lay_out(const fw_page *page, const fw_figure_forces_plan *plan, fw_panel *panels,
-                    double top)
+/* Chains one below the other over the whole width. */
+static double place_chain(const fw_page *page, const fw_figure_forces_plan *plan, int number,
+                          fw_panel *panel, double top)
 {
-    double chain_width = page->width - 2 * FW_PAGE_MARGIN - 2;
-    for (int k = 0; k < plan->panel_count; ++k) {
-        fw_panel *panel = &panels[k];
-        if (is_chain(&plan->panels[k])) {
-            panel->box = (fw_rect){FW_PAGE_MARGIN + 1, 0, chain_width, chain_height};
-            panel->x.bare = k + 1 < plan->panel_count && is_chain(&plan->panels[k + 1]);
-            fw_axis_prepare(&panel->x, chain_width, true);
-        } else {
-            fw_page_fit_equal(page, panel, 3, 20, .62 * page->width);
-        }
-        panel->box.top = top + (plan->panels[k].name ? name_height : 0) +
-                         (is_chain(&plan->panels[k]) ? 0 : fw_axis_note_height(&panel->y));
-        top = panel->box.top + panel->box.height + fw_axis_depth(&panel->x, true) + panel_gap;
-    }
+    double width = page->width - 2 * FW_PAGE_MARGIN - 2;
+    bool followed = number + 1 < plan->panel_count && is_chain(&plan->panels[number + 1]);
+    panel->x.bare = followed;
+    panel->box = (fw_rect){FW_PAGE_MARGIN + 1, 0, width, chain_height};
+    panel->box.top = top + (plan->panels[number].name ? name_height : 0);
+    fw_axis_prepare(&panel->x, width, true);
+    return panel->box.top + chain_height + fw_axis_depth(&panel->x, true);
 }
 
-static double largest_force(const fw_figure_forces_plan *plan)
+/* The panel of another body, as if its column were the page. */
+static double place_body(const fw_page *page, const forces_panel *body, fw_panel *panel, int column,
+                         int columns, double top)
+{
+    fw_page part = *page;
+    part.width = page->width / columns;
+    fw_page_fit_equal(&part, panel, 3, 20, .62 * page->width);
+    panel->box.left += column * part.width;
+    panel->box.top = top + (body->name ? name_height : 0) + fw_axis_note_height(&panel->y);
+    return panel->box.top + panel->box.height + fw_axis_depth(&panel->x, true);
+}
+
+/* Returns where the lowest panel ends. Other bodies than chains stand two in a row. */
+static double lay_out(const fw_page *page, const fw_figure_forces_plan *plan, fw_panel *panels,
+                      double top)
+{
+    double bottom = top;
+    for (int k = 0; k < plan->panel_count;) {
+        double row_top = bottom > top ? bottom + panel_gap : top;
+        if (is_chain(&plan->panels[k])) {
+            bottom = place_chain(page, plan, k, &panels[k], row_top);
+            k += 1;
+            continue;
+        }
+        bool pair = k + 1 < plan->panel_count && !is_chain(&plan->panels[k + 1]);
+        /* The last of an odd number is as large as the others. */
+        int columns = pair || (k > 0 && !is_chain(&plan->panels[k - 1])) ? 2 : 1;
+        for (int column = 0; column <= (int)pair; ++column, ++k)
+            bottom = fmax(bottom,
+                          place_body(page, &plan->panels[k], &panels[k], column, columns, row_top));
+    }
+    return bottom;
+}
+
+static double largest_force(const fw_figure_forces_plan *plan, bool external)
 {
     double largest = 0;
     for (int k = 0; k < plan->panel_count; ++k) {
         for (int f = 0; f < plan->panels[k].force_count; ++f) {
-            fw_vec2 force = plan->panels[k].forces[f].force;
-            double size = hypot(force.x, force.y);
-            if (isfinite(size)) largest = fmax(largest, size);
+            const fw_figure_force *force = &plan->panels[k].forces[f];
+            double size = hypot(force->force.x, force->force.y);
+            if (force->external == external && isfinite(size)) largest = fmax(largest, size);
         }
     }
     return largest;
 }
 
-/* mm per force: the longest arrow takes less than half of the shortest link, so that the arrows of
- * two neighbours do not meet, and never more than 14 mm. */
-static double choose_force_scale(const fw_figure_forces_plan *plan, const fw_panel *panels,
-                                 double largest)
+/* mm per force, such that no arrow is longer than 14 mm or shorter than can be helped: internal
+ * ones take less than half of the shortest link, so that those of two neighbours do not meet,
+ * external ones no more than the room round the body. */
+static double choose_force_scale(const fw_figure_forces_plan *plan, const fw_panel *panels)
 {
-    double longest = 14;
+    double internal = largest_force(plan, false), external = largest_force(plan, true);
+    double scale = INFINITY;
     for (int k = 0; k < plan->panel_count; ++k) {
         double link = shortest_link(&plan->panels[k]) * fw_panel_scale(&panels[k]);
-        longest = fmin(longest, fmax(.42 * link, 4));
+        if (internal > 0) scale = fmin(scale, fmin(14, fmax(.42 * link, 4)) / internal);
+        if (external > 0) scale = fmin(scale, fmin(14, fmax(.55 * link, 4)) / external);
     }
-    return largest > 0 ? longest / largest : 0;
+    return isfinite(scale) ? scale : 0;
 }
 
 /* Where a particle lies on the paper. In the panel of a chain the original places form the upper
@@ -148,18 +178,25 @@ static void draw_links(const forces_panel *body, const fw_panel *panel, bool ori
     }
 }
 
+/* Small where links are short, so that arrows come out from behind them. */
+static double particle_size(const forces_panel *body, const fw_panel *panel)
+{
+    return fmin(1, fmax(.35, shortest_link(body) * fw_panel_scale(panel) / 14));
+}
+
 static void draw_particles(const forces_panel *body, const fw_panel *panel)
 {
     const fw_stroke rim = {fw_colour_grey(.35), .28, FW_DASH_NONE};
     const fw_stroke guide = {fw_colour_grey(.45), .18, FW_DASH_DOTS};
+    double size = is_chain(body) ? 1 : particle_size(body, panel);
     for (int k = 0; k < body->count; ++k) {
         fw_vec2 from = place_of(body, panel, k, true), to = place_of(body, panel, k, false);
         fw_canvas_line(panel->canvas, from, to, guide);
-        fw_canvas_disc(panel->canvas, from, ring_radius, fw_colour_grey(1));
-        fw_canvas_circle(panel->canvas, from, ring_radius, rim);
+        fw_canvas_disc(panel->canvas, from, size * ring_radius, fw_colour_grey(1));
+        fw_canvas_circle(panel->canvas, from, size * ring_radius, rim);
     }
     for (int k = 0; k < body->count; ++k) {
-        fw_canvas_disc(panel->canvas, place_of(body, panel, k, false), disc_radius,
+        fw_canvas_disc(panel->canvas, place_of(body, panel, k, false), size * disc_radius,
                        fw_colour_grey(.15));
     }
 }
@@ -229,18 +266,17 @@ static fw_status draw_all(const fw_page *page, const fw_figure_forces_plan *plan
                           fw_error *error)
 {
     double top = fw_page_top(page), width = page->width - 2 * FW_PAGE_MARGIN;
-    double largest = largest_force(plan);
+    double largest = fmax(largest_force(plan, false), largest_force(plan, true));
     forces_legend legend;
     describe(&legend, largest, 1);
     lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
-    double scale = choose_force_scale(plan, panels, largest);
+    double scale = choose_force_scale(plan, panels);
     describe(&legend, largest, scale);
     /* The scale arrow may have made the legend higher. */
-    lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
-    const fw_panel *last = &panels[plan->panel_count - 1];
+    double bottom =
+        lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
     fw_canvas *canvas;
-    FW_TRY(fw_page_open(page, last->box.top + last->box.height + fw_axis_depth(&last->x, true),
-                        &canvas, error));
+    FW_TRY(fw_page_open(page, bottom, &canvas, error));
     fw_legend_draw(legend.entries, legend.count, canvas, (fw_vec2){FW_PAGE_MARGIN, top}, width);
     for (int k = 0; k < plan->panel_count; ++k) {
         panels[k].canvas = canvas;

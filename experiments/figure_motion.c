@@ -102,11 +102,25 @@ static void lay_out(const fw_page *page, const fw_figure_motion_plan *plan, moti
                      fw_axis_note_height(&panel->y);
 }
 
-static void draw_instants(const fw_figure_motion_plan *plan, const fw_panel *panel)
+static long particle_count(const fw_figure_motion_plan *plan)
 {
     long particles = 0;
     for (int k = 0; k < plan->view_count; ++k) particles += fw_view_count(&plan->views[k]);
-    bool raster = particles > 6000;
+    return particles;
+}
+
+/* A path goes over the bodies; but where each is a single particle, it would hide them. */
+static bool has_lone_particles(const fw_figure_motion_plan *plan)
+{
+    for (int k = 0; k < plan->view_count; ++k)
+        for (int b = 0; b < plan->views[k].body_count; ++b)
+            if (plan->views[k].bodies[b].count != 1) return false;
+    return true;
+}
+
+static void draw_instants(const fw_figure_motion_plan *plan, const fw_panel *panel)
+{
+    bool raster = particle_count(plan) > 6000, lone = has_lone_particles(plan);
     if (raster) fw_canvas_raster_begin(panel->canvas, panel->box);
     for (int k = 0; k < plan->view_count; ++k) {
         fw_colour colour = colour_of_instant(plan, k);
@@ -116,7 +130,7 @@ static void draw_instants(const fw_figure_motion_plan *plan, const fw_panel *pan
             fw_view_draw_links(
                 body, panel,
                 (fw_stroke){fw_colour_fade(colour, .55), fmin(.18, .12 * spacing), FW_DASH_NONE});
-            fw_view_draw_discs(body, panel, fmin(fmax(.27 * spacing, .2), 1), colour);
+            fw_view_draw_discs(body, panel, lone ? 1.15 : fmin(fmax(.27 * spacing, .2), 1), colour);
         }
     }
     if (raster) fw_canvas_raster_end(panel->canvas);
@@ -137,7 +151,7 @@ static double walk_path(const fw_figure_path *path, const fw_panel *panel, doubl
         fw_vec2 along = fw_vec2_scale(1 / step, fw_vec2_subtract(to, from));
         for (; apart > 0 && next <= walked + step; next += apart) {
             fw_vec2 tip = fw_vec2_add(from, fw_vec2_scale(next - walked, along));
-            fw_canvas_arrow(panel->canvas, fw_vec2_subtract(tip, fw_vec2_scale(4, along)), tip,
+            fw_canvas_arrow(panel->canvas, fw_vec2_subtract(tip, fw_vec2_scale(3.4, along)), tip,
                             line, 3.3);
         }
         walked += step;
@@ -172,8 +186,10 @@ static void draw(const fw_figure_motion_plan *plan, const motion_layout *layout)
     const fw_panel *panel = &layout->panel;
     fw_canvas_clip(panel->canvas, panel->box);
     if (plan->view_count > 0) fw_view_draw_walls(&plan->views[plan->view_count - 1], panel);
-    draw_instants(plan, panel);
+    bool lone = has_lone_particles(plan);
+    if (!lone) draw_instants(plan, panel);
     for (int k = 0; k < plan->path_count; ++k) draw_path(&plan->paths[k], panel);
+    if (lone) draw_instants(plan, panel);
     if (plan->view_count > 0) fw_view_draw_surfaces(&plan->views[plan->view_count - 1], panel);
     fw_canvas_unclip(panel->canvas);
     if (plan->view_count == 0) fw_panel_say(panel, "no particles");

@@ -112,6 +112,42 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
                             quantity->name);
 }
 
+/* What a picture draws: "elongation", "elongation.chain", and either with ".x" behind it. All
+ * components are measured, whichever is drawn. */
+static fw_status add_drawn(request *r, fw_scenario_name name)
+{
+    char word[3][FW_NAME_BYTES + 1] = {"", "", ""};
+    const char *rest = name.text;
+    int words = 0;
+    for (; rest && words < 3; ++words) {
+        size_t length = strcspn(rest, ".");
+        snprintf(word[words], sizeof word[words], "%.*s", (int)length, rest);
+        rest = rest[length] ? rest + length + 1 : NULL;
+    }
+    const fw_quantity *quantity;
+    FW_TRY(find_quantity(r, (fw_scenario_name){word[0], name.place}, &quantity));
+    bool component = words > 1 && fw_quantity_find_component(quantity, word[words - 1]) >= 0;
+    if (words - component == 1 && !rest) return add_everywhere(r, quantity, name.place);
+    fw_subject subject = {-1, -1, -1};
+    bool of_body = quantity->scope == FW_SCOPE_BODIES || quantity->scope == FW_SCOPE_BODY;
+    for (int b = 0; b < r->experiment->member_count && of_body; ++b)
+        if (strcmp(r->experiment->members[b].name, word[1]) == 0 && fits_model(r, quantity, b))
+            subject.body = b;
+    for (int w = 0; w < r->experiment->scenario->wall_count && quantity->scope == FW_SCOPE_WALL;
+         ++w)
+        if (strcmp(r->experiment->scenario->walls[w].def.name, word[1]) == 0) subject.wall = w;
+    if (words - component == 2 && !rest && (subject.body >= 0 || subject.wall >= 0))
+        return add_probe(r, quantity, subject) < 0 ? FW_SYSTEM_FAILED : FW_OK;
+    return fw_scenario_fail(r->experiment->scenario, name.place, r->error,
+                            "%s is not measured of %s, expected %s%s%s%s", quantity->name,
+                            name.text + strlen(word[0]) + 1, quantity->name,
+                            of_body                            ? " with the name of a body"
+                            : quantity->scope == FW_SCOPE_WALL ? " with the name of a wall"
+                                                               : " alone",
+                            quantity->components[0] ? " or with one of the components " : "",
+                            quantity->components);
+}
+
 static fw_status choose_body(request *r, const fw_expectation *e, const fw_quantity *quantity,
                              fw_subject *subject)
 {
@@ -224,11 +260,8 @@ static fw_status add_all(request *r)
         FW_TRY(add_everywhere(r, fw_quantity_find(standard_set[n]), (fw_place){0}));
     for (int n = 0; n < scenario->expectation_count; ++n) FW_TRY(add_expected(r, n));
     for (int p = 0; p < scenario->picture_count; ++p)
-        for (int n = 0; n < scenario->pictures[p].observables.count; ++n) {
-            fw_scenario_name name = scenario->pictures[p].observables.item[n];
-            FW_TRY(find_quantity(r, name, &quantity));
-            FW_TRY(add_everywhere(r, quantity, name.place));
-        }
+        for (int n = 0; n < scenario->pictures[p].observables.count; ++n)
+            FW_TRY(add_drawn(r, scenario->pictures[p].observables.item[n]));
     return FW_OK;
 }
 

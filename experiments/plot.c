@@ -41,7 +41,9 @@ typedef struct draft {
     fw_plot_picture picture;
     char file[FW_PATH_SIZE];
     char caption[1024];
-    char notes[512]; /* what the output has to say besides */
+    /* Steps that were asked for and could not be drawn as such. */
+    char replaced[256], missing[256];
+    char notes[640]; /* what the output has to say of them */
 } draft;
 
 /* --- words --- */
@@ -144,28 +146,47 @@ static int by_number(const void *one, const void *other)
     return (a > b) - (a < b);
 }
 
+/* A step before the first one or after the last one that is there. */
+static fw_status refuse_step(const draft *d, int64_t step, fw_error *error)
+{
+    const fw_plot_result *result = d->result;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s: step %lld, but the results hold the steps %lld to %lld", result->directory,
+                   (long long)step, (long long)result->steps[0],
+                   (long long)result->steps[result->playback->frame_count - 1]);
+}
+
+static bool holds_step(const draft *d, int64_t step)
+{
+    const fw_plot_result *result = d->result;
+    return step >= result->steps[0] && step <= result->steps[result->playback->frame_count - 1];
+}
+
 static fw_status take_step(draft *d, int64_t step, fw_error *error)
 {
     const fw_plot_result *result = d->result;
-    int64_t end = result->steps[result->playback->frame_count - 1];
-    if (step > end || step < result->steps[0]) {
-        if (d->steps_wished)
-            return fw_fail(error, FW_BAD_INPUT,
-                           "%s: step %lld, but the results hold the steps "
-                           "%lld to %lld",
-                           result->directory, (long long)step, (long long)result->steps[0],
-                           (long long)end);
-        append(d->notes, sizeof d->notes, " Step %lld is missing: the results end at step %lld.",
-               (long long)step, (long long)end);
+    if (!holds_step(d, step)) {
+        if (d->steps_wished) return refuse_step(d, step, error);
+        append(d->missing, sizeof d->missing, "%s%lld", d->missing[0] ? ", " : "", (long long)step);
         return FW_OK;
     }
     int64_t frame = fw_plot_nearest_frame(result, step);
     if (result->steps[frame] != step)
-        append(d->notes, sizeof d->notes,
-               " Step %lld was not recorded; step %lld, the nearest one, stands for it.",
-               (long long)step, (long long)result->steps[frame]);
+        append(d->replaced, sizeof d->replaced, "%s%lld for %lld", d->replaced[0] ? ", " : "",
+               (long long)result->steps[frame], (long long)step);
     d->picture.frames[d->picture.frame_count++] = frame;
     return FW_OK;
+}
+
+static void note_steps(draft *d)
+{
+    const fw_plot_result *result = d->result;
+    if (d->replaced[0])
+        append(d->notes, sizeof d->notes, "Nearest recorded steps: %s.", d->replaced);
+    if (d->missing[0])
+        append(d->notes, sizeof d->notes, "%sMissing, as the results end at step %lld: %s.",
+               d->notes[0] ? " " : "", (long long)result->steps[result->playback->frame_count - 1],
+               d->missing);
 }
 
 static fw_status take_frames(draft *d, fw_error *error)
@@ -183,6 +204,24 @@ static fw_status take_frames(draft *d, fw_error *error)
         if (kept == 0 || picture->frames[kept - 1] != picture->frames[k])
             picture->frames[kept++] = picture->frames[k];
     picture->frame_count = kept;
+    note_steps(d);
+    return FW_OK;
+}
+
+/* The steps between which a series is drawn. */
+static fw_status take_span(draft *d, const fw_plot_wish *wish, fw_error *error)
+{
+    fw_plot_picture *picture = &d->picture;
+    picture->from = d->own ? d->own->from : 0;
+    picture->until = d->own ? d->own->until : INT64_MAX;
+    picture->logarithmic = wish->logarithmic || (d->own && d->own->logarithmic);
+    if (wish->step_count == 0) return FW_OK;
+    if (wish->step_count != 2 || wish->steps[0] >= wish->steps[1])
+        return fw_fail(error, FW_BAD_INPUT,
+                       "a series is drawn from one step to a later one, expected --at FROM,UNTIL");
+    if (!holds_step(d, wish->steps[0])) return refuse_step(d, wish->steps[0], error);
+    picture->from = wish->steps[0];
+    picture->until = wish->steps[1];
     return FW_OK;
 }
 
@@ -229,7 +268,7 @@ static fw_status decide_kind(draft *d, const fw_plot_wish *wish, fw_error *error
     bool coloured = *kind == FW_PLOT_FIELD || *kind == FW_PLOT_STRIP;
     if (wish->field && !coloured) stray = "a field";
     if (wish->observable_count > 0 && *kind != FW_PLOT_SERIES) stray = "observables";
-    if (wish->step_count > 0 && *kind == FW_PLOT_SERIES) stray = "single steps";
+    if (wish->logarithmic && *kind != FW_PLOT_SERIES) stray = "anything on logarithmic axes";
     if (!stray) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT, "a picture of kind %s does not draw %s", kinds[*kind].name,
                    stray);
@@ -277,7 +316,7 @@ static fw_status decide_page(draft *d, const fw_plot_wish *wish, fw_error *error
     *page = fw_page_default();
     page->title = d->own && d->own->title ? d->own->title : scenario->title;
     if (scenario->figure && d->picture.kind != FW_PLOT_SERIES)
-        append(d->caption, sizeof d->caption, "Compare %s.", scenario->source);
+        append(d->caption, sizeof d->caption, "Compare %s. ", scenario->source);
     append(d->caption, sizeof d->caption, "%s", d->notes);
     page->caption = d->caption;
     int length =
@@ -307,6 +346,7 @@ static fw_status decide(draft *d, const fw_plot_wish *wish, fw_error *error)
         break;
     case FW_PLOT_SERIES:
         FW_TRY(decide_observables(d, wish, error));
+        FW_TRY(take_span(d, wish, error));
         break;
     }
     return decide_page(d, wish, error);
@@ -320,8 +360,8 @@ static fw_status draw_picture(const fw_plot_result *result, const fw_plot_wish *
     d->result = result;
     fw_status status = decide(d, wish, error);
     if (status == FW_OK) status = kinds[d->picture.kind].draw(result, &d->picture, error);
-    if (status == FW_OK)
-        fprintf(out, "picture: %s%s%s\n", d->file, d->notes[0] ? " -" : "", d->notes);
+    if (status == FW_OK) fprintf(out, "picture: %s\n", d->file);
+    if (status == FW_OK && d->notes[0]) fprintf(out, "  %s\n", d->notes);
     free(d->picture.frames);
     free(d->picture.observables);
     free(d);

@@ -5,6 +5,7 @@
 
 #include "core/status.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 
@@ -16,8 +17,9 @@ typedef struct fw_plot_wish {
     const char *field;   /* whose values are colours; NULL: the picture's own, or the first */
     const char *const *observables; /* of a series: "energy", "elongation.chain", "momentum.x" */
     int observable_count;           /* 0: the picture's own, or the energies */
-    const int64_t *steps;           /* that are drawn, in any order */
+    const int64_t *steps;           /* that are drawn; of a series, its first and its last */
     int step_count;                 /* 0: the picture's own, or chosen */
+    bool logarithmic;               /* axes of a series' values */
 } fw_plot_wish;
 
 /* Draws one picture and says on `out` where it lies. FW_BAD_INPUT: there are no results, or they do

@@ -62,6 +62,8 @@ typedef struct fw_plot_picture {
     const char *field;
     int observable_count;
     const char **observables;
+    int64_t from, until; /* steps of a series */
+    bool logarithmic;
 } fw_plot_picture;
 
 /* Each makes the file; `caption` of the page is added to. */

@@ -9,10 +9,11 @@
 
 #include "core/array.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { CURVES_MOST = 256, CURVE_NAME_SIZE = 2 * FW_NAME_SIZE };
+enum { CURVES_MOST = 256, CURVE_NAME_SIZE = 4 * FW_NAME_SIZE };
 
 /* One component of an observable. */
 typedef struct curve {
@@ -20,7 +21,7 @@ typedef struct curve {
     char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE], part[16]; /* "momentum", "sheet", "x" */
     const char *unit;
     int panel;
-    double *values;
+    double *values; /* of all samples */
     char label[CURVE_NAME_SIZE];
 } curve;
 
@@ -28,7 +29,9 @@ typedef struct series {
     const fw_plot_result *result;
     int count;
     curve *curves;
+    int64_t *steps; /* of all samples */
     double *times;
+    int first, shown; /* samples that are drawn */
     int panel_count;
     fw_chart *charts;
     fw_curve *drawn; /* panel by panel */
@@ -68,6 +71,15 @@ static bool is_meant(const char *name, const fw_playback_observable *observable,
     return *component >= 0 && *component < observable->components;
 }
 
+/* Where there is one body, or one wall, its name says nothing new. */
+static void drop_only_subject(const fw_scenario *scenario, char *subject)
+{
+    const char *body = scenario->body_count == 1 ? scenario->bodies[0].name : NULL;
+    const char *wall = scenario->wall_count == 1 ? scenario->walls[0].def.name : NULL;
+    if ((body && strcmp(subject, body) == 0) || (wall && strcmp(subject, wall) == 0))
+        subject[0] = '\0';
+}
+
 static fw_status add_curve(series *s, int observable, int component, fw_error *error)
 {
     const fw_playback_observable *of = &s->result->playback->observables[observable];
@@ -81,6 +93,7 @@ static fw_status add_curve(series *s, int observable, int component, fw_error *e
     curve *added = &s->curves[s->count++];
     *added = (curve){.observable = observable, .component = component, .unit = of->unit};
     split_label(of->name, added->quantity, added->subject);
+    drop_only_subject(s->result->scenario, added->subject);
     const fw_quantity *known = fw_quantity_find(added->quantity);
     if (of->components == 1) return FW_OK;
     if (known && fw_quantity_component_count(known) == of->components)
@@ -133,6 +146,23 @@ static fw_status gather_curves(series *s, const fw_plot_picture *picture, fw_err
 
 /* --- numbers --- */
 
+/* The samples between the steps that are drawn. */
+static fw_status read_times(series *s, const fw_plot_picture *picture, fw_error *error)
+{
+    size_t count = (size_t)s->result->playback->sample_count;
+    s->steps = fw_array_allocate(count, sizeof *s->steps);
+    s->times = fw_array_of_doubles(count);
+    if (!s->steps || !s->times) return fw_fail_memory(error, "the times of a picture");
+    FW_TRY(fw_playback_read_sample_times(s->result->playback, s->steps, s->times, error));
+    for (size_t k = 0; k < count; ++k) {
+        if (s->steps[k] < picture->from) s->first += 1;
+        if (s->steps[k] >= picture->from && s->steps[k] <= picture->until) s->shown += 1;
+    }
+    if (s->shown > 0) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "%s: nothing was measured from step %lld to step %lld",
+                   s->result->directory, (long long)picture->from, (long long)picture->until);
+}
+
 static fw_status read_curves(series *s, fw_error *error)
 {
     fw_playback *playback = s->result->playback;
@@ -143,10 +173,7 @@ static fw_status read_curves(series *s, fw_error *error)
         most = components > most ? components : most;
     }
     double *rows = fw_array_of_doubles(count * (size_t)most);
-    s->times = fw_array_of_doubles(count);
-    fw_status status =
-        rows && s->times ? FW_OK : fw_fail_memory(error, "the observables of a picture");
-    if (status == FW_OK) status = fw_playback_read_sample_times(playback, NULL, s->times, error);
+    fw_status status = rows ? FW_OK : fw_fail_memory(error, "the observables of a picture");
     for (int n = 0; n < s->count && status == FW_OK; ++n) {
         curve *c = &s->curves[n];
         size_t components = (size_t)playback->observables[c->observable].components;
@@ -160,18 +187,12 @@ static fw_status read_curves(series *s, fw_error *error)
     return status;
 }
 
-/* Is a step one unit of time, at all samples? */
-static fw_status count_steps(const series *s, bool *steps_are_times, fw_error *error)
+/* Is a step one unit of time? */
+static bool steps_are_times(const series *s)
 {
-    size_t count = (size_t)s->result->playback->sample_count;
-    int64_t *steps = fw_array_allocate(count, sizeof *steps);
-    if (!steps) return fw_fail_memory(error, "the steps of a picture");
-    fw_status status = fw_playback_read_sample_times(s->result->playback, steps, NULL, error);
-    *steps_are_times = status == FW_OK;
-    for (size_t k = 0; k < count && status == FW_OK; ++k)
-        if (s->times[k] != (double)steps[k]) *steps_are_times = false;
-    free(steps);
-    return status;
+    for (int k = s->first; k < s->first + s->shown; ++k)
+        if (s->times[k] != (double)s->steps[k]) return false;
+    return true;
 }
 
 /* --- panels and names --- */
@@ -199,55 +220,79 @@ static void print_words(char *text, size_t size, const char *name)
         if (*c == '-') *c = ' ';
 }
 
+/* What the curves of a panel have in common is said beside its axis, the rest in its legend. */
 typedef struct panel_facts {
+    const curve *first;
     int curves;
-    bool one_quantity, one_subject;
+    bool one_quantity, one_subject, one_part;
 } panel_facts;
 
 static panel_facts facts_of(const series *s, int panel)
 {
-    panel_facts facts = {0, true, true};
-    const curve *first = NULL;
+    panel_facts facts = {NULL, 0, true, true, true};
     for (int n = 0; n < s->count; ++n) {
         const curve *c = &s->curves[n];
         if (c->panel != panel) continue;
-        if (!first) first = c;
+        if (!facts.first) facts.first = c;
         facts.curves += 1;
-        facts.one_quantity = facts.one_quantity && strcmp(c->quantity, first->quantity) == 0;
-        facts.one_subject = facts.one_subject && strcmp(c->subject, first->subject) == 0;
+        facts.one_quantity &= strcmp(c->quantity, facts.first->quantity) == 0;
+        facts.one_subject &= strcmp(c->subject, facts.first->subject) == 0;
+        facts.one_part &= strcmp(c->part, facts.first->part) == 0;
     }
+    facts.one_part &= facts.one_quantity;
     return facts;
 }
 
-/* What tells a curve from the others in its panel: "nine: elongation x", "nine: x", "x". */
+/* "nine: elongation x", "nine: x", "x", "kinetic energy". */
 static void name_curve(curve *c, panel_facts facts)
 {
-    char quantity[FW_NAME_SIZE];
-    print_words(quantity, sizeof quantity, c->quantity);
+    char quantity[FW_NAME_SIZE] = "";
+    if (!facts.one_quantity) print_words(quantity, sizeof quantity, c->quantity);
     const char *subject = facts.one_subject ? "" : c->subject[0] ? c->subject : "all";
-    bool more = !facts.one_quantity || c->part[0];
-    snprintf(c->label, sizeof c->label, "%s%s%s%s%s", subject, subject[0] && more ? ": " : "",
-             facts.one_quantity ? "" : quantity, !facts.one_quantity && c->part[0] ? " " : "",
-             c->part);
+    const char *part = facts.one_part ? "" : c->part;
+    snprintf(c->label, sizeof c->label, "%s%s%s%s%s", subject,
+             subject[0] && (quantity[0] || part[0]) ? ": " : "", quantity,
+             quantity[0] && part[0] ? " " : "", part);
 }
 
-/* What is drawn upwards: "elongation (length)", "energy", "kinetic fraction". */
-static void name_panel(const series *s, int panel, panel_facts facts, char *label, size_t size)
+/* "elongation x of nine (length)", "energy", "kinetic fraction". */
+static void name_panel(panel_facts facts, char *label, size_t size)
 {
-    const curve *c = s->curves;
-    while (c->panel != panel) ++c;
+    const curve *c = facts.first;
     char quantity[FW_NAME_SIZE];
-    print_words(quantity, sizeof quantity, c->quantity);
-    bool pure = strcmp(c->unit, "1") == 0 || c->unit[0] == '\0';
-    if (!facts.one_quantity)
-        snprintf(label, size, "%s", c->unit);
-    else if (pure || strcmp(c->unit, quantity) == 0)
-        snprintf(label, size, "%s", quantity);
-    else
-        snprintf(label, size, "%s (%s)", quantity, c->unit);
+    print_words(quantity, sizeof quantity, facts.one_quantity ? c->quantity : c->unit);
+    bool own_unit = facts.one_quantity && c->unit[0] && strcmp(c->unit, "1") != 0 &&
+                    strcmp(c->unit, quantity) != 0;
+    const char *part = facts.one_part ? c->part : "";
+    const char *subject = facts.one_subject ? c->subject : "";
+    snprintf(label, size, "%s%s%s%s%s%s%s%s", quantity, part[0] ? " " : "", part,
+             subject[0] ? " of " : "", subject, own_unit ? " (" : "", own_unit ? c->unit : "",
+             own_unit ? ")" : "");
 }
 
-static fw_status lay_out(series *s, fw_error *error)
+/* A curve that lies on another one would hide it: it is dashed, so that both are seen. */
+static bool lies_on(const series *s, const curve *one, const curve *other, fw_range values)
+{
+    const double unseen = .004 * (values.high - values.low);
+    for (int k = s->first; k < s->first + s->shown; ++k)
+        if (!(fabs(one->values[k] - other->values[k]) <= unseen)) return false;
+    return true;
+}
+
+static fw_curve_look look_of(const series *s, int number)
+{
+    const curve *c = &s->curves[number];
+    fw_range values = fw_range_empty();
+    for (int n = 0; n < s->count; ++n)
+        if (s->curves[n].panel == c->panel)
+            fw_range_include(&values, s->curves[n].values + s->first, s->shown, false);
+    for (int n = 0; n < number; ++n)
+        if (s->curves[n].panel == c->panel && lies_on(s, c, &s->curves[n], values))
+            return FW_CURVE_DASHES;
+    return FW_CURVE_LINE;
+}
+
+static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
 {
     assign_panels(s);
     s->charts = calloc((size_t)s->panel_count, sizeof *s->charts);
@@ -257,37 +302,37 @@ static fw_status lay_out(series *s, fw_error *error)
     fw_curve *next = s->drawn;
     for (int p = 0; p < s->panel_count; ++p) {
         panel_facts facts = facts_of(s, p);
-        name_panel(s, p, facts, s->labels[p], sizeof s->labels[p]);
-        s->charts[p] =
-            (fw_chart){.label = s->labels[p], .curves = next, .curve_count = facts.curves};
+        name_panel(facts, s->labels[p], sizeof s->labels[p]);
+        s->charts[p] = (fw_chart){.label = s->labels[p],
+                                  .curves = next,
+                                  .curve_count = facts.curves,
+                                  .logarithmic = logarithmic};
         for (int n = 0; n < s->count; ++n) {
             curve *c = &s->curves[n];
             if (c->panel != p) continue;
             name_curve(c, facts);
             *next++ = (fw_curve){.label = facts.curves > 1 ? c->label : NULL,
-                                 .count = (int)s->result->playback->sample_count,
-                                 .x = s->times,
-                                 .y = c->values,
-                                 .look = FW_CURVE_LINE};
+                                 .count = s->shown,
+                                 .x = s->times + s->first,
+                                 .y = c->values + s->first,
+                                 .look = look_of(s, n)};
         }
     }
     return FW_OK;
 }
 
-static fw_status draw(series *s, const fw_plot_picture *picture, fw_error *error)
+static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error *error)
 {
     char caption[2048];
-    bool steps_are_times = false;
     fw_page page = picture->page;
+    bool by_step = steps_are_times(s);
     const fw_scenario_run *run = &s->result->scenario->run;
     const fw_figure_mark reversal = {(double)run->reverse_at, "reversal"};
-    FW_TRY(count_steps(s, &steps_are_times, error));
-    snprintf(caption, sizeof caption, "%s%sAll quantities in reduced units.",
-             page.caption ? page.caption : "", page.caption && page.caption[0] ? " " : "");
+    snprintf(caption, sizeof caption, "%s%sAll quantities in reduced units.", page.caption,
+             page.caption[0] ? " " : "");
     page.caption = caption;
-    return fw_figure_series(&page, s->charts, s->panel_count,
-                            steps_are_times ? "time / steps" : "time", &reversal,
-                            run->reverse_at > 0 && steps_are_times ? 1 : 0, error);
+    return fw_figure_series(&page, s->charts, s->panel_count, by_step ? "time / steps" : "time",
+                            &reversal, run->reverse_at > 0 && by_step, error);
 }
 
 fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
@@ -296,11 +341,13 @@ fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_pictur
     series s = {.result = result, .curves = calloc(CURVES_MOST, sizeof *s.curves)};
     fw_status status =
         s.curves ? gather_curves(&s, picture, error) : fw_fail_memory(error, "the curves");
+    if (status == FW_OK) status = read_times(&s, picture, error);
     if (status == FW_OK) status = read_curves(&s, error);
-    if (status == FW_OK) status = lay_out(&s, error);
+    if (status == FW_OK) status = lay_out(&s, picture->logarithmic, error);
     if (status == FW_OK) status = draw(&s, picture, error);
     for (int n = 0; n < s.count; ++n) free(s.curves[n].values);
     free(s.curves);
+    free(s.steps);
     free(s.times);
     free(s.charts);
     free(s.drawn);

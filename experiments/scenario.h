@@ -264,7 +264,9 @@ typedef struct fw_scenario_picture {
     int instant_count; /* 0: the program chooses */
     int64_t *instants; /* steps, ascending */
     fw_scenario_name field;
-    fw_scenario_names observables;
+    fw_scenario_names observables; /* "energy", "elongation.chain", "momentum.x" */
+    int64_t from, until;           /* steps between which a series is drawn */
+    bool logarithmic;              /* whether its values are drawn on logarithmic axes */
 } fw_scenario_picture;
 
 /* --- the whole --- */

@@ -129,18 +129,30 @@ fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error)
 static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
                             const fw_scenario_picture *picture, fw_error *error)
 {
+    static const char *const of_series[] = {"observables", "from", "until", "logarithmic", NULL};
+    static const char *const of_bodies[] = {"instants", "field", NULL};
     const fw_node *kind = fw_node_find(node, "kind");
-    const fw_node *stray = NULL;
-    if (picture->kind == FW_PICTURE_SERIES) {
-        stray = fw_node_find(node, "instants");
-        if (!stray) stray = fw_node_find(node, "field");
-    } else {
-        stray = fw_node_find(node, "observables");
+    const char *const *strays = picture->kind == FW_PICTURE_SERIES ? of_bodies : of_series;
+    for (; *strays; ++strays) {
+        const fw_node *stray = fw_node_find(node, *strays);
+        if (stray)
+            return fw_scenario_fail(scenario, stray->key_place, error,
+                                    "pictures.%s has '%s', which a picture of kind '%s' does not "
+                                    "draw",
+                                    node->key, stray->key, kind->text);
     }
-    if (!stray) return FW_OK;
-    return fw_scenario_fail(scenario, stray->key_place, error,
-                            "pictures.%s has '%s', which a picture of kind '%s' does not draw",
-                            node->key, stray->key, kind->text);
+    const fw_node *until = fw_node_find(node, "until"), *from = fw_node_find(node, "from");
+    if (picture->from >= scenario->run.steps && from && scenario->run.steps > 0)
+        return fw_scenario_fail(scenario, from->place, error,
+                                "pictures.%s begins at step %lld, but the run ends at %lld",
+                                node->key, (long long)picture->from,
+                                (long long)scenario->run.steps);
+    if (until && (picture->until <= picture->from || picture->until > scenario->run.steps))
+        return fw_scenario_fail(scenario, until->place, error,
+                                "pictures.%s ends at step %lld, expected %lld to %lld", node->key,
+                                (long long)picture->until, (long long)picture->from + 1,
+                                (long long)scenario->run.steps);
+    return FW_OK;
 }
 
 static fw_status read_instants(const fw_scenario *scenario, const fw_node *list,

@@ -256,6 +256,19 @@ static bool is_name(const char *text, size_t length)
     return true;
 }
 
+/* Names with a dot between each two. */
+static bool is_path(const char *text, size_t length)
+{
+    for (;;) {
+        const char *dot = memchr(text, '.', length);
+        if (!dot) return is_name(text, length);
+        size_t part = (size_t)(dot - text);
+        if (!is_name(text, part)) return false;
+        text += part + 1;
+        length -= part + 1;
+    }
+}
+
 /* --- values made of others --- */
 
 static fw_status check_mapping(checker *c, const fw_node *mapping, const char *section);
@@ -318,6 +331,8 @@ static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key
                    : refuse(c, node, key);
     if (key->forms & FW_FORM_NAME)
         return is_name(node->text, node->length) ? FW_OK : refuse(c, node, key);
+    if (key->forms & FW_FORM_PATH)
+        return is_path(node->text, node->length) ? FW_OK : refuse(c, node, key);
     return refuse(c, node, key);
 }
 

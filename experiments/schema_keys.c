@@ -469,16 +469,26 @@ const fw_key fw_schema_keys[] = {
     {"picture", "kind", FW_FORM_WORD, .words = "motion|forces|field|series", REQUIRED,
      AT(fw_scenario_picture, kind),
      .meaning = "motion: the bodies at several instants with the path of the centre of mass; "
-                "forces: forces as arrows; field: a field as colour on the particles; series: "
-                "observables over time"},
+                "forces: forces as arrows; field: a field as colour on the particles, several "
+                "instants side by side; series: observables over time"},
     {"picture", "title", FW_FORM_TEXT, AT(fw_scenario_picture, title),
      .otherwise = "the scenario's", .meaning = "written above it"},
     {"picture", "instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024,
      AT_LEAST(0), NOT_STORED, .otherwise = "chosen by the program", .unit = "steps",
      .meaning = "which are drawn, ascending"},
     {"picture", "field", FW_FORM_NAME, AT(fw_scenario_picture, field),
-     .otherwise = "chosen by the program", .meaning = "field of the solid that is drawn as colour"},
-    {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_NAME, .most = 64,
+     .otherwise = "chosen by the program",
+     .meaning = "field of the solid that is drawn as colour; it is recorded without being "
+                "named in `record`"},
+    {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_PATH, .most = 64,
      AT(fw_scenario_picture, observables), .otherwise = "the energies",
-     .meaning = "curves of a series"},
+     .meaning = "curves of a series: a quantity, as `elongation`, of one body or wall, as "
+                "`elongation.chain`, or one component, as `elongation.x`, `elongation.chain.x`"},
+    {"picture", "from", FW_FORM_INTEGER, AT_LEAST(0), AT(fw_scenario_picture, from),
+     .standard = "0", .unit = "steps", .meaning = "first step of a series"},
+    {"picture", "until", FW_FORM_INTEGER, AT_LEAST(1), AT(fw_scenario_picture, until),
+     .standard = "9223372036854775807", .otherwise = "the end", .unit = "steps",
+     .meaning = "last step of a series"},
+    {"picture", "logarithmic", FW_FORM_FLAG, AT(fw_scenario_picture, logarithmic),
+     .standard = "false", .meaning = "the values of a series on logarithmic axes"},
     {.section = NULL}};

@@ -64,9 +64,13 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
     static const struct {
         unsigned form;
         const char *words;
-    } simple[] = {{FW_FORM_TEXT, "a text"},        {FW_FORM_NAME, "a name"},
-                  {FW_FORM_FLAG, "true or false"}, {FW_FORM_NUMBER, "a number"},
-                  {FW_FORM_ANGLE, "an angle"},     {FW_FORM_INTEGER, "a whole number"}};
+    } simple[] = {{FW_FORM_TEXT, "a text"},
+                  {FW_FORM_NAME, "a name"},
+                  {FW_FORM_FLAG, "true or false"},
+                  {FW_FORM_NUMBER, "a number"},
+                  {FW_FORM_ANGLE, "an angle"},
+                  {FW_FORM_INTEGER, "a whole number"},
+                  {FW_FORM_PATH, "a name, or names with dots between them"}};
     if (forms == FW_FORM_SELECTION) {
         append(out, size, "%s",
                sentence ? "all, a side, [[i, j], ...] or a mapping" : "a selection");

@@ -63,19 +63,24 @@ static fw_view_bounds bounds_of_wall(const fw_view_wall *wall)
     return bounds;
 }
 
+/* Widens a range by that of a wall, unless the wall and the bodies are more than `most` apart. */
+static void include_near(fw_range *range, fw_range bodies, fw_range wall, double most)
+{
+    const double ends[2] = {wall.low, wall.high};
+    fw_range_include(&bodies, ends, 2, false);
+    if (bodies.high - bodies.low <= most) fw_range_include(range, ends, 2, false);
+}
+
+/* Along x and y by themselves: of a floor without end, the height is worth showing. */
 void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, double most)
 {
-    double extent = fmax(bounds->x.high - bounds->x.low, bounds->y.high - bounds->y.low);
     const fw_view_bounds bodies = *bounds;
+    double extent = fmax(bodies.x.high - bodies.x.low, bodies.y.high - bodies.y.low);
+    double longest = extent >= 0 ? most * extent : INFINITY;
     for (int k = 0; k < view->wall_count; ++k) {
         fw_view_bounds wall = bounds_of_wall(&view->walls[k]);
-        fw_view_bounds both = bodies;
-        fw_range_include(&both.x, (double[]){wall.x.low, wall.x.high}, 2, false);
-        fw_range_include(&both.y, (double[]){wall.y.low, wall.y.high}, 2, false);
-        double together = fmax(both.x.high - both.x.low, both.y.high - both.y.low);
-        if (extent >= 0 && together > most * extent) continue;
-        fw_range_include(&bounds->x, (double[]){wall.x.low, wall.x.high}, 2, false);
-        fw_range_include(&bounds->y, (double[]){wall.y.low, wall.y.high}, 2, false);
+        include_near(&bounds->x, bodies.x, wall.x, longest);
+        include_near(&bounds->y, bodies.y, wall.y, longest);
     }
 }
 

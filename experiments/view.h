@@ -49,8 +49,8 @@ typedef struct fw_view_bounds {
 fw_view_bounds fw_view_bounds_empty(void);
 /* Widens the bounds by the particles, three quarters of a spacing more on each side. */
 void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view);
-/* Widens them by the walls, unless those are more than `most` times as large as what the bounds
- * hold already: a small body in a vast box would vanish. */
+/* Widens them by the walls, along x and along y by themselves, unless that made them more than
+ * `most` times as large as what they hold already: a small body in a vast box would vanish. */
 void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, double most);
 
 double fw_view_spacing(const fw_view_body *body);
