@@ -291,6 +291,13 @@ void fw_checkpoint_close(fw_checkpoint *checkpoint)
     free(checkpoint);
 }
 
+bool fw_checkpoint_exists(const fw_checkpoint *checkpoint)
+{
+    for (int i = 0; i < SLOTS; ++i)
+        if (fw_folder_has(checkpoint->folder, slot_names[i])) return true;
+    return false;
+}
+
 fw_status fw_checkpoint_load(fw_checkpoint *checkpoint, const fw_checkpoint_section *sections,
                              int count, fw_checkpoint_origin *origin, fw_error *error)
 {

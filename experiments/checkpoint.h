@@ -39,6 +39,9 @@ fw_status fw_checkpoint_open(fw_checkpoint **checkpoint, const char *directory,
 /* NULL is legal. */
 void fw_checkpoint_close(fw_checkpoint *checkpoint);
 
+/* Is there any, whole or not? */
+bool fw_checkpoint_exists(const fw_checkpoint *checkpoint);
+
 /* Saves the arrays. On failure (FW_SYSTEM_FAILED) the earlier checkpoints are as they were. */
 fw_status fw_checkpoint_write(fw_checkpoint *checkpoint, const fw_checkpoint_section *sections,
                               int count, int64_t step, fw_error *error);

@@ -3,9 +3,9 @@
 #include "experiments/command.h"
 
 #include "experiments/catalogue.h"
+#include "experiments/number.h"
 #include "experiments/spelling.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -93,10 +93,9 @@ static fw_status add_setting(fw_arguments *arguments, const char *setting, fw_er
 
 static fw_status read_threads(fw_arguments *arguments, const char *value, fw_error *error)
 {
-    char *end;
-    errno = 0;
-    long threads = strtol(value, &end, 10);
-    if (errno != 0 || *end != '\0' || end == value || threads < 1 || threads > 1024)
+    int64_t threads;
+    if (fw_integer_read(value, strlen(value), &threads) != FW_NUMBER_FINE || threads < 1 ||
+        threads > 1024)
         return fw_fail(error, FW_BAD_INPUT, "--threads %s, expected a whole number from 1 to 1024",
                        value);
     arguments->threads = (int)threads;

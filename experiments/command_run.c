@@ -4,6 +4,7 @@
 #include "experiments/interrupt.h"
 #include "experiments/playback.h"
 #include "experiments/plot.h"
+#include "experiments/provenance.h"
 #include "experiments/run.h"
 #include "experiments/verdict.h"
 
@@ -25,7 +26,6 @@ static fw_status tell(const fw_scenario *scenario, const fw_run *run, const char
 static fw_status finish(fw_run *run, const fw_scenario *scenario, const char *directory,
                         bool no_plot, fw_error *error)
 {
-    fw_interrupt_watch();
     FW_TRY(fw_run_to_end(run, error));
     return tell(scenario, run, directory, no_plot, error);
 }
@@ -43,6 +43,7 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr};
     fw_run *run;
+    fw_interrupt_watch();
     fw_status status = fw_run_begin(&run, scenario, &options, error);
     if (status == FW_OK) {
         status = finish(run, scenario, directory, arguments->no_plot, error);
@@ -52,10 +53,22 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
     return status;
 }
 
+/* Results are the same to the last bit only within one build. */
+static void compare_revisions(const fw_playback *playback, const char *directory)
+{
+    fw_provenance now = fw_provenance_now();
+    if (strcmp(playback->revision, now.revision) == 0) return;
+    fprintf(stderr,
+            "fretwork: %s was begun by revision %s and goes on with %s; results of two revisions "
+            "may differ in the last digits\n",
+            directory, playback->revision, now.revision);
+}
+
 /* The scenario of a result, as it was run. */
 static fw_status load_scenario_of(const char *directory, fw_scenario **scenario, fw_error *error)
 {
     fw_playback *playback;
+    FW_TRY(fw_trajectory_mend(directory, error));
     FW_TRY(fw_playback_open(&playback, directory, error));
     fw_status status = FW_OK;
     if (strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0)
@@ -64,6 +77,7 @@ static fw_status load_scenario_of(const char *directory, fw_scenario **scenario,
     else
         status = fw_scenario_read(scenario, directory, playback->scenario,
                                   strlen(playback->scenario), NULL, 0, error);
+    if (status == FW_OK) compare_revisions(playback, directory);
     fw_playback_close(playback);
     return status;
 }
@@ -79,6 +93,7 @@ fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
                                     .progress = arguments->quiet ? NULL : stderr};
     fw_run *run;
     char note[FW_SENTENCE_SIZE];
+    fw_interrupt_watch();
     fw_status status = fw_run_resume(&run, scenario, &options, note, error);
     if (status == FW_OK) {
         if (note[0]) fprintf(stderr, "fretwork: %s\n", note);

@@ -4,6 +4,7 @@
 #include "experiments/provenance.h"
 #include "experiments/spelling.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -52,6 +53,8 @@ static int close_output(int code)
 
 int main(int count, char **words)
 {
+    /* A file that may not grow further is a failure like a full disk: a sentence, not a death. */
+    signal(SIGXFSZ, SIG_IGN);
     if (count < 2) {
         print_help(stderr);
         return FW_BAD_INPUT;

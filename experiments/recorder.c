@@ -256,11 +256,14 @@ fw_status fw_recorder_reopen(fw_recorder **recorder, fw_experiment *experiment,
     fw_checkpoint_origin origin = {0};
     if (status == FW_OK)
         status = fw_checkpoint_open(&r->checkpoint, directory, r->scenario_text, error);
-    if (status == FW_OK)
+    if (status == FW_OK && !fw_checkpoint_exists(r->checkpoint)) {
+        *rows = 0;
+        snprintf(note, FW_SENTENCE_SIZE,
+                 "the run ended before its first checkpoint, it begins again");
+    } else if (status == FW_OK) {
         status = fw_checkpoint_load(r->checkpoint, r->sections, r->section_count, &origin, error);
-    if (status == FW_OK) {
         *rows = r->written.rows;
-        if (origin.fallen_back)
+        if (status == FW_OK && origin.fallen_back)
             snprintf(note, FW_SENTENCE_SIZE,
                      "the newer checkpoint cannot be used, going on from %s at step %lld (%.700s)",
                      origin.name, (long long)origin.step, origin.newer_error.sentence);

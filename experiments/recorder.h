@@ -14,7 +14,8 @@ fw_status fw_recorder_create(fw_recorder **recorder, fw_experiment *experiment,
                              bool overwrite, int threads, fw_error *error);
 
 /* First half of a resume: loads the newest checkpoint into the scene. *rows tells how many measured
- * rows it speaks of; *note what the user should know, if not empty. */
+ * rows it speaks of, 0 where there is none yet and the scene is at its start; *note what the user
+ * should know, if not empty. */
 fw_status fw_recorder_reopen(fw_recorder **recorder, fw_experiment *experiment,
                              const fw_measurement *measurement, const char *directory, int threads,
                              int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error);

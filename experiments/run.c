@@ -52,6 +52,22 @@ static fw_status record(fw_run *run, fw_error *error)
     return run->recorder ? fw_recorder_write_frame(run->recorder, error) : FW_OK;
 }
 
+static fw_status checkpoint(fw_run *run, fw_error *error)
+{
+    if (!run->recorder) return FW_OK;
+    run->checkpointed = fw_progress_clock();
+    return fw_recorder_checkpoint(run->recorder, error);
+}
+
+/* The start counts as a step of its own: with its checkpoint a run can go on whatever ends it, and
+ * a disk without room for checkpoints shows before the first step. */
+static fw_status record_start(fw_run *run, fw_error *error)
+{
+    FW_TRY(measure(run, error));
+    FW_TRY(record(run, error));
+    return checkpoint(run, error);
+}
+
 fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
                        fw_error *error)
 {
@@ -60,8 +76,7 @@ fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_o
         status =
             fw_recorder_create(&(*run)->recorder, (*run)->experiment, (*run)->measurement,
                                options->directory, options->overwrite, options->threads, error);
-    if (status == FW_OK) status = measure(*run, error);
-    if (status == FW_OK) status = record(*run, error);
+    if (status == FW_OK) status = record_start(*run, error);
     if (status != FW_OK) {
         fw_run_destroy(*run);
         *run = NULL;
@@ -82,6 +97,11 @@ static fw_status restore_rows(fw_run *run, int64_t rows, fw_error *error)
     int64_t *steps = calloc(count + 1, sizeof *steps);
     fw_status status = FW_OK;
     if (!table || !column || !times || !steps) status = fw_fail_memory(error, "measured rows");
+    if (status == FW_OK && rows == 0 && playback->frame_count > 1)
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s holds %lld frames but no checkpoint to go on from; `fretwork run "
+                         "--overwrite` computes all of them anew",
+                         run->options.directory, (long long)playback->frame_count);
     if (status == FW_OK && (int64_t)count < rows)
         status = fw_fail(error, FW_BAD_INPUT,
                          "%s: the results file has %lld measured rows, expected at least the %lld "
@@ -118,9 +138,10 @@ static fw_status resume(fw_run *run, char *note, fw_error *error)
     int64_t rows = 0;
     FW_TRY(fw_recorder_reopen(&run->recorder, run->experiment, run->measurement,
                               run->options.directory, run->options.threads, &rows, note, error));
-    FW_TRY(fw_scene_restored(run->experiment->scene, error));
+    if (rows > 0) FW_TRY(fw_scene_restored(run->experiment->scene, error));
     FW_TRY(restore_rows(run, rows, error));
-    return fw_recorder_go_on(run->recorder, error);
+    FW_TRY(fw_recorder_go_on(run->recorder, error));
+    return rows > 0 ? FW_OK : record_start(run, error);
 }
 
 fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
@@ -134,13 +155,6 @@ fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_
         *run = NULL;
     }
     return status;
-}
-
-static fw_status checkpoint(fw_run *run, fw_error *error)
-{
-    if (!run->recorder) return FW_OK;
-    run->checkpointed = fw_progress_clock();
-    return fw_recorder_checkpoint(run->recorder, error);
 }
 
 static bool checkpoint_is_due(const fw_run *run, int64_t step)

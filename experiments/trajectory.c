@@ -195,6 +195,23 @@ fw_status fw_trajectory_create(fw_trajectory **trajectory, const fw_trajectory_d
     return status;
 }
 
+fw_status fw_trajectory_mend(const char *directory, fw_error *error)
+{
+    fw_folder *folder;
+    FW_TRY(fw_folder_open(&folder, directory, error));
+    fw_status status = FW_OK;
+    if (!fw_folder_has(folder, FW_TRAJECTORY_FILE))
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s holds no results; a run that ended before it had laid them out is "
+                         "started again with `fretwork run`",
+                         directory);
+    else if (fw_head_is_torn(folder))
+        status = fw_head_restore(folder, error);
+    if (status == FW_OK && fw_head_is_torn(folder)) status = fw_head_remove(folder, error);
+    fw_folder_close(folder);
+    return status;
+}
+
 /* Everything in the file is what the definition says, and goes back to the given rows. */
 static fw_status resume_in(fw_trajectory *trajectory, const fw_trajectory_def *def, int64_t frames,
                            int64_t samples, fw_error *error)

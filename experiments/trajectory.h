@@ -80,6 +80,10 @@ double fw_trajectory_size(const fw_trajectory_def *def);
 fw_status fw_trajectory_create(fw_trajectory **trajectory, const fw_trajectory_def *def,
                                fw_error *error);
 
+/* Makes the file in a results folder readable where its run was killed while it closed it, so that
+ * it can be resumed. FW_BAD_INPUT when there is no such file, or a run is writing it now. */
+fw_status fw_trajectory_mend(const char *directory, fw_error *error);
+
 /* Goes on with the file of an interrupted or killed run: its first `frames` frames and `samples`
  * samples stay, the following ones are written anew. `def` is what the file was created with
  * (author, title, scenario, seed and overwrite are not looked at). FW_BAD_INPUT: there is no such

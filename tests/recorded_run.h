@@ -6,26 +6,7 @@
 #define FW_RECORDED_RUN_H
 
 #include "experiments/trajectory.h"
-
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
-
-static fw_error error;
-
-#define assert_fine(call)                                                                          \
-    do {                                                                                           \
-        if ((call) != FW_OK) fail_msg("%s: %s", #call, error.sentence);                            \
-    } while (0)
-
-#define assert_refused(call, wanted, words)                                                        \
-    do {                                                                                           \
-        error = (fw_error){0};                                                                     \
-        assert_int_equal((call), (wanted));                                                        \
-        assert_int_equal(error.status, (wanted));                                                  \
-        if (!strstr(error.sentence, (words)))                                                      \
-            fail_msg("'%s' does not speak of '%s'", error.sentence, (words));                      \
-    } while (0)
+#include "tests/scratch.h"
 
 enum { RUN_PARTICLES = 8, RUN_FRAMES = 40, RUN_SAMPLES = 300 };
 
@@ -111,36 +92,6 @@ static inline int64_t run_frames_at(int64_t samples)
 {
     int64_t frames = (samples + 6) / 7;
     return frames < RUN_FRAMES ? frames : RUN_FRAMES;
-}
-
-/* A fresh empty folder; remove_folder removes it with its files. */
-static inline void make_folder(char *path, size_t size)
-{
-    snprintf(path, size, "/tmp/fretwork-test-XXXXXX");
-    if (!mkdtemp(path)) fail_msg("no folder %s", path);
-}
-
-static inline void remove_folder(const char *path)
-{
-    char command[512];
-    snprintf(command, sizeof command, "chmod -R u+w '%s' && rm -rf '%s'", path, path);
-    if (system(command) != 0) fail_msg("%s remains", path);
-}
-
-/* The exit status of a script in tests/, or -1 where no Python with h5py is installed. */
-static inline int run_python(const char *script, const char *arguments)
-{
-    static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
-    char command[1024];
-    for (int i = 0; i < 2; ++i) {
-        snprintf(command, sizeof command, "%s -c 'import h5py' 2>/dev/null", interpreters[i]);
-        if (system(command) != 0) continue;
-        snprintf(command, sizeof command, "%s '%s/tests/%s' %s", interpreters[i], FW_SOURCE_DIR,
-                 script, arguments);
-        int status = system(command);
-        return status == -1 ? 127 : status;
-    }
-    return -1;
 }
 
 #endif

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scratch.h - what tests of files need: folders that go away, sentences of failures, and scripts
+ * that look at results with other people's readers. */
+#ifndef FW_SCRATCH_H
+#define FW_SCRATCH_H
+
+#include "core/status.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+static fw_error error;
+
+#define assert_fine(call)                                                                          \
+    do {                                                                                           \
+        if ((call) != FW_OK) fail_msg("%s: %s", #call, error.sentence);                            \
+    } while (0)
+
+#define assert_refused(call, wanted, words)                                                        \
+    do {                                                                                           \
+        error = (fw_error){0};                                                                     \
+        assert_int_equal((call), (wanted));                                                        \
+        assert_int_equal(error.status, (wanted));                                                  \
+        if (!strstr(error.sentence, (words)))                                                      \
+            fail_msg("'%s' does not speak of '%s'", error.sentence, (words));                      \
+    } while (0)
+
+/* A fresh empty folder; remove_folder removes it with its files. */
+static inline void make_folder(char *path, size_t size)
+{
+    snprintf(path, size, "/tmp/fretwork-test-XXXXXX");
+    if (!mkdtemp(path)) fail_msg("no folder %s", path);
+}
+
+/* The same in memory where there is such a place, for tests that wait for the disk too often. */
+static inline void make_quick_folder(char *path, size_t size)
+{
+    if (access("/dev/shm", W_OK | X_OK) != 0) {
+        make_folder(path, size);
+        return;
+    }
+    snprintf(path, size, "/dev/shm/fretwork-test-XXXXXX");
+    if (!mkdtemp(path)) fail_msg("no folder %s", path);
+}
+
+static inline void remove_folder(const char *path)
+{
+    char command[512];
+    snprintf(command, sizeof command, "chmod -R u+w '%s' && rm -rf '%s'", path, path);
+    if (system(command) != 0) fail_msg("%s remains", path);
+}
+
+/* The exit status of a script in tests/, or -1 where no Python with h5py is installed. It leaves no
+ * compiled modules beside the sources. */
+static inline int run_python(const char *script, const char *arguments)
+{
+    static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
+    char command[1024];
+    for (int i = 0; i < 2; ++i) {
+        snprintf(command, sizeof command, "%s -c 'import h5py' 2>/dev/null", interpreters[i]);
+        if (system(command) != 0) continue;
+        snprintf(command, sizeof command, "%s -B '%s/tests/%s' %s", interpreters[i], FW_SOURCE_DIR,
+                 script, arguments);
+        int status = system(command);
+        return status == -1 ? 127 : status;
+    }
+    return -1;
+}
+
+#endif

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_resume.c - a run that was interrupted, after whichever step and however often, ends with the
+ * datasets of the run that was not: with noise, friction, damping, fracture, moving walls and a
+ * reversed arrow of time, for any number of threads before and after. */
+#include "tests/laws.h"
+
+#include "experiments/interrupt.h"
+#include "experiments/run.h"
+#include "tests/scratch.h"
+
+#include <signal.h>
+
+/* Recorded and measured at odds with each other, so that interruptions fall between everything. */
+#define RUN "run: {steps: 24, record-every: 5, measure-every: 2, seed: 11"
+#define ALL "record: {velocity: true, force: true, fields: [energy, links]}\n"
+
+static const char rubs[] =
+    "title: a sheet rubs on two floors under random forces\n"
+    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.4, damping: 0.98}}}\n"
+    "bodies: {sheet: {material: felt, shape: {rectangle: [5, 4]}, origin: [0, 0.13],"
+    " velocity: [0.11, -0.05], velocities: [{random: 0.15}]}}\n"
+    "walls:\n"
+    "  floor: {chain: [[-50, 0], [50, 0]], surface: {coulomb: 0.3}}\n"
+    "  ceiling: {chain: [[50, 3.15], [-50, 3.15]], surface: {coulomb: 0.1}}\n"
+    "forces: {shaking: {body: sheet, random: 0.02}}\n"
+    "measure: [energy, momentum, reaction, friction-heat, dissipated, contacts-so-far]\n" ALL RUN
+    "}\n";
+
+static const char breaks[] =
+    "title: a bar is torn\n"
+    "materials: {glass: {lattice-boltzmann: {rest-mass: [0.5, 0.2, 0.7], break-at: 0.3}}}\n"
+    "bodies: {bar: {material: glass, shape: {rectangle: [9, 4]},"
+    " link-stiffness: [{sites: [[4, 0], [4, 1]], links: touching, value: 0.5}]}}\n"
+    "forces:\n"
+    "  left: {body: bar, sites: left, force: [-0.4, 0]}\n"
+    "  right: {body: bar, sites: right, force: [0.4, 0], ramp: 5}\n"
+    "measure: [energy, energy-error, momentum, broken-links, fracture-energy]\n" ALL RUN "}\n";
+
+static const char shoved[] =
+    "title: two bodies in a ring that shakes\n"
+    "materials:\n"
+    "  light: {lattice-boltzmann: {}}\n"
+    "  heavy: {lattice-boltzmann: {rest-mass: 1.2, damping: 0.97}}\n"
+    "bodies:\n"
+    "  one: {material: light, shape: {disc: 2}, origin: [-3, 0.2], velocity: [-0.1, 0.05]}\n"
+    "  two: {material: heavy, shape: {rectangle: [3, 3]}, origin: [2.1, -1], velocity: [0.2, 0]}\n"
+    "walls:\n"
+    "  ring: {circle: [0, 0, 5.5], path: {amplitude: [0.4, 0.1], period: 13, phase: 30}}\n"
+    "  floor: {box: [-20, -2.2, 20, 40], surface: stick, path: {velocity: [0.01, 0.1]}}\n"
+    "measure: [energy, momentum, wall-work, reaction, contacts-so-far]\n" ALL RUN "}\n";
+
+static const char turns_back[] =
+    "title: a sheet hits a corner and returns\n"
+    "materials: {rubber: {lattice-boltzmann: {}}}\n"
+    "bodies: {sheet: {material: rubber, shape: {rectangle: [4, 4]}, origin: [0.31, 0.47],"
+    " velocity: [-0.1, -0.12]}}\n"
+    "walls: {container: {box: [0, 0, 20, 20]}}\n"
+    "measure: [energy, momentum, reaction, return-error, contacts-so-far]\n" ALL RUN
+    ", reverse-at: 13}\n";
+
+/* More particles than one thread takes at a time. */
+static const char large[] =
+    "title: a large sheet rubs\n"
+    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.4, damping: 0.97, break-at: 0.3}}}\n"
+    "bodies: {sheet: {material: felt, shape: {rectangle: [96, 90]}, origin: [0, 0.07],"
+    " velocity: [0.1, -0.08], velocities: [{random: 0.2}]}}\n"
+    "walls: {floor: {chain: [[-500, 0], [500, 0]], surface: {coulomb: 0.3}}}\n"
+    "forces: {shaking: {body: sheet, random: 0.1, balanced: true}}\n"
+    "measure: [energy, momentum, reaction, friction-heat, broken-links, contacts-so-far]\n"
+    "run: {steps: 9, record-every: 4, seed: 5}\n";
+
+static fw_scenario *read_scenario(const char *text)
+{
+    fw_scenario *scenario;
+    assert_fine(fw_scenario_read(&scenario, "test", text, strlen(text), NULL, 0, &error));
+    return scenario;
+}
+
+static fw_run_options options_for(const char *folder, int threads)
+{
+    return (fw_run_options){.directory = folder, .threads = threads, .name = "test"};
+}
+
+static fw_run *begin(const fw_scenario *scenario, const char *folder, int threads)
+{
+    fw_run *run;
+    fw_run_options options = options_for(folder, threads);
+    assert_fine(fw_run_begin(&run, scenario, &options, &error));
+    return run;
+}
+
+static fw_run *resume(const fw_scenario *scenario, const char *folder, int threads)
+{
+    fw_run *run;
+    char note[FW_SENTENCE_SIZE];
+    fw_run_options options = options_for(folder, threads);
+    assert_fine(fw_run_resume(&run, scenario, &options, note, &error));
+    assert_string_equal(note, "");
+    return run;
+}
+
+/* A signal before the first step lets exactly one step happen. */
+static void step_once_and_stop(fw_run *run, int signal_number, fw_status wanted)
+{
+    fw_interrupt_watch();
+    assert_int_equal(raise(signal_number), 0);
+    assert_refused(fw_run_to_end(run, &error), wanted, "interrupted after");
+    fw_run_destroy(run);
+    fw_interrupt_watch();
+}
+
+/* What is measured in memory is judged at the end; it must not show the interruption either. */
+static void assert_same_rows(const fw_measurement *found, const fw_measurement *wanted)
+{
+    size_t rows = (size_t)wanted->count;
+    assert_int_equal(found->count, wanted->count);
+    assert_memory_equal(found->steps, wanted->steps, rows * sizeof *found->steps);
+    assert_memory_equal(found->times, wanted->times, rows * sizeof *found->times);
+    assert_memory_equal(found->values, wanted->values,
+                        rows * (size_t)wanted->width * sizeof *found->values);
+}
+
+static void finish(fw_run *run, const fw_measurement *wanted)
+{
+    assert_fine(fw_run_to_end(run, &error));
+    assert_same_rows(fw_run_measurement(run), wanted);
+    fw_run_destroy(run);
+}
+
+static double last_value(const fw_measurement *m, const char *label)
+{
+    for (int n = 0; n < m->probe_count; ++n)
+        if (strcmp(m->probes[n].label, label) == 0)
+            return m->values[(m->count - 1) * m->width + m->probes[n].first];
+    fail_msg("%s was not measured", label);
+    return NAN;
+}
+
+/* Interrupts the run after each of its steps; each time a copy goes on to the end, and the run
+ * itself goes on to its next step. All end like `whole`. */
+static void interrupt_everywhere(const fw_scenario *scenario, const fw_measurement *wanted,
+                                 const char *folder, int before, int after)
+{
+    char chain[128], copy[128], command[1024];
+    int64_t steps = scenario->run.steps;
+    snprintf(chain, sizeof chain, "%s/chain-%d-%d", folder, before, after);
+    fw_run *run = begin(scenario, chain, before);
+    for (int64_t step = 1; step < steps; ++step) {
+        if (step % 2)
+            step_once_and_stop(run, SIGTERM, FW_TERMINATED);
+        else
+            step_once_and_stop(run, SIGINT, FW_INTERRUPTED);
+        snprintf(copy, sizeof copy, "%s/copy-%d-%d-%d", folder, before, after, (int)step);
+        snprintf(command, sizeof command, "cp -r %s %s", chain, copy);
+        assert_int_equal(system(command), 0);
+        finish(resume(scenario, copy, after), wanted);
+        run = resume(scenario, chain, before);
+        assert_int_equal(fw_scene_steps(fw_run_experiment(run)->scene), step);
+    }
+    finish(run, wanted);
+}
+
+static void compare_datasets(const char *folder)
+{
+    char arguments[512];
+    snprintf(arguments, sizeof arguments,
+             "same %s/whole/trajectory.h5 %s/chain-*/trajectory.h5 %s/copy-*/trajectory.h5", folder,
+             folder, folder);
+    int status = run_python("trajectory.py", arguments);
+    if (status == -1) print_message("no h5py here: datasets not compared by it\n");
+    if (status > 0) fail_msg("a resumed run differs: trajectory.py %s", arguments);
+}
+
+/* All `labels` must have become larger than nothing: what the scenario is about did happen. */
+static void check_scenario(const char *text, const char *const labels[], const int threads[][2])
+{
+    char folder[64], whole[128];
+    make_quick_folder(folder, sizeof folder);
+    snprintf(whole, sizeof whole, "%s/whole", folder);
+    fw_scenario *scenario = read_scenario(text);
+    fw_run *reference = begin(scenario, whole, 1);
+    const fw_measurement *wanted = fw_run_measurement(reference);
+    assert_fine(fw_run_to_end(reference, &error));
+    for (int n = 0; labels[n]; ++n) assert_true(last_value(wanted, labels[n]) > 0);
+    for (int n = 0; threads[n][0] > 0; ++n)
+        interrupt_everywhere(scenario, wanted, folder, threads[n][0], threads[n][1]);
+    fw_run_destroy(reference);
+    fw_scenario_destroy(scenario);
+    compare_datasets(folder);
+    remove_folder(folder);
+}
+
+static const int one_thread[][2] = {{1, 1}, {0, 0}};
+static const int any_threads[][2] = {{1, 1}, {2, 2}, {1, 2}, {2, 1}, {0, 0}};
+
+static void rubbing_under_random_forces(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"friction-heat", "dissipated", "contacts-so-far.floor",
+                                         "contacts-so-far.ceiling", NULL};
+    check_scenario(rubs, labels, any_threads);
+}
+
+static void breaking_links(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"broken-links.bar", "fracture-energy.bar", NULL};
+    check_scenario(breaks, labels, one_thread);
+}
+
+static void moving_walls(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"wall-work", "contacts-so-far.floor",
+                                         "contacts-so-far.ring", NULL};
+    check_scenario(shoved, labels, one_thread);
+}
+
+static void reversed_time(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"contacts-so-far.container", NULL};
+    check_scenario(turns_back, labels, one_thread);
+}
+
+static void large_bodies_with_threads_switched(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"friction-heat", "broken-links.sheet",
+                                         "contacts-so-far.floor", NULL};
+    check_scenario(large, labels, any_threads);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rubbing_under_random_forces),
+        cmocka_unit_test(breaking_links),
+        cmocka_unit_test(moving_walls),
+        cmocka_unit_test(reversed_time),
+        cmocka_unit_test(large_bodies_with_threads_switched),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
