@@ -95,9 +95,11 @@ fw_status fw_hdf5_create(fw_hdf5 **file, const char *path, size_t structure, fw_
     if (!fresh) return fw_fail_memory(error, path);
     hid_t access = access_properties(structure);
     fresh->id = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    /* At once: the next call to HDF5, whichever it is, forgets the reason. */
+    fw_status status =
+        fresh->id < 0 ? explain(error, path, "create", FW_SYSTEM_FAILED, "HDF5 refuses") : FW_OK;
     H5Pclose(access);
-    if (fresh->id < 0) {
-        fw_status status = explain(error, path, "create", FW_SYSTEM_FAILED, "HDF5 refuses");
+    if (status != FW_OK) {
         free(fresh);
         return status;
     }

@@ -5,8 +5,11 @@
 
 #include "tests/scratch.h"
 
+#include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
+
+extern char **environ;
 
 typedef struct outcome {
     int code;   /* exit code; -1 where a signal ended it */
@@ -39,9 +42,12 @@ static inline void split_line(char *line, char *words[PROGRAM_WORDS])
     words[count] = NULL;
 }
 
-/* Starts `fretwork LINE` in a folder. */
-static inline running start_program(const char *folder, const char *line)
+/* Starts `fretwork LINE` in a folder, as another user where `user` is not 0: root may write
+ * anywhere. */
+static inline running start_program_as(const char *folder, const char *line, uid_t user)
 {
+    int program = open(FW_PROGRAM, O_RDONLY);
+    assert_true(program >= 0);
     char copy[2048] = "fretwork ", *words[PROGRAM_WORDS];
     running started = {.out = tmpfile(), .err = tmpfile()};
     assert_non_null(started.out);
@@ -52,12 +58,21 @@ static inline running start_program(const char *folder, const char *line)
     fflush(NULL);
     started.process = fork();
     assert_true(started.process >= 0);
-    if (started.process > 0) return started;
+    if (started.process > 0) {
+        close(program);
+        return started;
+    }
     if (chdir(folder) != 0 || dup2(fileno(started.out), STDOUT_FILENO) < 0 ||
-        dup2(fileno(started.err), STDERR_FILENO) < 0)
+        dup2(fileno(started.err), STDERR_FILENO) < 0 || (user != 0 && setuid(user) != 0))
         _exit(126);
-    execv(FW_PROGRAM, words);
+    /* The file is open already: its folders may be closed to that user. */
+    fexecve(program, words, environ);
     _exit(127);
+}
+
+static inline running start_program(const char *folder, const char *line)
+{
+    return start_program_as(folder, line, 0);
 }
 
 static inline void take_stream(FILE *stream, char *text, size_t size)
