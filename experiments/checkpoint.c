@@ -40,7 +40,7 @@ static uint64_t name_size(const char *name)
     return sizeof(uint32_t) + strlen(name);
 }
 
-static uint64_t payload_size(const fw_checkpoint_section *sections, int count)
+uint64_t fw_checkpoint_size(const fw_checkpoint_section *sections, int count)
 {
     uint64_t size = 3 * sizeof(uint64_t) + sizeof(uint32_t);
     for (int s = 0; s < count; ++s) {
@@ -76,7 +76,7 @@ fw_status fw_checkpoint_write(fw_checkpoint *checkpoint, const fw_checkpoint_sec
 {
     fw_sealed_file *file;
     FW_TRY(fw_sealed_file_create(&file, checkpoint->folder, slot_names[checkpoint->next], KIND,
-                                 payload_size(sections, count), error));
+                                 fw_checkpoint_size(sections, count), error));
     put_large(file, checkpoint->sequence + 1);
     put_large(file, (uint64_t)step);
     put_large(file, checkpoint->scenario);

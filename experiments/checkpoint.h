@@ -46,6 +46,9 @@ bool fw_checkpoint_exists(const fw_checkpoint *checkpoint);
 fw_status fw_checkpoint_write(fw_checkpoint *checkpoint, const fw_checkpoint_section *sections,
                               int count, int64_t step, fw_error *error);
 
+/* Bytes of the payload of such a checkpoint. */
+uint64_t fw_checkpoint_size(const fw_checkpoint_section *sections, int count);
+
 /* Brings back the newest checkpoint that is whole, into the arrays of the state lists. Sections,
  * names, types and counts must be those that were saved. On failure no array has changed:
  * FW_BAD_INPUT when there is no checkpoint, none is whole, or it belongs to another scenario or

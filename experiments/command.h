@@ -48,9 +48,11 @@ int fw_command_threads(const fw_arguments *arguments);
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_show(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_run(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_check(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_table(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_reference(const fw_arguments *arguments, fw_error *error);
 

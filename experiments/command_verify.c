@@ -1,14 +1,71 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_verify.c - runs experiments without writing results, and judges them. */
+/* command_verify.c - runs experiments without writing results, and judges them: as tables, and as
+ * JSON where that is asked for. Start reading at fw_command_verify(). */
 #include "experiments/catalogue.h"
 #include "experiments/command.h"
+#include "experiments/json.h"
 #include "experiments/progress.h"
+#include "experiments/provenance.h"
 #include "experiments/run.h"
 #include "experiments/verdict.h"
+#include "experiments/whole_file.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 typedef struct tally {
     int experiments, expectations, failures;
+    FILE *table; /* NULL: none */
+    fw_json json;
 } tally;
+
+static void write_verdict(fw_json *json, const fw_verdict *verdict)
+{
+    const fw_expectation *e = verdict->expectation;
+    const bool bounds = e->kind == FW_VERDICT_BOUNDS;
+    double tolerance = e->kind == FW_VERDICT_RELATIVE ? e->within * fabs(e->value) : e->within;
+    fw_json_begin(json, NULL, '{');
+    fw_json_text(json, "quantity", verdict->quantity);
+    fw_json_text(json, "expected", verdict->expected);
+    fw_json_number(json, "value", bounds ? NAN : e->value);
+    fw_json_number(json, "tolerance", bounds ? NAN : tolerance);
+    fw_json_number(json, "above", bounds && e->has_above ? e->above : NAN);
+    fw_json_number(json, "below", bounds && e->has_below ? e->below : NAN);
+    fw_json_number(json, "measured", verdict->measured);
+    fw_json_flag(json, "holds", verdict->holds);
+    fw_json_text(json, "source", e->source);
+    fw_json_text(json, "note", e->note);
+    fw_json_end(json, '}');
+}
+
+static void judge(tally *sum, const char *name, const fw_scenario *scenario, const fw_run *run,
+                  double seconds)
+{
+    const fw_measurement *measurement = fw_run_measurement(run);
+    if (sum->table) {
+        fprintf(sum->table, "%s: %s (%.1f s)\n", name, scenario->title, seconds);
+        fw_verdict_print(sum->table, scenario, measurement);
+        fprintf(sum->table, "\n");
+        fflush(sum->table);
+    }
+    fw_json *json = &sum->json;
+    fw_json_begin(json, NULL, '{');
+    fw_json_text(json, "experiment", name);
+    fw_json_text(json, "title", scenario->title);
+    fw_json_text(json, "source", scenario->source);
+    fw_json_number(json, "seconds", seconds);
+    fw_json_begin(json, "expectations", '[');
+    for (int n = 0; n < scenario->expectation_count; ++n) {
+        fw_verdict verdict = fw_verdict_of(scenario, measurement, n);
+        write_verdict(json, &verdict);
+        sum->failures += !verdict.holds;
+    }
+    fw_json_end(json, ']');
+    fw_json_end(json, '}');
+    sum->expectations += scenario->expectation_count;
+    sum->experiments += 1;
+}
 
 static fw_status verify_one(const char *word, const fw_arguments *arguments, tally *sum,
                             fw_error *error)
@@ -24,29 +81,54 @@ static fw_status verify_one(const char *word, const fw_arguments *arguments, tal
     fw_status status = fw_run_begin(&run, scenario, &options, error);
     if (status == FW_OK) {
         status = fw_run_to_end(run, error);
-        if (status == FW_OK) {
-            printf("%s: %s (%.1f s)\n", name, scenario->title, fw_progress_clock() - started);
-            sum->failures += fw_verdict_print(stdout, scenario, fw_run_measurement(run));
-            sum->expectations += scenario->expectation_count;
-            sum->experiments += 1;
-            printf("\n");
-            fflush(stdout);
-        }
+        if (status == FW_OK) judge(sum, name, scenario, run, fw_progress_clock() - started);
         fw_run_destroy(run);
     }
+    if (status == FW_DIVERGED) status = fw_fail_within(error, "%s", name);
     fw_scenario_destroy(scenario);
     return status;
 }
 
-fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error)
+static fw_status verify_all(const fw_arguments *arguments, tally *sum, fw_error *error)
 {
-    tally sum = {0};
+    fw_provenance now = fw_provenance_now();
+    fw_json *json = &sum->json;
+    fw_json_begin(json, NULL, '{');
+    fw_json_text(json, "program", now.program);
+    fw_json_text(json, "version", now.version);
+    fw_json_text(json, "revision", now.revision);
+    fw_json_begin(json, "experiments", '[');
     for (int n = 0; n < arguments->word_count; ++n)
-        FW_TRY(verify_one(arguments->words[n], arguments, &sum, error));
+        FW_TRY(verify_one(arguments->words[n], arguments, sum, error));
     for (const fw_catalogue_entry *entry = fw_catalogue; arguments->word_count == 0 && entry->name;
          ++entry)
-        FW_TRY(verify_one(entry->name, arguments, &sum, error));
-    printf("%d experiments, %d expectations, %d failed\n", sum.experiments, sum.expectations,
-           sum.failures);
-    return sum.failures > 0 ? FW_EXPECTATION_FAILED : FW_OK;
+        FW_TRY(verify_one(entry->name, arguments, sum, error));
+    fw_json_end(json, ']');
+    fw_json_integer(json, "expectations", sum->expectations);
+    fw_json_integer(json, "failed", sum->failures);
+    fw_json_end(json, '}');
+    if (sum->table)
+        fprintf(sum->table, "%d experiments, %d expectations, %d failed\n", sum->experiments,
+                sum->expectations, sum->failures);
+    return FW_OK;
+}
+
+fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error)
+{
+    const bool to_stdout = arguments->json && strcmp(arguments->json, "-") == 0;
+    char *text = NULL;
+    size_t size = 0;
+    /* Gathered in memory: a file appears whole, once everything was judged. */
+    tally sum = {.table = to_stdout ? NULL : stdout, .json.out = open_memstream(&text, &size)};
+    if (!sum.json.out) return fw_fail_memory(error, "the verdicts");
+    fw_status status = verify_all(arguments, &sum, error);
+    if (fclose(sum.json.out) != 0 && status == FW_OK)
+        status = fw_fail_memory(error, "the verdicts");
+    if (status == FW_OK && to_stdout)
+        fwrite(text, 1, size, stdout);
+    else if (status == FW_OK && arguments->json)
+        status = fw_whole_file_write(arguments->json, text, size, error);
+    free(text);
+    if (status == FW_OK && sum.failures > 0) return FW_EXPECTATION_FAILED;
+    return status;
 }

@@ -415,13 +415,20 @@ void fw_recorder_destroy(fw_recorder *recorder)
     free(recorder);
 }
 
-fw_status fw_recorder_size(const fw_experiment *experiment, const fw_measurement *measurement,
-                           double *bytes, fw_error *error)
+fw_status fw_recorder_size(fw_experiment *experiment, const fw_measurement *measurement,
+                           fw_results_size *size, fw_error *error)
 {
     fw_recorder *r;
     /* Nothing is created on disk: only the definition is made. */
-    fw_status status = prepare(&r, (fw_experiment *)experiment, measurement, "", 1, error);
-    if (status == FW_OK) *bytes = fw_trajectory_size(&r->def);
+    fw_status status = prepare(&r, experiment, measurement, "", 1, error);
+    if (status == FW_OK)
+        *size = (fw_results_size){
+            .frames = r->def.frame_count,
+            .rows = r->def.sample_count,
+            .row_width = measurement->width,
+            .file = fw_trajectory_size(&r->def),
+            .checkpoint = (double)fw_checkpoint_size(r->sections, r->section_count),
+        };
     fw_recorder_destroy(r);
     return status;
 }

@@ -31,8 +31,15 @@ fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error);
 fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error *error);
 void fw_recorder_destroy(fw_recorder *recorder);
 
-/* Bytes of the results file. */
-fw_status fw_recorder_size(const fw_experiment *experiment, const fw_measurement *measurement,
-                           double *bytes, fw_error *error);
+/* What a whole run leaves on disk, in bytes and rows. */
+typedef struct fw_results_size {
+    int64_t frames, rows;
+    int row_width;     /* numbers measured at a time */
+    double file;       /* the results file */
+    double checkpoint; /* one of the two */
+} fw_results_size;
+/* Nothing is made; the experiment is only looked at. */
+fw_status fw_recorder_size(fw_experiment *experiment, const fw_measurement *measurement,
+                           fw_results_size *size, fw_error *error);
 
 #endif

@@ -229,3 +229,22 @@ const fw_measurement *fw_run_measurement(const fw_run *run)
 {
     return run->measurement;
 }
+
+fw_status fw_run_size(const fw_run *run, fw_results_size *size, fw_error *error)
+{
+    return fw_recorder_size(run->experiment, run->measurement, size, error);
+}
+
+fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step, fw_error *error)
+{
+    const fw_scene *scene = run->experiment->scene;
+    int64_t first = fw_scene_steps(scene);
+    double started = fw_progress_clock(), now = started;
+    while (now - started < seconds && fw_scene_steps(scene) < run->scenario->run.steps) {
+        FW_TRY(step_once(run, error));
+        now = fw_progress_clock();
+    }
+    int64_t steps = fw_scene_steps(scene) - first;
+    *seconds_per_step = steps > 0 ? (now - started) / (double)steps : 0;
+    return FW_OK;
+}

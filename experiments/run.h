@@ -5,6 +5,7 @@
 #define FW_RUN_H
 
 #include "experiments/measurement.h"
+#include "experiments/recorder.h"
 
 #include <stdio.h>
 
@@ -37,7 +38,11 @@ void fw_run_destroy(fw_run *run);
 const fw_experiment *fw_run_experiment(const fw_run *run);
 const fw_measurement *fw_run_measurement(const fw_run *run);
 
-/* Bytes of the results file, without making it. */
-fw_status fw_run_size(const fw_scenario *scenario, double *bytes, fw_error *error);
+/* What the whole run will leave on disk, without making it. */
+fw_status fw_run_size(const fw_run *run, fw_results_size *size, fw_error *error);
+
+/* Steps and measures for about so many seconds, or to the end, and tells what a step takes. The run
+ * should have no folder: it is of no further use. */
+fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step, fw_error *error);
 
 #endif

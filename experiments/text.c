@@ -32,6 +32,12 @@ static size_t read_character(const unsigned char *text, size_t length, unsigned 
     return size;
 }
 
+size_t fw_text_character(const char *text, size_t length)
+{
+    unsigned code;
+    return read_character((const unsigned char *)text, length, &code);
+}
+
 static bool is_unprintable(unsigned code)
 {
     if (code < 0x20) return code != '\t' && code != '\n' && code != '\r';

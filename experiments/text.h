@@ -16,6 +16,9 @@ typedef struct fw_text_fault {
  * other than tab and line ends, and the rarer line ends, which editors count differently. */
 fw_text_fault fw_text_check(const char *text, size_t length);
 
+/* Bytes of the UTF-8 character at the head of a text that is not empty; 0 where there is none. */
+size_t fw_text_character(const char *text, size_t length);
+
 enum { FW_QUOTE_SIZE = 64 };
 
 /* A piece of text for use in a sentence: on one line, cut with "..." where it is too long. */

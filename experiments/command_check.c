@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* command_check.c - what a scenario would take, without running it: size, memory, time and how near
+ * it is to where its solids stop being right; on request a picture of its start.
+ * Start reading at fw_command_check(). */
+#include "experiments/command.h"
+#include "experiments/figure.h"
+#include "experiments/run.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+
+/* For how many seconds steps are taken for real. */
+static const double REHEARSAL_SECONDS = 0.4;
+/* Below it, in spacings per step, particles of an LB solid keep their order when they hit a wall:
+ * measured with sheets at mu = 1. */
+static const double LB_FASTEST = 0.3;
+
+/* --- a picture of the start --- */
+
+typedef struct first_frame {
+    fw_view_body *bodies;
+    fw_view_wall *walls;
+    int **links; /* per body */
+} first_frame;
+
+static void release_frame(first_frame *frame, int bodies)
+{
+    for (int b = 0; frame->links && b < bodies; ++b) free(frame->links[b]);
+    free(frame->links);
+    free(frame->bodies);
+    free(frame->walls);
+}
+
+/* The links of a member, numbered within it; NULL without memory. */
+static int *links_of(const fw_member *member, const fw_solid *solid, int *count)
+{
+    int *links = calloc(2 * (size_t)solid->link_count + 1, sizeof *links);
+    *count = 0;
+    for (int n = 0; links && n < solid->link_count; ++n) {
+        int one = solid->links[n][0] - member->first, other = solid->links[n][1] - member->first;
+        if (one < 0 || one >= member->count || other < 0 || other >= member->count) continue;
+        links[2 * *count] = one;
+        links[2 * *count + 1] = other;
+        *count += 1;
+    }
+    return links;
+}
+
+static fw_status fill_frame(const fw_experiment *experiment, first_frame *frame, fw_error *error)
+{
+    const fw_scene *scene = experiment->scene;
+    int bodies = experiment->member_count, walls = fw_scene_wall_count(scene);
+    frame->bodies = calloc((size_t)bodies + 1, sizeof *frame->bodies);
+    frame->links = calloc((size_t)bodies + 1, sizeof *frame->links);
+    frame->walls = calloc((size_t)walls + 1, sizeof *frame->walls);
+    if (!frame->bodies || !frame->links || !frame->walls)
+        return fw_fail_memory(error, "a picture of the start");
+    for (int b = 0; b < bodies; ++b) {
+        const fw_member *member = &experiment->members[b];
+        const fw_solid *solid = fw_experiment_solid(experiment, b);
+        int count;
+        frame->links[b] = links_of(member, solid, &count);
+        if (!frame->links[b]) return fw_fail_memory(error, "a picture of the start");
+        frame->bodies[b] =
+            (fw_view_body){.name = member->name,
+                           .count = member->count,
+                           .x = solid->x + member->first,
+                           .y = solid->y + member->first,
+                           .links = frame->links[b],
+                           .link_count = count,
+                           .kind = b % FW_PALETTE_KINDS,
+                           .spacing = experiment->scenario->bodies[b].lattice.spacing};
+    }
+    for (int w = 0; w < walls; ++w)
+        frame->walls[w] = (fw_view_wall){fw_wall_definition(fw_scene_wall(scene, w)),
+                                         fw_scene_wall_displacement(scene, w)};
+    return FW_OK;
+}
+
+static fw_status draw_start(const fw_experiment *experiment, const char *file, fw_error *error)
+{
+    first_frame frame = {0};
+    fw_status status = fill_frame(experiment, &frame, error);
+    if (status == FW_OK) {
+        const fw_view view = {.bodies = frame.bodies,
+                              .body_count = experiment->member_count,
+                              .walls = frame.walls,
+                              .wall_count = fw_scene_wall_count(experiment->scene)};
+        const fw_figure_field_plan plan = {.view = &view};
+        fw_page page = fw_page_default();
+        page.file = file;
+        page.title = experiment->scenario->title;
+        status = fw_figure_field(&page, &plan, error);
+    }
+    release_frame(&frame, experiment->member_count);
+    return status;
+}
+
+/* --- sizes --- */
+
+static void print_bytes(const char *what, double bytes, const char *more)
+{
+    static const char *const units[] = {"B", "kB", "MB", "GB", "TB", "PB", "EB"};
+    int unit = 0;
+    for (; bytes >= 999.5 && unit < 6; ++unit) bytes /= 1000;
+    printf("  %-14s %.3g %s%s\n", what, bytes, units[unit], more);
+}
+
+static void print_time(double seconds)
+{
+    if (seconds < 100)
+        printf("%.2g s", seconds);
+    else if (seconds < 6000)
+        printf("%.0f min", seconds / 60);
+    else if (seconds < 200000)
+        printf("%.1f h", seconds / 3600);
+    else
+        printf("%.3g days", seconds / 86400);
+}
+
+static void print_bodies(const fw_experiment *experiment)
+{
+    double particles = 0, links = 0;
+    for (int b = 0; b < experiment->member_count; ++b) particles += experiment->members[b].count;
+    for (int s = 0; s < fw_scene_body_count(experiment->scene); ++s)
+        links += fw_scene_observe_body(experiment->scene, s)->link_count;
+    printf("  %-14s %d\n", "bodies", experiment->member_count);
+    for (int b = 0; b < experiment->member_count; ++b)
+        printf("  %-14s %d particles, %s\n", "", experiment->members[b].count,
+               experiment->members[b].name);
+    printf("  %-14s %.0f\n  %-14s %.0f\n", "particles", particles, "links", links);
+    printf("  %-14s %d\n", "walls", fw_scene_wall_count(experiment->scene));
+}
+
+static void print_sizes(const fw_scenario *scenario, const fw_results_size *size)
+{
+    struct rusage used;
+    printf("  %-14s %lld\n", "steps", (long long)scenario->run.steps);
+    printf("  %-14s %lld\n", "frames", (long long)size->frames);
+    printf("  %-14s %lld of %d numbers\n", "samples", (long long)size->rows, size->row_width);
+    print_bytes("results file", size->file, "");
+    print_bytes("checkpoints", size->checkpoint, " each, two are kept");
+    /* What this very process took to build all of it. */
+    if (getrusage(RUSAGE_SELF, &used) == 0)
+        print_bytes("memory", 1024 * (double)used.ru_maxrss, ", about");
+}
+
+/* --- how near a solid is to its limits --- */
+
+/* The largest speed of a particle at the start. */
+static fw_status find_speed(const fw_experiment *experiment, int member, double *speed,
+                            fw_error *error)
+{
+    const fw_member *m = &experiment->members[member];
+    const fw_solid *solid = fw_experiment_solid(experiment, member);
+    double *x = fw_array_of_doubles((size_t)solid->count);
+    double *y = fw_array_of_doubles((size_t)solid->count);
+    *speed = 0;
+    if (x && y) {
+        solid->model->velocities(solid, x, y);
+        for (int l = m->first; l < m->first + m->count; ++l)
+            *speed = fmax(*speed, hypot(x[l], y[l]));
+    }
+    free(x);
+    free(y);
+    return x && y ? FW_OK : fw_fail_memory(error, "the velocities at the start");
+}
+
+static fw_status check_boltzmann(const fw_experiment *experiment, int member, int *warnings,
+                                 fw_error *error)
+{
+    const fw_scenario_body *body = &experiment->scenario->bodies[member];
+    const fw_scenario_boltzmann *material =
+        &experiment->scenario->materials[body->material].boltzmann;
+    const bool meets = fw_scene_wall_count(experiment->scene) > 0 || experiment->member_count > 1;
+    double speed, fastest = LB_FASTEST * body->lattice.spacing;
+    FW_TRY(find_speed(experiment, member, &speed, error));
+    printf("  %-14s stable: damping %g, expected above 0.5 and up to 1\n", body->name,
+           material->damping);
+    printf("  %-14s largest speed at the start %.3g, where something is hit it should stay below "
+           "%.3g\n",
+           "", speed, fastest);
+    if (speed <= fastest || !meets) return FW_OK;
+    *warnings += 1;
+    printf("  %-14s warning: at such a speed particles pass each other where the body hits\n", "");
+    return FW_OK;
+}
+
+static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    for (int b = 0; b < experiment->member_count; ++b)
+        switch (scenario->materials[scenario->bodies[b].material].kind) {
+        case FW_LATTICE_BOLTZMANN:
+            FW_TRY(check_boltzmann(experiment, b, warnings, error));
+            break;
+        }
+    return FW_OK;
+}
+
+/* --- all of it --- */
+
+static fw_status check_run(fw_run *run, const char *name, const fw_arguments *arguments,
+                           fw_error *error)
+{
+    const fw_experiment *experiment = fw_run_experiment(run);
+    fw_results_size size;
+    double step;
+    int warnings = 0;
+    FW_TRY(fw_run_size(run, &size, error));
+    printf("%s: %s\n", name, experiment->scenario->title);
+    print_bodies(experiment);
+    print_sizes(experiment->scenario, &size);
+    FW_TRY(check_limits(experiment, &warnings, error));
+    fflush(stdout);
+    if (arguments->output) {
+        FW_TRY(draw_start(experiment, arguments->output, error));
+        printf("  %-14s %s\n", "picture", arguments->output);
+    }
+    /* Last, since it moves what was looked at so far. */
+    FW_TRY(fw_run_rehearse(run, REHEARSAL_SECONDS, &step, error));
+    printf("  %-14s ", "time");
+    print_time(step * (double)experiment->scenario->run.steps);
+    printf(", about, with %d thread%s (%.3g ms a step), beside what writing takes\n",
+           fw_command_threads(arguments), fw_command_threads(arguments) > 1 ? "s" : "", 1e3 * step);
+    if (warnings > 0)
+        printf("%s can be run, with %d warning%s\n", name, warnings, warnings > 1 ? "s" : "");
+    else
+        printf("%s can be run\n", name);
+    return FW_OK;
+}
+
+fw_status fw_command_check(const fw_arguments *arguments, fw_error *error)
+{
+    fw_scenario *scenario;
+    char name[FW_NAME_BYTES + 1];
+    FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
+    const fw_run_options options = {.threads = fw_command_threads(arguments), .name = name};
+    fw_run *run;
+    fw_status status = fw_run_begin(&run, scenario, &options, error);
+    if (status == FW_OK) {
+        status = check_run(run, name, arguments, error);
+        fw_run_destroy(run);
+    }
+    fw_scenario_destroy(scenario);
+    return status;
+}

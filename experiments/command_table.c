@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* command_table.c - the observables of a result as comma-separated values.
+ * Two lines that begin with # (title and units), one of names, then one per sample. Numbers have
+ * the digits that give the same doubles back. Start reading at fw_command_table(). */
+#include "experiments/column.h"
+#include "experiments/command.h"
+#include "experiments/whole_file.h"
+
+#include "core/array.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct table {
+    fw_playback *playback;
+    int count;
+    fw_column *columns;
+    int64_t *steps;
+    double *times;
+    double **values; /* per observable, components next to each other; NULL: in no column */
+} table;
+
+static void release(table *t)
+{
+    for (int o = 0; t->values && o < t->playback->observable_count; ++o) free(t->values[o]);
+    free(t->values);
+    free(t->times);
+    free(t->steps);
+    free(t->columns);
+    fw_playback_close(t->playback);
+}
+
+static fw_status read_values(table *t, fw_error *error)
+{
+    size_t rows = (size_t)t->playback->sample_count;
+    t->steps = fw_array_allocate(rows, sizeof *t->steps);
+    t->times = fw_array_of_doubles(rows);
+    t->values = calloc((size_t)t->playback->observable_count + 1, sizeof *t->values);
+    if (!t->steps || !t->times || !t->values) return fw_fail_memory(error, "a table");
+    FW_TRY(fw_playback_read_sample_times(t->playback, t->steps, t->times, error));
+    for (int n = 0; n < t->count; ++n) {
+        int o = t->columns[n].observable;
+        if (t->values[o]) continue;
+        t->values[o] = fw_array_of_doubles(rows * (size_t)t->playback->observables[o].components);
+        if (!t->values[o]) return fw_fail_memory(error, "a table");
+        FW_TRY(fw_playback_read_observable(t->playback, o, t->values[o], error));
+    }
+    return FW_OK;
+}
+
+/* In quotes where the text could be taken for several values (RFC 4180). */
+static void write_text(FILE *out, const char *text)
+{
+    if (!strpbrk(text, ",\"\r\n")) {
+        fputs(text, out);
+        return;
+    }
+    fputc('"', out);
+    for (; *text; ++text) {
+        if (*text == '"') fputc('"', out);
+        fputc(*text, out);
+    }
+    fputc('"', out);
+}
+
+static void write_head(const table *t, FILE *out)
+{
+    fputs("# ", out);
+    for (const char *c = t->playback->title; *c; ++c) fputc(*c == '\n' ? ' ' : *c, out);
+    fputs("\n# units: steps,time", out);
+    for (int n = 0; n < t->count; ++n) {
+        fputc(',', out);
+        write_text(out, t->playback->observables[t->columns[n].observable].unit);
+    }
+    fputs("\nstep,time", out);
+    for (int n = 0; n < t->count; ++n) {
+        fputc(',', out);
+        write_text(out, t->columns[n].name);
+    }
+    fputc('\n', out);
+}
+
+static void write_table(const table *t, FILE *out)
+{
+    write_head(t, out);
+    for (int64_t row = 0; row < t->playback->sample_count; ++row) {
+        fprintf(out, "%lld,%.17g", (long long)t->steps[row], t->times[row]);
+        for (int n = 0; n < t->count; ++n) {
+            int o = t->columns[n].observable;
+            int64_t at = row * t->playback->observables[o].components + t->columns[n].component;
+            fprintf(out, ",%.17g", t->values[o][at]);
+        }
+        fputc('\n', out);
+    }
+}
+
+static fw_status save(const table *t, const char *name, fw_error *error)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *memory = open_memstream(&text, &size);
+    fw_status status = FW_OK;
+    if (memory) write_table(t, memory);
+    if (!memory || fclose(memory) != 0)
+        status = fw_fail_memory(error, "a table");
+    else
+        status = fw_whole_file_write(name, text, size, error);
+    free(text);
+    return status;
+}
+
+fw_status fw_command_table(const fw_arguments *arguments, fw_error *error)
+{
+    const char *directory = arguments->words[0];
+    table t = {0};
+    FW_TRY(fw_playback_open(&t.playback, directory, error));
+    fw_status status =
+        fw_columns_find(t.playback, directory, arguments->observable, &t.columns, &t.count, error);
+    if (status == FW_OK) status = read_values(&t, error);
+    if (status == FW_OK && arguments->output)
+        status = save(&t, arguments->output, error);
+    else if (status == FW_OK)
+        write_table(&t, stdout);
+    release(&t);
+    return status;
+}
