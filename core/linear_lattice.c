@@ -206,6 +206,13 @@ void fw_linear_lattice_refresh(fw_solid *solid)
 
 /* --- building --- */
 
+double fw_linear_lattice_time_step_limit(double k1, double k2, double mass)
+{
+    /* The highest frequency is at the middle of the zone's edge or at its corner. */
+    const double middle = 8 * k1 + fmax(6 * k2, 2 * k2), corner = 9 * k1 + 4.5 * k2;
+    return 2 / sqrt(fmax(middle, corner) / mass);
+}
+
 static fw_status check_stability(double k1, double k2, double mass, double time_step,
                                  fw_error *error)
 {
@@ -214,9 +221,7 @@ static fw_status check_stability(double k1, double k2, double mass, double time_
                        "the linear lattice has k1 = %g and k2 = %g, expected k1 + k2/4 > 0 and k1 "
                        "+ 3 k2/4 > 0: otherwise it collapses",
                        k1, k2);
-    /* The highest frequency is at the middle of the zone's edge or at its corner. */
-    const double middle = 8 * k1 + fmax(6 * k2, 2 * k2), corner = 9 * k1 + 4.5 * k2;
-    const double limit = 2 / sqrt(fmax(middle, corner) / mass);
+    const double limit = fw_linear_lattice_time_step_limit(k1, k2, mass);
     if (!(time_step < limit))
         return fw_fail(error, FW_BAD_INPUT,
                        "the time step is %g, expected less than %.4g: beyond it the lattice's "

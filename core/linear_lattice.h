@@ -45,6 +45,9 @@ fw_status fw_linear_lattice_create(fw_solid **solid, const fw_linear_lattice_def
 /* k1 and k2 that give these Lame coefficients. */
 void fw_linear_lattice_from_lame(double lambda, double mu, double *k1, double *k2);
 
+/* The longest stable time step of Verlet's scheme, 2/omega of the lattice's fastest oscillation. */
+double fw_linear_lattice_time_step_limit(double k1, double k2, double mass);
+
 /* Of an endless lattice: omega^2 u = D(q) u for waves u e^{i q . r}. */
 fw_sym2 fw_linear_lattice_dynamical_matrix(const fw_linear_lattice_def *def, fw_vec2 wave_vector);
 

@@ -6,6 +6,9 @@
 #include "experiments/figure.h"
 #include "experiments/run.h"
 
+#include "core/linear_lattice.h"
+#include "core/particles.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -187,15 +190,43 @@ static fw_status check_boltzmann(const fw_experiment *experiment, int member, in
     return FW_OK;
 }
 
+/* Bodies of movable particles share one solid, and so one time step. */
+static double particles_limit(const fw_scenario *scenario, const fw_scenario_particles *material)
+{
+    const fw_particle_group_def group = {
+        .mass = material->mass,
+        .strength = fmax(material->strength, scenario->dynamics.strength_across),
+        .return_force = material->return_force};
+    const fw_particles_def def = {
+        .groups = &group, .group_count = 1, .potential = material->potential};
+    return fw_particles_time_step_limit(&def);
+}
+
+static void print_time_step(const fw_scenario *scenario, int member, double limit)
+{
+    printf("  %-14s stable: time step %g, expected below %.3g\n", scenario->bodies[member].name,
+           scenario->dynamics.time_step, limit);
+}
+
 static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
-    for (int b = 0; b < experiment->member_count; ++b)
-        switch (scenario->materials[scenario->bodies[b].material].kind) {
+    for (int b = 0; b < experiment->member_count; ++b) {
+        const fw_scenario_material *m = &scenario->materials[scenario->bodies[b].material];
+        switch (m->kind) {
         case FW_LATTICE_BOLTZMANN:
             FW_TRY(check_boltzmann(experiment, b, warnings, error));
             break;
+        case FW_MOVABLE_PARTICLES:
+            print_time_step(scenario, b, particles_limit(scenario, &m->particles));
+            break;
+        case FW_LINEAR_LATTICE:
+            print_time_step(
+                scenario, b,
+                fw_linear_lattice_time_step_limit(m->linear.k1, m->linear.k2, m->linear.mass));
+            break;
         }
+    }
     return FW_OK;
 }
 

@@ -25,7 +25,7 @@ static void check_tells_what_a_run_takes(void **state)
     struct stat file;
     (void)state;
     make_quick_folder(folder, sizeof folder);
-    outcome seen = run_program(folder, "check wall-bounce -o start.png");
+    outcome seen = run_program(folder, "check wall-bounce --set run.record-every=20 -o start.png");
     expect_end(&seen, 0, "");
     assert_int_equal(number_of(seen.out, "bodies"), 1);
     assert_int_equal(number_of(seen.out, "particles"), 400);
@@ -41,7 +41,7 @@ static void check_tells_what_a_run_takes(void **state)
     shell(folder, "test \"$(ls)\" = start.png && head -c 4 start.png | grep -q PNG");
     double predicted = number_of(seen.out, "results file"),
            kept = number_of(seen.out, "checkpoints");
-    seen = run_program(folder, "run wall-bounce --no-plot -o it");
+    seen = run_program(folder, "run wall-bounce --no-plot --set run.record-every=20 -o it");
     expect_end(&seen, 0, "");
     snprintf(path, sizeof path, "%s/it/trajectory.h5", folder);
     assert_int_equal(stat(path, &file), 0);
