@@ -201,8 +201,11 @@ static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, f
             if (depth > ON_SURFACE * (1 + fabs(at.x) + fabs(at.y)))
                 return fw_fail(error, FW_BAD_INPUT,
                                "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
-                               "its surface, expected all particles on the free side",
-                               body->name, fw_wall_name(wall), i, at.x, at.y, depth);
+                               "its surface, expected all particles on the free side%s",
+                               body->name, fw_wall_name(wall), i, at.x, at.y, depth,
+                               fw_wall_definition(wall)->shape == FW_CHAIN
+                                   ? ", which is to the left of the way along a chain"
+                                   : "");
         }
     }
     return FW_OK;

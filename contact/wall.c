@@ -188,9 +188,27 @@ fw_box fw_wall_bounds(const fw_wall *wall)
     return bounds;
 }
 
+/* Depth behind the nearest piece of a chain that the point lies beside. Where two pieces are as
+ * near (both faces of a blade), being in front of one is enough. */
+static double depth_behind_chain(const fw_wall *wall, fw_vec2 point)
+{
+    double nearest = INFINITY, depth = 0;
+    for (int i = 0; i < wall->facet_count; ++i) {
+        const fw_facet *facet = &wall->facets[i];
+        fw_vec2 along = fw_vec2_subtract(facet->b, facet->a);
+        double beside = fw_vec2_dot(fw_vec2_subtract(point, facet->a), along);
+        if (beside < 0 || beside > facet->length * facet->length) continue;
+        double gap = fw_facet_gap(facet, point);
+        if (fabs(gap) > nearest || (fabs(gap) == nearest && gap < 0)) continue;
+        nearest = fabs(gap);
+        depth = fmax(0, -gap);
+    }
+    return depth;
+}
+
 double fw_wall_depth(const fw_wall *wall, fw_vec2 point)
 {
-    if (wall->def.shape == FW_CHAIN) return 0;
+    if (wall->def.shape == FW_CHAIN) return depth_behind_chain(wall, point);
     /* Free inside a convex shape: in front of all facets; outside: in front of any. */
     const bool inside = wall->def.side == FW_INSIDE;
     double depth = inside ? 0 : INFINITY;

@@ -81,7 +81,8 @@ fw_box fw_wall_bounds(const fw_wall *wall);
 
 /* How far `point` (in the wall's frame) is from where it may be, looking at the whole wall: 0 if
  * it is free, else the depth > 0 by which it lies behind the facet that bars it: inside, the one
- * it is furthest behind of; outside, the nearest. Chains have no inside: always 0. */
+ * it is furthest behind of; outside, the nearest. Of a chain it is the nearest piece that the point
+ * lies beside. */
 double fw_wall_depth(const fw_wall *wall, fw_vec2 point);
 
 /* The checks of fw_wall_create() alone. */

@@ -14,7 +14,7 @@ const fw_command fw_commands[] = {
     {"list", "list", "named experiments, one line each", "h", 0, 0, fw_command_list},
     {"show", "show NAME", "its scenario file, ready to copy and edit", "h", 1, 1, fw_command_show},
     {"check", "check NAME|FILE",
-     "says without running it what an experiment takes, and draws its start", "hoset", 1, 1,
+     "says without running it what an experiment takes, and draws its start", "hiset", 1, 1,
      fw_command_check},
     {"run", "run NAME|FILE", "runs an experiment, draws its pictures and says what came out",
      "hosetqwn", 1, 1, fw_command_run},
@@ -22,8 +22,8 @@ const fw_command fw_commands[] = {
      fw_command_resume},
     {"verify", "verify [NAME...]", "runs experiments and holds them against what they should show",
      "hstqj", 0, FW_WORDS_MOST, fw_command_verify},
-    {"plot", "plot DIR", "draws pictures of a result", "hokfbapl", 1, 1, fw_command_plot},
-    {"table", "table DIR", "observables of a result as comma-separated values", "hob", 1, 1,
+    {"plot", "plot DIR", "draws pictures of a result", "hikfbapl", 1, 1, fw_command_plot},
+    {"table", "table DIR", "observables of a result as comma-separated values", "hcb", 1, 1,
      fw_command_table},
     {"quantities", "quantities", "what can be measured, recorded and expected, by name", "h", 0, 0,
      fw_command_quantities},
@@ -37,9 +37,11 @@ typedef struct option {
 } option;
 
 static const option options[] = {
-    {'o', "--output", "-o", "PATH",
-     "folder of the results, file of the picture (.png, .svg, .pdf) or table (.csv)"},
-    {'s', "--set", NULL, "KEY=VALUE", "changes a value, as bodies.sheet.velocity=[0.1,0]"},
+    {'o', "--output", "-o", "DIR", "folder of the results (results/NAME)"},
+    {'i', "--output", "-o", "FILE", "file of the picture: .png, .svg or .pdf"},
+    {'c', "--output", "-o", "FILE", "file of the table (standard output)"},
+    {'s', "--set", NULL, "KEY=VALUE",
+     "changes a value, as 'bodies.sheet.velocity=[0.1,0]'; items of lists count from 0"},
     {'e', "--seed", NULL, "N", "seed of everything random, the same as --set run.seed=N"},
     {'t', "--threads", "-j", "N",
      "threads (1); more pay from some 100,000 particles on, results do not depend on them"},
@@ -63,9 +65,11 @@ static bool takes(const fw_command *command, const option *o)
     return strchr(command->options, o->letter) != NULL;
 }
 
-static const option *find_option(const char *word, size_t length)
+/* One that the command takes, or NULL. */
+static const option *find_option(const fw_command *command, const char *word, size_t length)
 {
     for (const option *o = options; o->letter; ++o) {
+        if (!takes(command, o)) continue;
         if (strlen(o->name) == length && strncmp(o->name, word, length) == 0) return o;
         if (o->brief && strlen(o->brief) == length && strncmp(o->brief, word, length) == 0)
             return o;
@@ -121,6 +125,8 @@ static fw_status store(fw_arguments *a, const option *o, const char *value, fw_e
 {
     switch (o->letter) {
     case 'o':
+    case 'i':
+    case 'c':
         a->output = value;
         break;
     case 's':
@@ -173,8 +179,8 @@ static fw_status read_option(fw_arguments *arguments, const fw_command *command,
 {
     const char *word = words[*n], *equals = strchr(word, '=');
     size_t length = equals ? (size_t)(equals - word) : strlen(word);
-    const option *o = find_option(word, length);
-    if (!o || !takes(command, o)) return refuse_option(command, word, length, error);
+    const option *o = find_option(command, word, length);
+    if (!o) return refuse_option(command, word, length, error);
     if (!o->value) {
         if (equals)
             return fw_fail(error, FW_BAD_INPUT, "%s takes no value, but has %s", o->name,

@@ -6,6 +6,7 @@
 #include "experiments/figure.h"
 #include "experiments/run.h"
 
+#include "core/lb_solid.h"
 #include "core/linear_lattice.h"
 #include "core/particles.h"
 
@@ -15,9 +16,6 @@
 
 /* For how many seconds steps are taken for real. */
 static const double REHEARSAL_SECONDS = 0.4;
-/* Below it, in spacings per step, particles of an LB solid keep their order when they hit a wall:
- * measured with sheets at mu = 1. */
-static const double LB_FASTEST = 0.3;
 
 /* --- a picture of the start --- */
 
@@ -177,7 +175,7 @@ static fw_status check_boltzmann(const fw_experiment *experiment, int member, in
     const fw_scenario_boltzmann *material =
         &experiment->scenario->materials[body->material].boltzmann;
     const bool meets = fw_scene_wall_count(experiment->scene) > 0 || experiment->member_count > 1;
-    double speed, fastest = LB_FASTEST * body->lattice.spacing;
+    double speed, fastest = FW_LB_FASTEST * body->lattice.spacing;
     FW_TRY(find_speed(experiment, member, &speed, error));
     printf("  %-14s stable: damping %g, expected above 0.5 and up to 1\n", body->name,
            material->damping);

@@ -41,7 +41,8 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .overwrite = arguments->overwrite,
                                     .threads = fw_command_threads(arguments),
                                     .name = name,
-                                    .progress = arguments->quiet ? NULL : stderr};
+                                    .progress = arguments->quiet ? NULL : stderr,
+                                    .cautions = stderr};
     fw_run *run;
     fw_interrupt_watch();
     fw_status status = fw_run_begin(&run, scenario, &options, error);
@@ -90,7 +91,8 @@ fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
     const fw_run_options options = {.directory = directory,
                                     .threads = fw_command_threads(arguments),
                                     .name = directory,
-                                    .progress = arguments->quiet ? NULL : stderr};
+                                    .progress = arguments->quiet ? NULL : stderr,
+                                    .cautions = stderr};
     fw_run *run;
     char note[FW_SENTENCE_SIZE];
     fw_interrupt_watch();

@@ -8,6 +8,7 @@
 #include "core/particles.h"
 #include "experiments/build.h"
 #include "experiments/member.h"
+#include "experiments/overlap.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -109,36 +110,17 @@ static fw_status add_force(fw_experiment *experiment, int number, fw_error *erro
     return status;
 }
 
-/* The smallest distance that two bodies may keep, in spacings: closer ones share a place. */
-static const double BODIES_APART = 0.5;
-
 static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, fw_error *error)
 {
-    const fw_solid *one = fw_experiment_solid(experiment, a),
-                   *other = fw_experiment_solid(experiment, b);
-    const fw_member *ma = &experiment->members[a], *mb = &experiment->members[b];
-    const fw_scenario_body *body = &experiment->scenario->bodies[b];
-    double apart =
-        BODIES_APART * fmin(body->lattice.spacing, experiment->scenario->bodies[a].lattice.spacing);
-    double low_x = INFINITY, high_x = -INFINITY, low_y = INFINITY, high_y = -INFINITY;
-    for (int i = ma->first; i < ma->first + ma->count; ++i) {
-        low_x = fmin(low_x, one->x[i]);
-        high_x = fmax(high_x, one->x[i]);
-        low_y = fmin(low_y, one->y[i]);
-        high_y = fmax(high_y, one->y[i]);
-    }
-    for (int j = mb->first; j < mb->first + mb->count; ++j) {
-        if (other->x[j] < low_x - apart || other->x[j] > high_x + apart ||
-            other->y[j] < low_y - apart || other->y[j] > high_y + apart)
-            continue;
-        for (int i = ma->first; i < ma->first + ma->count; ++i)
-            if (hypot(other->x[j] - one->x[i], other->y[j] - one->y[i]) < apart)
-                return fw_scenario_fail(experiment->scenario, body->place, error,
-                                        "body %s starts in body %s: both have a particle near "
-                                        "(%g, %g), expected at least %g between them",
-                                        body->name, ma->name, other->x[j], other->y[j], apart);
-    }
-    return FW_OK;
+    bool found;
+    fw_vec2 where;
+    FW_TRY(fw_overlap_find(experiment, a, b, &found, &where, error));
+    if (!found) return FW_OK;
+    return fw_scenario_fail(experiment->scenario, experiment->scenario->bodies[b].place, error,
+                            "body %s starts in body %s: both have a particle near (%g, %g), "
+                            "expected at least half a spacing between them",
+                            experiment->members[b].name, experiment->members[a].name, where.x,
+                            where.y);
 }
 
 static fw_status place_of_failure(const fw_scenario *scenario, fw_place place, fw_status status,

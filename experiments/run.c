@@ -4,6 +4,7 @@
  * is in the results file. Start reading at fw_run_to_end(). */
 #include "experiments/run.h"
 
+#include "experiments/caution.h"
 #include "experiments/interrupt.h"
 #include "experiments/playback.h"
 #include "experiments/progress.h"
@@ -23,6 +24,7 @@ struct fw_run {
     fw_measurement *measurement;
     fw_recorder *recorder; /* NULL: nothing is written */
     double checkpointed;   /* clock of the last checkpoint */
+    fw_caution caution;
 };
 
 static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
@@ -33,6 +35,7 @@ static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_
     if (!made) return fw_fail_memory(error, "a run");
     made->scenario = scenario;
     made->options = *options;
+    made->caution.out = options->cautions;
     omp_set_num_threads(options->threads > 0 ? options->threads : 1);
     FW_TRY(fw_experiment_create(&made->experiment, scenario, error));
     return fw_measurement_create(&made->measurement, made->experiment, error);
@@ -49,6 +52,7 @@ static fw_status measure(fw_run *run, fw_error *error)
 
 static fw_status record(fw_run *run, fw_error *error)
 {
+    FW_TRY(fw_caution_look(&run->caution, run->experiment, error));
     return run->recorder ? fw_recorder_write_frame(run->recorder, error) : FW_OK;
 }
 
@@ -179,9 +183,13 @@ static fw_status step_once(fw_run *run, fw_error *error)
     fw_status signal = fw_interrupt_seen();
     if (signal != FW_OK) {
         FW_TRY(checkpoint(run, error));
-        return fw_fail(error, signal, "interrupted after %lld of %lld steps%s", (long long)step,
-                       (long long)run->scenario->run.steps,
-                       run->recorder ? "; `fretwork resume` goes on from here" : "");
+        if (!run->recorder)
+            return fw_fail(error, signal, "interrupted after %lld of %lld steps", (long long)step,
+                           (long long)run->scenario->run.steps);
+        return fw_fail(
+            error, signal,
+            "interrupted after %lld of %lld steps; `fretwork resume %s` goes on from here",
+            (long long)step, (long long)run->scenario->run.steps, run->options.directory);
     }
     if (checkpoint_is_due(run, step)) FW_TRY(checkpoint(run, error));
     return FW_OK;

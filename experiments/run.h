@@ -16,6 +16,7 @@ typedef struct fw_run_options {
     int threads;
     const char *name; /* for the progress line */
     FILE *progress;   /* NULL: none */
+    FILE *cautions;   /* where caution.h says what it sees; NULL: nowhere */
 } fw_run_options;
 
 typedef struct fw_run fw_run;

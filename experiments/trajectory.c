@@ -161,7 +161,11 @@ static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
                            const fw_trajectory_def *def, fw_error *error)
 {
     if (fw_folder_has(folder, FW_TRAJECTORY_FILE) && !def->overwrite)
-        return fw_fail(error, FW_BAD_INPUT, "%s holds a result already", def->directory);
+        return fw_fail(
+            error, FW_BAD_INPUT,
+            "%s holds a result already; --overwrite replaces it, -o DIR puts the new one "
+            "elsewhere",
+            def->directory);
     /* The size of the structure is a guess; HDF5 tells afterwards whether it was enough. */
     bool cramped = true;
     for (size_t structure = fw_layout_structure(def); cramped; structure *= 2) {

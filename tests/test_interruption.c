@@ -30,7 +30,7 @@ static void interrupt_twice(const char *folder, int signal_number, int code)
     await_file(folder, "part/checkpoint-B", true);
     kill(run.process, signal_number);
     outcome seen = await_program(run);
-    expect_end(&seen, code, "of 6000 steps; `fretwork resume` goes on from here");
+    expect_end(&seen, code, "of 6000 steps; `fretwork resume part` goes on from here");
     check_exit_reason(folder, "part", "interrupted after");
     run = start_program(folder, "resume part --quiet --no-plot");
     await_file(folder, "part/trajectory.h5.head", false);
