@@ -36,37 +36,6 @@ static void clear_views(const fw_plot_picture *picture, fw_plot_view *loaded, fw
 
 /* --- the way of the centre of mass --- */
 
-typedef struct paths {
-    int count, point_count;
-    fw_figure_path *path;
-    double *x, *y; /* point_count of each body, body by body */
-    double *mass, *particle_x, *particle_y;
-} paths;
-
-static bool allocate_paths(paths *p, const fw_plot_result *result, int point_count)
-{
-    size_t bodies = (size_t)result->playback->body_count, points = (size_t)point_count;
-    size_t particles = (size_t)result->playback->particle_count;
-    p->point_count = point_count;
-    p->path = calloc(bodies, sizeof *p->path);
-    p->x = fw_array_of_doubles(bodies * points);
-    p->y = fw_array_of_doubles(bodies * points);
-    p->mass = fw_array_of_doubles(particles);
-    p->particle_x = fw_array_of_doubles(particles);
-    p->particle_y = fw_array_of_doubles(particles);
-    return p->path && p->x && p->y && p->mass && p->particle_x && p->particle_y;
-}
-
-static void free_paths(paths *p)
-{
-    free(p->path);
-    free(p->x);
-    free(p->y);
-    free(p->mass);
-    free(p->particle_x);
-    free(p->particle_y);
-}
-
 static double centre(const double *place, const double *mass, int count)
 {
     double sum = 0, weight = 0;
@@ -78,47 +47,76 @@ static double centre(const double *place, const double *mass, int count)
 }
 
 /* A centre that stays where it is has no way to be shown. */
-static void keep_moving(paths *p, const fw_plot_result *result)
+static void keep_moving(fw_plot_paths *paths, const fw_plot_result *result, int points)
 {
-    int bodies = result->playback->body_count;
-    for (int b = 0; b < bodies; ++b) {
-        const double *x = p->x + (size_t)b * (size_t)p->point_count;
-        const double *y = p->y + (size_t)b * (size_t)p->point_count;
+    for (int b = 0; b < result->playback->body_count; ++b) {
+        const double *x = paths->x + (size_t)b * (size_t)points;
+        const double *y = paths->y + (size_t)b * (size_t)points;
         fw_range across = fw_range_empty(), along = fw_range_empty();
-        fw_range_include(&across, x, p->point_count, false);
-        fw_range_include(&along, y, p->point_count, false);
+        fw_range_include(&across, x, points, false);
+        fw_range_include(&along, y, points, false);
         double extent = fmax(across.high - across.low, along.high - along.low);
         if (extent > .02 * result->scenario->bodies[b].lattice.spacing)
-            p->path[p->count++] = (fw_figure_path){x, y, p->point_count};
+            paths->path[paths->count++] = (fw_figure_path){x, y, points};
     }
 }
 
-/* From the first frame shown to the last one; up to the only one. */
-static fw_status find_paths(paths *p, const fw_plot_result *result, const fw_plot_picture *picture,
-                            fw_error *error)
+static fw_status read_masses(const fw_plot_result *result, double *mass, fw_error *error)
+{
+    if (result->playback->mass) return fw_playback_read_masses(result->playback, mass, error);
+    for (int n = 0; n < result->playback->particle_count; ++n) mass[n] = 1;
+    return FW_OK;
+}
+
+/* Centres of all bodies at `points` frames, `every` frames apart; the last one is always there. */
+static fw_status read_centres(fw_plot_paths *paths, const fw_plot_result *result, int64_t first,
+                              int64_t last, int64_t every, int points, fw_error *error)
 {
     fw_playback *playback = result->playback;
+    size_t particles = (size_t)playback->particle_count;
+    double *mass = fw_array_of_doubles(particles);
+    double *place[2] = {fw_array_of_doubles(particles), fw_array_of_doubles(particles)};
+    fw_status status = mass && place[0] && place[1] ? read_masses(result, mass, error)
+                                                    : fw_fail_memory(error, "the path of a body");
+    for (int k = 0; k < points && status == FW_OK; ++k) {
+        int64_t frame = first + k * every < last ? first + k * every : last;
+        status = fw_playback_read_positions(playback, frame, place[0], place[1], error);
+        for (int b = 0; b < playback->body_count && status == FW_OK; ++b) {
+            const fw_playback_body *body = &playback->bodies[b];
+            size_t at = (size_t)b * (size_t)points + (size_t)k;
+            paths->x[at] = centre(place[0] + body->first, mass + body->first, body->count);
+            paths->y[at] = centre(place[1] + body->first, mass + body->first, body->count);
+        }
+    }
+    free(mass);
+    free(place[0]);
+    free(place[1]);
+    return status;
+}
+
+fw_status fw_plot_paths_find(fw_plot_paths *paths, const fw_plot_result *result,
+                             const fw_plot_picture *picture, fw_error *error)
+{
     int64_t first = picture->frame_count > 1 ? picture->frames[0] : 0;
     int64_t last = picture->frames[picture->frame_count - 1];
     int64_t every = 1 + (last - first) / PATH_POINTS;
-    int count = (int)((last - first) / every) + 1 + ((last - first) % every != 0);
-    if (!allocate_paths(p, result, count)) return fw_fail_memory(error, "the path of a body");
-    if (playback->mass)
-        FW_TRY(fw_playback_read_masses(playback, p->mass, error));
-    else
-        for (int n = 0; n < playback->particle_count; ++n) p->mass[n] = 1;
-    for (int k = 0; k < count; ++k) {
-        int64_t frame = first + k * every < last ? first + k * every : last;
-        FW_TRY(fw_playback_read_positions(playback, frame, p->particle_x, p->particle_y, error));
-        for (int b = 0; b < playback->body_count; ++b) {
-            const fw_playback_body *body = &playback->bodies[b];
-            size_t at = (size_t)b * (size_t)count + (size_t)k;
-            p->x[at] = centre(p->particle_x + body->first, p->mass + body->first, body->count);
-            p->y[at] = centre(p->particle_y + body->first, p->mass + body->first, body->count);
-        }
-    }
-    keep_moving(p, result);
+    int points = (int)((last - first) / every) + 1 + ((last - first) % every != 0);
+    size_t bodies = (size_t)result->playback->body_count;
+    *paths = (fw_plot_paths){.path = calloc(bodies, sizeof *paths->path),
+                             .x = fw_array_of_doubles(bodies * (size_t)points),
+                             .y = fw_array_of_doubles(bodies * (size_t)points)};
+    if (!paths->path || !paths->x || !paths->y) return fw_fail_memory(error, "the path of a body");
+    FW_TRY(read_centres(paths, result, first, last, every, points, error));
+    keep_moving(paths, result, points);
     return FW_OK;
+}
+
+void fw_plot_paths_clear(fw_plot_paths *paths)
+{
+    free(paths->path);
+    free(paths->x);
+    free(paths->y);
+    *paths = (fw_plot_paths){0};
 }
 
 /* --- pictures --- */
@@ -128,18 +126,18 @@ fw_status fw_plot_draw_motion(const fw_plot_result *result, const fw_plot_pictur
 {
     fw_plot_view *loaded = NULL;
     fw_view *views = NULL;
-    paths p = {0};
+    fw_plot_paths paths = {0};
     fw_status status = load_views(result, picture, &loaded, &views, error);
-    if (status == FW_OK) status = find_paths(&p, result, picture, error);
+    if (status == FW_OK) status = fw_plot_paths_find(&paths, result, picture, error);
     if (status == FW_OK) {
         const fw_figure_motion_plan plan = {.views = views,
                                             .view_count = picture->frame_count,
-                                            .paths = p.path,
-                                            .path_count = p.count,
+                                            .paths = paths.path,
+                                            .path_count = paths.count,
                                             .length_unit = result->length_unit};
         status = fw_figure_motion(&picture->page, &plan, error);
     }
-    free_paths(&p);
+    fw_plot_paths_clear(&paths);
     clear_views(picture, loaded, views);
     return status;
 }

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PANELS_MOST = 64, PANEL_NAME_SIZE = 256 };
+enum { PANELS_MOST = 64 };
 
 /* Stiffness of the links of one body, by their numbers in the result. */
 static fw_status apply_replacement(const fw_plot_result *result, int body,
@@ -59,17 +59,7 @@ static fw_status find_stiffness(const fw_plot_result *result, int body, fw_sym2 
 
 /* --- panels --- */
 
-typedef struct forces {
-    const fw_plot_result *result;
-    fw_sym2 *stiffness;        /* of all links */
-    fw_plot_view *views;       /* per frame */
-    double *force_x, *force_y; /* of one frame */
-    fw_figure_force *arrows;   /* of all panels */
-    int arrow_count;
-    fw_figure_forces_panel *panels;
-    char (*names)[PANEL_NAME_SIZE];
-    int panel_count;
-} forces;
+typedef fw_plot_forces forces;
 
 static bool has_links(const fw_plot_result *result, int body)
 {
@@ -109,7 +99,7 @@ static void add_external_forces(forces *f, int body)
 }
 
 /* "nine, step 2 000: 8 long at rest, 8.8 now"; the lengths of chains only. */
-static void name_panel(const forces *f, const fw_plot_view *view, int body, char *name)
+static void name_panel(const forces *f, const fw_plot_view *view, int body, char name[256])
 {
     const fw_plot_result *result = f->result;
     const fw_scenario_body *of = &result->scenario->bodies[body];
@@ -119,7 +109,7 @@ static void name_panel(const forces *f, const fw_plot_view *view, int body, char
     int last = shown->count - 1;
     char step[32], rest[32], now[32];
     fw_ticks_print_number(step, sizeof step, (double)view->view.step, 15);
-    int length = snprintf(name, PANEL_NAME_SIZE, "%s, step %s", of->name, step);
+    int length = snprintf(name, sizeof f->names[0], "%s, step %s", of->name, step);
     bool chain = of->shape.first_row == of->shape.last_row ||
                  of->shape.first_column == of->shape.last_column;
     if (!chain || last < 1) return;
@@ -127,7 +117,7 @@ static void name_panel(const forces *f, const fw_plot_view *view, int body, char
                           hypot(rest_x[last] - rest_x[0], rest_y[last] - rest_y[0]), 6);
     fw_ticks_print_number(now, sizeof now,
                           hypot(shown->x[last] - shown->x[0], shown->y[last] - shown->y[0]), 6);
-    snprintf(name + length, PANEL_NAME_SIZE - (size_t)length, ": %s long at rest, %s now", rest,
+    snprintf(name + length, sizeof f->names[0] - (size_t)length, ": %s long at rest, %s now", rest,
              now);
 }
 
@@ -172,8 +162,10 @@ static bool allocate(forces *f, const fw_plot_picture *picture)
            f->names;
 }
 
-static fw_status fill(forces *f, const fw_plot_picture *picture, fw_error *error)
+fw_status fw_plot_forces_find(fw_plot_forces *f, const fw_plot_result *result,
+                              const fw_plot_picture *picture, fw_error *error)
 {
+    *f = (fw_plot_forces){.result = result};
     fw_playback *playback = f->result->playback;
     int panels = picture->frame_count * playback->body_count;
     if (panels > PANELS_MOST)
@@ -184,6 +176,7 @@ static fw_status fill(forces *f, const fw_plot_picture *picture, fw_error *error
     for (int b = 0; b < playback->body_count; ++b)
         if (has_links(f->result, b)) FW_TRY(find_stiffness(f->result, b, f->stiffness, error));
     for (int k = 0; k < picture->frame_count; ++k) {
+        f->view_count += 1;
         FW_TRY(fw_plot_view_load(&f->views[k], f->result, picture->frames[k], NULL, error));
         if (playback->force)
             FW_TRY(fw_playback_read_forces(playback, picture->frames[k], f->force_x, f->force_y,
@@ -193,10 +186,23 @@ static fw_status fill(forces *f, const fw_plot_picture *picture, fw_error *error
     return FW_OK;
 }
 
+void fw_plot_forces_clear(fw_plot_forces *f)
+{
+    for (int k = 0; k < f->view_count; ++k) fw_plot_view_clear(&f->views[k]);
+    free(f->stiffness);
+    free(f->views);
+    free(f->force_x);
+    free(f->force_y);
+    free(f->arrows);
+    free(f->panels);
+    free(f->names);
+    *f = (fw_plot_forces){0};
+}
+
 fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error)
 {
-    forces f = {.result = result};
+    forces f;
     fw_page page = picture->page;
     char caption[2048];
     snprintf(caption, sizeof caption, "%s%s", page.caption,
@@ -204,18 +210,11 @@ fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_pictur
                                      : " External forces were not recorded (record.force), so only "
                                        "those of the links are shown.");
     page.caption = caption;
-    fw_status status = fill(&f, picture, error);
+    fw_status status = fw_plot_forces_find(&f, result, picture, error);
     if (status == FW_OK) {
         const fw_figure_forces_plan plan = {f.panels, f.panel_count, result->length_unit};
         status = fw_figure_forces(&page, &plan, error);
     }
-    for (int k = 0; f.views && k < picture->frame_count; ++k) fw_plot_view_clear(&f.views[k]);
-    free(f.stiffness);
-    free(f.views);
-    free(f.force_x);
-    free(f.force_y);
-    free(f.arrows);
-    free(f.panels);
-    free(f.names);
+    fw_plot_forces_clear(&f);
     return status;
 }

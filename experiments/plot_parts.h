@@ -66,7 +66,58 @@ typedef struct fw_plot_picture {
     bool logarithmic;
 } fw_plot_picture;
 
-/* Each makes the file; `caption` of the page is added to. */
+/* --- what is found before anything is drawn --- */
+
+/* The ways of the centres of mass from the first frame shown to the last one (up to it, where it is
+ * the only one), of the bodies whose centre moves. */
+typedef struct fw_plot_paths {
+    int count;
+    fw_figure_path *path;
+    double *x, *y; /* what they point into */
+} fw_plot_paths;
+fw_status fw_plot_paths_find(fw_plot_paths *paths, const fw_plot_result *result,
+                             const fw_plot_picture *picture, fw_error *error);
+
+/* A panel for each body in each frame, with the forces of its links, which follow from where its
+ * particles are (Chopard & Marconi Eq 31), and the external ones where the file has them. */
+typedef struct fw_plot_forces {
+    const fw_plot_result *result;
+    int panel_count;
+    fw_figure_forces_panel *panels;
+    char (*names)[256]; /* what the panels point into */
+    fw_figure_force *arrows;
+    int arrow_count, view_count;
+    fw_plot_view *views;
+    fw_sym2 *stiffness;        /* of all links of the result */
+    double *force_x, *force_y; /* of one frame */
+} fw_plot_forces;
+fw_status fw_plot_forces_find(fw_plot_forces *forces, const fw_plot_result *result,
+                              const fw_plot_picture *picture, fw_error *error);
+
+/* The curves that the observables of a picture stand for, in panels. */
+typedef struct fw_plot_series {
+    const fw_plot_result *result;
+    int panel_count;
+    fw_chart *charts;
+    fw_curve *drawn; /* what the charts point into */
+    char (*labels)[4 * FW_NAME_SIZE];
+    int curve_count;
+    struct fw_plot_curve *curves;
+    int64_t *steps; /* of all samples */
+    double *times;
+    int first, shown; /* samples that are drawn */
+} fw_plot_series;
+fw_status fw_plot_series_find(fw_plot_series *series, const fw_plot_result *result,
+                              const fw_plot_picture *picture, fw_error *error);
+
+/* All may be cleared whether they were found or not. */
+void fw_plot_paths_clear(fw_plot_paths *paths);
+void fw_plot_forces_clear(fw_plot_forces *forces);
+void fw_plot_series_clear(fw_plot_series *series);
+
+/* --- pictures --- */
+
+/* Each makes the file; the caption of the page is added to. */
 fw_status fw_plot_draw_motion(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error);
 fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture *picture,

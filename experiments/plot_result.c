@@ -38,6 +38,26 @@ static fw_status read_frame_times(fw_plot_result *result, fw_error *error)
     return fw_playback_read_frame_times(result->playback, result->steps, result->times, error);
 }
 
+/* Bodies without a lattice begin where they were placed. */
+static fw_status place_where_placed(fw_plot_result *result, fw_error *error)
+{
+    fw_playback *playback = result->playback;
+    size_t count = (size_t)playback->particle_count;
+    double *x = fw_array_of_doubles(count), *y = fw_array_of_doubles(count);
+    fw_status status = x && y ? fw_playback_read_positions(playback, 0, x, y, error)
+                              : fw_fail_memory(error, "the places at rest");
+    for (int b = 0; b < playback->body_count && status == FW_OK; ++b) {
+        const fw_playback_body *body = &playback->bodies[b];
+        size_t bytes = (size_t)body->count * sizeof *x;
+        if (result->scenario->bodies[b].shape.kind != FW_SHAPE_PLACED) continue;
+        memcpy(result->rest_x + body->first, x + body->first, bytes);
+        memcpy(result->rest_y + body->first, y + body->first, bytes);
+    }
+    free(x);
+    free(y);
+    return status;
+}
+
 static fw_status find_rest(fw_plot_result *result, fw_error *error)
 {
     size_t count = (size_t)result->playback->particle_count;
@@ -56,7 +76,7 @@ static fw_status find_rest(fw_plot_result *result, fw_error *error)
         }
         fw_sites_clear(&sites);
     }
-    return FW_OK;
+    return place_where_placed(result, error);
 }
 
 /* Number of the body that a particle belongs to. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot_series.c - observables over time: which curves, in which panels, under which names.
- * State: the list of curves while it is gathered. Invariant: quantities of one unit share a panel;
- * pure numbers have nothing in common and get one each. Start reading at fw_plot_draw_series(). */
+ * Keeps no state. Invariant: quantities of one unit share a panel;
+ * pure numbers have nothing in common and get one each. Start reading at fw_plot_series_find(). */
 #include "experiments/plot_parts.h"
 
 #include "experiments/quantity.h"
@@ -13,30 +13,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CURVES_MOST = 256, CURVE_NAME_SIZE = 4 * FW_NAME_SIZE };
+enum { CURVES_MOST = 256 };
 
 /* One component of an observable. */
-typedef struct curve {
+typedef struct fw_plot_curve {
     int observable, component;
     char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE], part[16]; /* "momentum", "sheet", "x" */
     const char *unit;
     int panel;
     double *values; /* of all samples */
-    char label[CURVE_NAME_SIZE];
-} curve;
+    char label[4 * FW_NAME_SIZE];
+} fw_plot_curve;
 
-typedef struct series {
-    const fw_plot_result *result;
-    int count;
-    curve *curves;
-    int64_t *steps; /* of all samples */
-    double *times;
-    int first, shown; /* samples that are drawn */
-    int panel_count;
-    fw_chart *charts;
-    fw_curve *drawn; /* panel by panel */
-    char (*labels)[CURVE_NAME_SIZE];
-} series;
+typedef fw_plot_curve curve;
+
+typedef fw_plot_series series;
 
 /* --- which curves --- */
 
@@ -83,14 +74,14 @@ static void drop_only_subject(const fw_scenario *scenario, char *subject)
 static fw_status add_curve(series *s, int observable, int component, fw_error *error)
 {
     const fw_playback_observable *of = &s->result->playback->observables[observable];
-    for (int n = 0; n < s->count; ++n)
+    for (int n = 0; n < s->curve_count; ++n)
         if (s->curves[n].observable == observable && s->curves[n].component == component)
             return FW_OK;
-    if (s->count == CURVES_MOST)
+    if (s->curve_count == CURVES_MOST)
         return fw_fail(error, FW_BAD_INPUT,
                        "%s: more than %d curves in one picture, expected fewer observables",
                        s->result->directory, CURVES_MOST);
-    curve *added = &s->curves[s->count++];
+    curve *added = &s->curves[s->curve_count++];
     *added = (curve){.observable = observable, .component = component, .unit = of->unit};
     split_label(of->name, added->quantity, added->subject);
     drop_only_subject(s->result->scenario, added->subject);
@@ -168,13 +159,13 @@ static fw_status read_curves(series *s, fw_error *error)
     fw_playback *playback = s->result->playback;
     size_t count = (size_t)playback->sample_count;
     int most = 1;
-    for (int n = 0; n < s->count; ++n) {
+    for (int n = 0; n < s->curve_count; ++n) {
         int components = playback->observables[s->curves[n].observable].components;
         most = components > most ? components : most;
     }
     double *rows = fw_array_of_doubles(count * (size_t)most);
     fw_status status = rows ? FW_OK : fw_fail_memory(error, "the observables of a picture");
-    for (int n = 0; n < s->count && status == FW_OK; ++n) {
+    for (int n = 0; n < s->curve_count && status == FW_OK; ++n) {
         curve *c = &s->curves[n];
         size_t components = (size_t)playback->observables[c->observable].components;
         c->values = fw_array_of_doubles(count);
@@ -205,7 +196,7 @@ static bool share_panel(const curve *one, const curve *other)
 
 static void assign_panels(series *s)
 {
-    for (int n = 0; n < s->count; ++n) {
+    for (int n = 0; n < s->curve_count; ++n) {
         int same = 0;
         while (same < n && !share_panel(&s->curves[same], &s->curves[n])) ++same;
         s->curves[n].panel = same < n ? s->curves[same].panel : s->panel_count++;
@@ -230,7 +221,7 @@ typedef struct panel_facts {
 static panel_facts facts_of(const series *s, int panel)
 {
     panel_facts facts = {NULL, 0, true, true, true};
-    for (int n = 0; n < s->count; ++n) {
+    for (int n = 0; n < s->curve_count; ++n) {
         const curve *c = &s->curves[n];
         if (c->panel != panel) continue;
         if (!facts.first) facts.first = c;
@@ -283,7 +274,7 @@ static fw_curve_look look_of(const series *s, int number)
 {
     const curve *c = &s->curves[number];
     fw_range values = fw_range_empty();
-    for (int n = 0; n < s->count; ++n)
+    for (int n = 0; n < s->curve_count; ++n)
         if (s->curves[n].panel == c->panel)
             fw_range_include(&values, s->curves[n].values + s->first, s->shown, false);
     for (int n = 0; n < number; ++n)
@@ -297,7 +288,7 @@ static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
     assign_panels(s);
     s->charts = calloc((size_t)s->panel_count, sizeof *s->charts);
     s->labels = calloc((size_t)s->panel_count, sizeof *s->labels);
-    s->drawn = calloc((size_t)s->count, sizeof *s->drawn);
+    s->drawn = calloc((size_t)s->curve_count, sizeof *s->drawn);
     if (!s->charts || !s->labels || !s->drawn) return fw_fail_memory(error, "the panels");
     fw_curve *next = s->drawn;
     for (int p = 0; p < s->panel_count; ++p) {
@@ -307,7 +298,7 @@ static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
                                   .curves = next,
                                   .curve_count = facts.curves,
                                   .logarithmic = logarithmic};
-        for (int n = 0; n < s->count; ++n) {
+        for (int n = 0; n < s->curve_count; ++n) {
             curve *c = &s->curves[n];
             if (c->panel != p) continue;
             name_curve(c, facts);
@@ -335,22 +326,35 @@ static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error 
                             &reversal, run->reverse_at > 0 && by_step, error);
 }
 
+fw_status fw_plot_series_find(fw_plot_series *s, const fw_plot_result *result,
+                              const fw_plot_picture *picture, fw_error *error)
+{
+    *s = (fw_plot_series){.result = result, .curves = calloc(CURVES_MOST, sizeof *s->curves)};
+    if (!s->curves) return fw_fail_memory(error, "the curves of a picture");
+    FW_TRY(gather_curves(s, picture, error));
+    FW_TRY(read_times(s, picture, error));
+    FW_TRY(read_curves(s, error));
+    return lay_out(s, picture->logarithmic, error);
+}
+
+void fw_plot_series_clear(fw_plot_series *s)
+{
+    for (int n = 0; n < s->curve_count; ++n) free(s->curves[n].values);
+    free(s->curves);
+    free(s->steps);
+    free(s->times);
+    free(s->charts);
+    free(s->drawn);
+    free(s->labels);
+    *s = (fw_plot_series){0};
+}
+
 fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error)
 {
-    series s = {.result = result, .curves = calloc(CURVES_MOST, sizeof *s.curves)};
-    fw_status status =
-        s.curves ? gather_curves(&s, picture, error) : fw_fail_memory(error, "the curves");
-    if (status == FW_OK) status = read_times(&s, picture, error);
-    if (status == FW_OK) status = read_curves(&s, error);
-    if (status == FW_OK) status = lay_out(&s, picture->logarithmic, error);
+    series s;
+    fw_status status = fw_plot_series_find(&s, result, picture, error);
     if (status == FW_OK) status = draw(&s, picture, error);
-    for (int n = 0; n < s.count; ++n) free(s.curves[n].values);
-    free(s.curves);
-    free(s.steps);
-    free(s.times);
-    free(s.charts);
-    free(s.drawn);
-    free(s.labels);
+    fw_plot_series_clear(&s);
     return status;
 }
