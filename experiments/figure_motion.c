@@ -136,12 +136,14 @@ static void draw_instants(const fw_figure_motion_plan *plan, const fw_panel *pan
     if (raster) fw_canvas_raster_end(panel->canvas);
 }
 
-/* Length of a path on the paper. With `apart` > 0: draws an arrow head every so many mm, the first
- * after half of that. */
+/* Length of a path on the paper. With `apart` > 0: draws an arrow head about every so many mm, the
+ * first after half of that, each where the path has gone straight for the length of the head. */
 static double walk_path(const fw_figure_path *path, const fw_panel *panel, double apart)
 {
     const fw_stroke line = {fw_colour_grey(.1), .5, FW_DASH_NONE};
-    double walked = 0, next = apart / 2;
+    const double head = 3.4;
+    double walked = 0, next = apart / 2, straight = 0;
+    fw_vec2 heading = {0, 0};
     fw_vec2 from = fw_panel_place(panel, path->x[0], path->y[0]);
     for (int k = 1; k < path->count; ++k) {
         fw_vec2 to = fw_panel_place(panel, path->x[k], path->y[k]);
@@ -149,12 +151,22 @@ static double walk_path(const fw_figure_path *path, const fw_panel *panel, doubl
         /* Steps that are too small to see have no direction either. */
         if (!isfinite(step) || step < .3) continue;
         fw_vec2 along = fw_vec2_scale(1 / step, fw_vec2_subtract(to, from));
-        for (; apart > 0 && next <= walked + step; next += apart) {
+        if (fw_vec2_dot(along, heading) < .985) {
+            heading = along;
+            straight = 0;
+        }
+        while (apart > 0 && next <= walked + step) {
+            if (straight + next - walked < head) {
+                next += .5;
+                continue;
+            }
             fw_vec2 tip = fw_vec2_add(from, fw_vec2_scale(next - walked, along));
-            fw_canvas_arrow(panel->canvas, fw_vec2_subtract(tip, fw_vec2_scale(3.4, along)), tip,
+            fw_canvas_arrow(panel->canvas, fw_vec2_subtract(tip, fw_vec2_scale(head, along)), tip,
                             line, 3.3);
+            next += apart;
         }
         walked += step;
+        straight += step;
         from = to;
     }
     return walked;

@@ -315,8 +315,10 @@ static fw_status decide_page(draft *d, const fw_plot_wish *wish, fw_error *error
     const fw_scenario *scenario = d->result->scenario;
     *page = fw_page_default();
     page->title = d->own && d->own->title ? d->own->title : scenario->title;
-    if (scenario->figure && d->picture.kind != FW_PLOT_SERIES)
-        append(d->caption, sizeof d->caption, "Compare %s. ", scenario->source);
+    bool of_paper = d->picture.kind == FW_PLOT_MOTION || d->picture.kind == FW_PLOT_FORCES;
+    if (d->own && of_paper && scenario->figure && scenario->source)
+        append(d->caption, sizeof d->caption, "Compare %s.%s", scenario->source,
+               d->notes[0] ? " " : "");
     append(d->caption, sizeof d->caption, "%s", d->notes);
     page->caption = d->caption;
     int length =

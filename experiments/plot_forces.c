@@ -98,8 +98,30 @@ static void add_external_forces(forces *f, int body)
     }
 }
 
+/* Places at rest; of a body that has travelled by more than a spacing, moved along with it, or the
+ * picture would show the way and not the deformation. Returns whether they were. */
+static bool place_originals(forces *f, const fw_plot_view *view, int body, double *x, double *y)
+{
+    const fw_plot_result *result = f->result;
+    const fw_view_body *shown = &view->bodies[body];
+    int first = result->playback->bodies[body].first;
+    fw_vec2 way = {0, 0};
+    for (int n = 0; n < shown->count; ++n) {
+        way.x += (shown->x[n] - result->rest_x[first + n]) / shown->count;
+        way.y += (shown->y[n] - result->rest_y[first + n]) / shown->count;
+    }
+    bool travelled = hypot(way.x, way.y) > shown->spacing;
+    if (!travelled) way = (fw_vec2){0, 0};
+    for (int n = 0; n < shown->count; ++n) {
+        x[n] = result->rest_x[first + n] + way.x;
+        y[n] = result->rest_y[first + n] + way.y;
+    }
+    return travelled;
+}
+
 /* "nine, step 2 000: 8 long at rest, 8.8 now"; the lengths of chains only. */
-static void name_panel(const forces *f, const fw_plot_view *view, int body, char name[256])
+static void name_panel(const forces *f, const fw_plot_view *view, int body, bool travelled,
+                       char name[256])
 {
     const fw_plot_result *result = f->result;
     const fw_scenario_body *of = &result->scenario->bodies[body];
@@ -109,7 +131,8 @@ static void name_panel(const forces *f, const fw_plot_view *view, int body, char
     int last = shown->count - 1;
     char step[32], rest[32], now[32];
     fw_ticks_print_number(step, sizeof step, (double)view->view.step, 15);
-    int length = snprintf(name, sizeof f->names[0], "%s, step %s", of->name, step);
+    int length = snprintf(name, sizeof f->names[0], "%s, step %s%s", of->name, step,
+                          travelled ? ", original moved along" : "");
     bool chain = of->shape.first_row == of->shape.last_row ||
                  of->shape.first_column == of->shape.last_column;
     if (!chain || last < 1) return;
@@ -130,12 +153,15 @@ static void add_panel(forces *f, const fw_plot_view *view, int body)
     int before = f->arrow_count;
     if (has_links(result, body)) add_link_forces(f, view, body);
     if (result->playback->force) add_external_forces(f, body);
-    name_panel(f, view, body, f->names[f->panel_count]);
+    size_t frame = (size_t)(view - f->views);
+    size_t at = frame * (size_t)result->playback->particle_count + (size_t)first;
+    bool travelled = place_originals(f, view, body, f->original_x + at, f->original_y + at);
+    name_panel(f, view, body, travelled, f->names[f->panel_count]);
     f->panels[f->panel_count] = (fw_figure_forces_panel){
         .name = f->names[f->panel_count],
         .count = shown->count,
-        .original_x = result->rest_x + first,
-        .original_y = result->rest_y + first,
+        .original_x = f->original_x + at,
+        .original_y = f->original_y + at,
         .x = shown->x,
         .y = shown->y,
         .links = shown->links,
@@ -155,11 +181,13 @@ static bool allocate(forces *f, const fw_plot_picture *picture)
     f->views = calloc(frames, sizeof *f->views);
     f->force_x = fw_array_of_doubles(particles);
     f->force_y = fw_array_of_doubles(particles);
+    f->original_x = fw_array_of_doubles(frames * particles);
+    f->original_y = fw_array_of_doubles(frames * particles);
     f->arrows = calloc(frames * (2 * links + particles), sizeof *f->arrows);
     f->panels = calloc(panels, sizeof *f->panels);
     f->names = calloc(panels, sizeof *f->names);
-    return f->stiffness && f->views && f->force_x && f->force_y && f->arrows && f->panels &&
-           f->names;
+    return f->stiffness && f->views && f->force_x && f->force_y && f->original_x && f->original_y &&
+           f->arrows && f->panels && f->names;
 }
 
 fw_status fw_plot_forces_find(fw_plot_forces *f, const fw_plot_result *result,
@@ -193,6 +221,8 @@ void fw_plot_forces_clear(fw_plot_forces *f)
     free(f->views);
     free(f->force_x);
     free(f->force_y);
+    free(f->original_x);
+    free(f->original_y);
     free(f->arrows);
     free(f->panels);
     free(f->names);
@@ -205,10 +235,12 @@ fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_pictur
     forces f;
     fw_page page = picture->page;
     char caption[2048];
-    snprintf(caption, sizeof caption, "%s%s", page.caption,
-             result->playback->force ? ""
-                                     : " External forces were not recorded (record.force), so only "
-                                       "those of the links are shown.");
+    const char *missing = result->playback->force
+                              ? ""
+                              : "External forces were not recorded (record.force): only those of "
+                                "the links are shown.";
+    snprintf(caption, sizeof caption, "%s%s%s", page.caption,
+             page.caption[0] && missing[0] ? " " : "", missing);
     page.caption = caption;
     fw_status status = fw_plot_forces_find(&f, result, picture, error);
     if (status == FW_OK) {

@@ -79,7 +79,8 @@ fw_status fw_plot_paths_find(fw_plot_paths *paths, const fw_plot_result *result,
                              const fw_plot_picture *picture, fw_error *error);
 
 /* A panel for each body in each frame, with the forces of its links, which follow from where its
- * particles are (Chopard & Marconi Eq 31), and the external ones where the file has them. */
+ * particles are (Chopard & Marconi Eq 31), and the external ones where the file has them. Where a
+ * body has travelled, its original places are moved along. */
 typedef struct fw_plot_forces {
     const fw_plot_result *result;
     int panel_count;
@@ -88,8 +89,9 @@ typedef struct fw_plot_forces {
     fw_figure_force *arrows;
     int arrow_count, view_count;
     fw_plot_view *views;
-    fw_sym2 *stiffness;        /* of all links of the result */
-    double *force_x, *force_y; /* of one frame */
+    fw_sym2 *stiffness;              /* of all links of the result */
+    double *force_x, *force_y;       /* of one frame */
+    double *original_x, *original_y; /* of all frames: at rest, moved along with the body */
 } fw_plot_forces;
 fw_status fw_plot_forces_find(fw_plot_forces *forces, const fw_plot_result *result,
                               const fw_plot_picture *picture, fw_error *error);

@@ -152,6 +152,28 @@ static void forces_on_a_resting_body_add_up_to_zero(void **state)
     fw_plot_result_close(&result);
 }
 
+/* The rod has flown several spacings: it is compared with its shape at rest there, not with where
+ * it came from. The mean displacement is taken out: 1e-12 is rounding. */
+static void originals_travel_with_their_body(void **state)
+{
+    (void)state;
+    open_result();
+    int64_t last = result.playback->frame_count - 1;
+    const fw_plot_picture picture = {.frame_count = 1, .frames = &last};
+    fw_plot_forces forces;
+    assert_fine(fw_plot_forces_find(&forces, &result, &picture, &error));
+    const fw_figure_forces_panel *rod = &forces.panels[1];
+    double way = 0;
+    for (int n = 0; n < rod->count; ++n) way += rod->x[n] - rod->original_x[n];
+    assert_close(way, 0, 1e-12);
+    assert_close(rod->original_x[1] - rod->original_x[0], 1, 1e-12);
+    assert_true(fabs(rod->original_x[0] - 10) > 1);
+    assert_non_null(strstr(rod->name, "original moved along"));
+    assert_close(forces.panels[0].original_x[0], 0, 0); /* the sheet is where it was */
+    fw_plot_forces_clear(&forces);
+    fw_plot_result_close(&result);
+}
+
 /* The path is that of the centre of mass as the solid knows it; unweighted it would miss it by
  * some tenths. The sheet, at rest in the end, moves as well. */
 static void paths_are_those_of_the_centres_of_mass(void **state)
@@ -515,6 +537,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(forces_on_a_resting_body_add_up_to_zero),
+        cmocka_unit_test(originals_travel_with_their_body),
         cmocka_unit_test(paths_are_those_of_the_centres_of_mass),
         cmocka_unit_test(curves_are_named_by_what_tells_them_apart),
         cmocka_unit_test(quantities_of_one_unit_share_a_panel),
