@@ -62,6 +62,13 @@ static fw_vec2 displacement_for(const problem *p, fw_vec2 force)
     return fw_vec2_add(p->free->displacement, fw_sym2_apply(p->free->mobility, force));
 }
 
+/* The force with which the particle moves by w. */
+static fw_vec2 force_for(const problem *p)
+{
+    return fw_sym2_apply(fw_sym2_invert(p->free->mobility),
+                         fw_vec2_subtract(p->w, p->free->displacement));
+}
+
 static bool is_feasible(const problem *p, fw_vec2 w, int a, int b)
 {
     double scale = fabs(p->free->displacement.x) + fabs(p->free->displacement.y);
@@ -158,7 +165,7 @@ static bool solve_circle(problem *p)
     return r->lambda >= 0;
 }
 
-/* The fixed point of w and its midpoint normals. */
+/* The fixed point of w and its midpoint normals. False where it is not reached. */
 static bool solve_normals(problem *p)
 {
     if (solve_circle(p)) return true;
@@ -171,25 +178,28 @@ static bool solve_normals(problem *p)
         for (int k = 0; k < p->count; ++k) update_row(p, &p->rows[k]);
         if (!solve_rows(p)) return false;
         double change = fabs(p->w.x - before.x) + fabs(p->w.y - before.y);
-        if (change <= 1e-16 + 4e-16 * (fabs(p->w.x) + fabs(p->w.y))) break;
+        if (change <= 1e-16 + 1e-14 * (fabs(p->w.x) + fabs(p->w.y))) return true;
         double relax = round < 20 ? 1 : round < 60 ? 0.5 : 0.2;
         p->w = fw_vec2_add(before, fw_vec2_scale(relax, fw_vec2_subtract(p->w, before)));
     }
-    return true;
+    return false;
+}
+
+/* The whole force that w takes belongs to row k. */
+static void book_whole(problem *p, int k)
+{
+    for (int j = 0; j < p->count; ++j) {
+        p->rows[j].lambda = 0;
+        p->rows[j].fast = j == k;
+    }
+    p->rows[k].lambda = fw_vec2_dot(p->rows[k].normal, force_for(p));
 }
 
 /* Held fast to a wall: all components follow it. */
 static void hold_fast(problem *p, int k)
 {
-    row *r = &p->rows[k];
-    p->w = r->barrier->motion;
-    for (int j = 0; j < p->count; ++j) {
-        p->rows[j].lambda = 0;
-        p->rows[j].fast = j == k;
-    }
-    fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
-                                  fw_vec2_subtract(p->w, p->free->displacement));
-    r->lambda = fw_vec2_dot(r->normal, force);
+    p->w = p->rows[k].barrier->motion;
+    book_whole(p, k);
 }
 
 /* The paper's words for the automaton: what would pass is frozen, the rest is left alone. */
@@ -201,9 +211,26 @@ static void freeze_components(problem *p)
         double excess = fw_vec2_dot(r->normal, p->w) - r->bound;
         if (excess < 0) p->w = fw_vec2_subtract(p->w, fw_vec2_scale(excess, r->normal));
     }
-    fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
-                                  fw_vec2_subtract(p->w, p->free->displacement));
-    for (int k = 0; k < p->count; ++k) p->rows[k].lambda = fw_vec2_dot(p->rows[k].normal, force);
+    /* The force is not along the normals where they are oblique or the mobility couples: it is
+     * booked whole, on the first. */
+    book_whole(p, 0);
+}
+
+/* Does w keep to all rows? */
+static bool keeps_rows(const problem *p)
+{
+    for (int k = 0; k < p->count; ++k) {
+        const row *r = &p->rows[k];
+        const fw_facet *facet = r->barrier->facet;
+        if (facet->kind == FW_ROUND) {
+            fw_vec2 end = fw_vec2_add(relative_position(p, r->barrier),
+                                      fw_vec2_subtract(p->w, r->barrier->motion));
+            if (fw_facet_gap(facet, end) < -fw_facet_tolerance(facet)) return false;
+        } else if (!(fw_vec2_dot(r->normal, p->w) >= r->bound - fw_facet_tolerance(facet))) {
+            return false;
+        }
+    }
+    return true;
 }
 
 static bool solve(problem *p)
@@ -212,7 +239,10 @@ static bool solve(problem *p)
     for (int k = 0; k < p->count; ++k)
         if (p->rows[k].barrier->surface.law == FW_STICK) {
             hold_fast(p, k);
-            return true;
+            if (keeps_rows(p)) return true;
+            /* Another wall pushes it off. */
+            for (int j = 0; j < p->count; ++j) p->rows[j].fast = false;
+            return solve_normals(p);
         }
     for (int k = 0; k < p->count; ++k)
         if (p->rows[k].barrier->surface.law == FW_COMPONENTWISE) {
@@ -242,10 +272,24 @@ static double follow_curve(problem *p, row *r)
 {
     keep_radius(p, r);
     update_row(p, r);
-    fw_vec2 force = fw_sym2_apply(fw_sym2_invert(p->free->mobility),
-                                  fw_vec2_subtract(p->w, p->free->displacement));
+    fw_vec2 force = force_for(p);
     r->lambda = fw_vec2_dot(r->normal, force);
     return fw_vec2_dot(fw_vec2_turn(r->normal), force);
+}
+
+/* How far a sticking particle is let move: F = -2 Psi + P at first, then
+ * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. */
+static double sticking_target(const fw_contact_memory *memory, bool same_wall, double coasting,
+                              double slip)
+{
+    double target = same_wall && memory->stuck ? STICK_FILTER * (coasting - memory->coasting) / 4
+                                               : coasting / 2;
+    return slip >= 0 ? fmin(fmax(target, 0), slip) : fmax(fmin(target, 0), slip);
+}
+
+static double clip(double value, double bound)
+{
+    return fmin(fmax(value, -bound), bound);
 }
 
 /* Friction on the one row that is active, or that was in the step before (lambda = 0 now). Returns
@@ -253,41 +297,43 @@ static double follow_curve(problem *p, row *r)
 static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *memory)
 {
     const fw_barrier *barrier = r->barrier;
-    const bool active = r->lambda > 0;
     const bool same_wall =
         memory->facet > 0 && all[memory->facet - 1].facet->wall == barrier->facet->wall;
-    const double before = same_wall ? memory->reaction : 0;
+    const double before = same_wall ? memory->reaction : 0, half = 0.5 * barrier->surface.friction;
     const fw_vec2 tangent = fw_vec2_turn(r->normal);
     const fw_sym2 mobility = p->free->mobility;
     const double nn = fw_sym2_form(r->normal, mobility, r->normal),
-                 nt = active ? fw_sym2_form(r->normal, mobility, tangent) : 0,
+                 nt = fw_sym2_form(r->normal, mobility, tangent),
                  tt = fw_sym2_form(tangent, mobility, tangent);
-    const double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
     const double coasting =
         fw_vec2_dot(tangent, fw_vec2_subtract(p->free->coasting, barrier->motion));
-    /* How far a sticking particle is let move: F = -2 Psi + P at first, then
-     * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. */
-    double target = same_wall && memory->stuck ? STICK_FILTER * (coasting - memory->coasting) / 4
-                                               : coasting / 2;
-    target = slip >= 0 ? fmin(fmax(target, 0), slip) : fmax(fmin(target, 0), slip);
-    double tension = (target - slip) / (tt - nt * nt / nn);
-    const double lambda = r->lambda;
-    bool stuck = true;
-    for (int round = 0; round < 4; ++round) { /* lambda moves with T where the mobility couples */
-        double bound = barrier->surface.friction * 0.5 * (r->lambda + before);
-        if (fabs(tension) > bound) {
-            tension = tension > 0 ? bound : -bound;
-            stuck = false;
+    bool active = r->lambda > 0;
+    double tension = 0, wanted = 0;
+    if (active) {
+        double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
+        const double lambda = r->lambda;
+        wanted = (sticking_target(memory, same_wall, coasting, slip) - slip) / (tt - nt * nt / nn);
+        tension = wanted;
+        for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
+            tension = clip(wanted, half * (r->lambda + before));
+            r->lambda = fmax(0, lambda - tension * nt / nn);
         }
-        r->lambda = active ? fmax(0, lambda - tension * nt / nn) : 0;
-        if (nt == 0) break;
+        /* Friction that lifts the particle off the wall acts on a free one. */
+        active = r->lambda > 0;
     }
-    fw_vec2 force =
-        fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(tension, tangent));
-    fw_vec2 w = displacement_for(p, force);
-    if (r->lambda > 0)
-        w = fw_vec2_subtract(w, fw_vec2_scale(fw_vec2_dot(r->normal, w) - r->bound, r->normal));
-    p->w = w;
+    if (!active) {
+        double slip =
+            fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, barrier->motion));
+        wanted = (sticking_target(memory, same_wall, coasting, slip) - slip) / tt;
+        tension = clip(wanted, half * before);
+        r->lambda = 0;
+    }
+    p->w = displacement_for(
+        p, fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(tension, tangent)));
+    if (active)
+        p->w = fw_vec2_subtract(p->w,
+                                fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
+    const bool stuck = tension == wanted;
     if (barrier->facet->kind == FW_ROUND && active) tension = follow_curve(p, r);
     *memory = (fw_contact_memory){r->lambda, coasting, barrier->number + 1, stuck};
     return tension;
@@ -295,17 +341,17 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
 
 static fw_constraint report(const problem *p, const double *tension)
 {
-    fw_constraint c = {.held = true, .displacement = p->w};
+    fw_constraint c = {.displacement = p->w};
     for (int k = 0; k < p->count; ++k) {
         const row *r = &p->rows[k];
+        if (!r->fast && r->lambda == 0 && tension[k] == 0) continue;
         const fw_vec2 motion = r->barrier->motion;
         fw_vec2 normal_force = fw_vec2_scale(r->lambda, r->normal);
         fw_vec2 friction = fw_vec2_scale(tension[k], fw_vec2_turn(r->normal));
-        if (r->fast)
-            friction =
-                fw_vec2_subtract(fw_sym2_apply(fw_sym2_invert(p->free->mobility),
-                                               fw_vec2_subtract(p->w, p->free->displacement)),
-                                 normal_force);
+        if (r->fast) {
+            normal_force = (fw_vec2){0, 0};
+            friction = force_for(p);
+        }
         fw_touch touch = {.wall = r->barrier->facet->wall,
                           .force = fw_vec2_add(normal_force, friction)};
         touch.work = fw_vec2_dot(touch.force, motion);
@@ -313,6 +359,7 @@ static fw_constraint report(const problem *p, const double *tension)
         c.touch[c.touch_count++] = touch;
         c.force = fw_vec2_add(c.force, touch.force);
     }
+    c.held = c.touch_count > 0;
     return c;
 }
 
@@ -327,50 +374,59 @@ static bool adds_friction(const problem *p, int *k)
     return active == 1 && p->rows[*k].barrier->surface.law == FW_COULOMB;
 }
 
+/* Adds rows until the path passes nothing more. False where no displacement was found. */
+static bool find_rows(problem *p, const fw_barrier *near, int near_count)
+{
+    for (const fw_barrier *passed = find_passed(p, near, near_count); passed;
+         passed = find_passed(p, near, near_count)) {
+        if (p->count == FW_TOUCH_MOST) return false;
+        p->rows[p->count++] = (row){.barrier = passed};
+        if (!solve(p)) return false;
+    }
+    return true;
+}
+
+/* The step after a release, in which the wall still rubs, unless that would turn the path through
+ * a wall. (A mobility that is a matrix turns it away from the tangent.) */
+static fw_constraint rub_once_more(problem *p, const fw_barrier *near, int near_count,
+                                   const fw_barrier *all, fw_contact_memory *memory)
+{
+    const fw_barrier *barrier = &all[memory->facet - 1];
+    double tension[FW_TOUCH_MOST] = {0};
+    row *r = &p->rows[0];
+    *r = (row){.barrier = barrier};
+    update_row(p, r);
+    tension[0] = rub(p, r, all, memory);
+    const bool turned = fw_facet_is_passed(barrier->facet, relative_position(p, barrier),
+                                           fw_vec2_subtract(p->w, barrier->motion)) ||
+                        find_passed(p, near, near_count);
+    p->count = 1;
+    if (!turned) return report(p, tension);
+    *memory = (fw_contact_memory){0};
+    return (fw_constraint){0};
+}
+
 fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_barrier *near,
                            int near_count, const fw_barrier *all, fw_contact_memory *memory)
 {
     problem p = {.position = position, .free = free, .w = free->displacement};
     double tension[FW_TOUCH_MOST] = {0};
-    bool unresolved = false;
     if (free->mobility.xx == 0) return (fw_constraint){0}; /* a resting colour */
-    for (const fw_barrier *passed = find_passed(&p, near, near_count); passed && !unresolved;
-         passed = find_passed(&p, near, near_count)) {
-        if (p.count == FW_TOUCH_MOST) {
-            unresolved = true;
-            break;
-        }
-        p.rows[p.count++] = (row){.barrier = passed};
-        if (!solve(&p)) unresolved = true;
-    }
-    if (unresolved) hold_fast(&p, 0);
+    bool resolved = find_rows(&p, near, near_count);
+    if (resolved && p.count == 0 && memory && memory->reaction > 0)
+        return rub_once_more(&p, near, near_count, all, memory);
     int k = 0;
-    if (p.count == 0) {
-        if (!memory || !(memory->reaction > 0)) {
-            if (memory) *memory = (fw_contact_memory){0};
-            return (fw_constraint){0};
-        }
-        p.rows[p.count++] = (row){.barrier = &all[memory->facet - 1]};
-        update_row(&p, &p.rows[0]);
-        tension[0] = rub(&p, &p.rows[0], all, memory);
-        if (find_passed(&p, near, near_count)) {
-            /* Without that last rub the path is free. (A mobility that is a matrix turns it away
-             * from the tangent.) */
-            *memory = (fw_contact_memory){0};
-            return (fw_constraint){0};
-        }
-    } else if (memory && adds_friction(&p, &k)) {
-        tension[k] = rub(&p, &p.rows[k], all, memory);
-    } else if (memory) {
-        *memory = (fw_contact_memory){0};
-    }
-    if (!unresolved && find_passed(&p, near, near_count)) {
-        /* Friction turned the path through another wall: hold it here. */
-        unresolved = true;
+    const bool rubs = resolved && memory && adds_friction(&p, &k);
+    if (rubs) tension[k] = rub(&p, &p.rows[k], all, memory);
+    /* Friction may have turned the path through another wall. */
+    if (rubs || p.count > 1)
+        resolved = resolved && keeps_rows(&p) && !find_passed(&p, near, near_count);
+    if (!resolved) {
         hold_fast(&p, k);
         tension[k] = 0;
     }
+    if (memory && !(rubs && resolved)) *memory = (fw_contact_memory){0};
     fw_constraint c = report(&p, tension);
-    c.unresolved = unresolved;
+    c.unresolved = !resolved;
     return c;
 }

@@ -87,7 +87,9 @@ static void book(fw_scene *scene, const fw_constraint *constraint, int ticks)
         account->force = fw_vec2_add(account->force, fw_vec2_scale(ticks, touch->force));
         account->work += touch->work;
         account->dissipated += touch->dissipated;
-        account->contacts += 1;
+        bool counted = false;
+        for (int m = 0; m < n; ++m) counted |= constraint->touch[m].wall == touch->wall;
+        account->contacts += !counted;
     }
     scene->clock.unresolved += constraint->unresolved;
 }

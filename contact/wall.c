@@ -188,22 +188,41 @@ fw_box fw_wall_bounds(const fw_wall *wall)
     return bounds;
 }
 
-/* Depth behind the nearest piece of a chain that the point lies beside. Where two pieces are as
- * near (both faces of a blade), being in front of one is enough. */
+static double distance_from_segment(const fw_facet *facet, fw_vec2 point)
+{
+    fw_vec2 along = fw_vec2_subtract(facet->b, facet->a), from = fw_vec2_subtract(point, facet->a);
+    double part = fw_vec2_dot(from, along) / (facet->length * facet->length);
+    part = fmin(fmax(part, 0), 1);
+    return hypot(from.x - part * along.x, from.y - part * along.y);
+}
+
+/* Is the end of the facet that is nearest to the point a corner of the chain, not an open end? */
+static bool is_joined(const fw_wall *wall, const fw_facet *facet, fw_vec2 point)
+{
+    fw_vec2 along = fw_vec2_subtract(facet->b, facet->a);
+    bool at_start = fw_vec2_dot(fw_vec2_subtract(point, facet->a), along) <= 0;
+    int number = (int)(facet - wall->facets);
+    if (wall->def.closed) return true;
+    return at_start ? number > 0 : number + 1 < wall->facet_count;
+}
+
+/* Distance to the nearest piece of a chain if the point lies behind it. Where two are as near (a
+ * corner, both faces of a blade) the sum of the gaps decides: the sign of the distance along the
+ * mean of both normals. Beyond an open end a chain has no back. */
 static double depth_behind_chain(const fw_wall *wall, fw_vec2 point)
 {
-    double nearest = INFINITY, depth = 0;
+    double nearest = INFINITY, gaps = 0;
+    for (int i = 0; i < wall->facet_count; ++i)
+        nearest = fmin(nearest, distance_from_segment(&wall->facets[i], point));
     for (int i = 0; i < wall->facet_count; ++i) {
         const fw_facet *facet = &wall->facets[i];
-        fw_vec2 along = fw_vec2_subtract(facet->b, facet->a);
-        double beside = fw_vec2_dot(fw_vec2_subtract(point, facet->a), along);
-        if (beside < 0 || beside > facet->length * facet->length) continue;
+        double tolerance = fw_facet_tolerance(facet);
+        if (distance_from_segment(facet, point) > nearest + tolerance) continue;
         double gap = fw_facet_gap(facet, point);
-        if (fabs(gap) > nearest || (fabs(gap) == nearest && gap < 0)) continue;
-        nearest = fabs(gap);
-        depth = fmax(0, -gap);
+        if (fabs(gap) < nearest - tolerance && !is_joined(wall, facet, point)) return 0;
+        gaps += gap;
     }
-    return depth;
+    return gaps < -fw_facet_tolerance(&wall->facets[0]) ? nearest : 0;
 }
 
 double fw_wall_depth(const fw_wall *wall, fw_vec2 point)

@@ -302,6 +302,45 @@ static void wall_keeps_a_copy_of_its_definition(void **state)
     fw_wall_destroy(wall);
 }
 
+/* In front of and behind a spike, a pit, and both faces of a blade at many angles. */
+static void chains_have_a_back(void **state)
+{
+    (void)state;
+    const fw_vec2 spike[] = {{-1, 0}, {0, 2}, {1, 0}}, pit[] = {{-1, 2}, {0, 0}, {1, 2}};
+    fw_wall_def def = fw_wall_def_default();
+    fw_wall *wall;
+    def.name = "chain";
+    def.shape = FW_CHAIN;
+    def.points = spike;
+    def.point_count = 3;
+    assert_int_equal(fw_wall_create(&wall, 0, &def, NULL), FW_OK);
+    assert_true(fw_wall_depth(wall, (fw_vec2){0, 2.5}) == 0);
+    assert_true(fw_wall_depth(wall, (fw_vec2){1.5, 2.1}) == 0);
+    assert_close(fw_wall_depth(wall, (fw_vec2){0, 1}), 1 / sqrt(5), 1e-15);
+    assert_true(fw_wall_depth(wall, (fw_vec2){3, -1}) == 0);
+    fw_wall_destroy(wall);
+    def.points = pit;
+    assert_int_equal(fw_wall_create(&wall, 0, &def, NULL), FW_OK);
+    assert_true(fw_wall_depth(wall, (fw_vec2){0, 1}) == 0);
+    assert_close(fw_wall_depth(wall, (fw_vec2){0, -0.5}), 0.5, 1e-15);
+    assert_close(fw_wall_depth(wall, (fw_vec2){0.2, -0.5}), hypot(0.2, 0.5), 1e-15);
+    fw_wall_destroy(wall);
+    for (int n = 0; n < 100; ++n) {
+        double angle = 0.063 * n, c = cos(angle), s = sin(angle);
+        const fw_vec2 blade[] = {{7, 3}, {7 + 5 * c, 3 + 5 * s}};
+        def.points = blade;
+        def.point_count = 2;
+        def.closed = true;
+        assert_int_equal(fw_wall_create(&wall, 0, &def, NULL), FW_OK);
+        for (int side = -1; side <= 1; side += 2) {
+            fw_vec2 beside = {7 + 2 * c - 0.1 * side * s, 3 + 2 * s + 0.1 * side * c};
+            assert_true(fw_wall_depth(wall, beside) == 0);
+            assert_true(fw_wall_depth(wall, (fw_vec2){7 - c, 3 - s}) == 0);
+        }
+        fw_wall_destroy(wall);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -312,6 +351,7 @@ int main(void)
         cmocka_unit_test(senseless_numbers_are_refused_with_a_sentence),
         cmocka_unit_test(random_walls_are_accepted),
         cmocka_unit_test(wall_keeps_a_copy_of_its_definition),
+        cmocka_unit_test(chains_have_a_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
