@@ -80,8 +80,17 @@ static fw_status find_quantity(request *r, fw_scenario_name name, const fw_quant
 
 static bool fits_model(const request *r, const fw_quantity *quantity, int body)
 {
-    return !quantity->model ||
-           strcmp(quantity->model, fw_experiment_solid(r->experiment, body)->model->name) == 0;
+    return fw_quantity_fits(quantity, fw_experiment_solid(r->experiment, body)->model->name);
+}
+
+/* What is measured of the whole scene needs at least one body of its model. */
+static fw_status expect_model(const request *r, const fw_quantity *quantity, fw_place place)
+{
+    for (int b = 0; b < r->experiment->member_count; ++b)
+        if (fits_model(r, quantity, b)) return FW_OK;
+    return fw_scenario_fail(r->experiment->scenario, place, r->error,
+                            "%s is measured of a %s solid, but no body is one", quantity->name,
+                            quantity->model);
 }
 
 /* A quantity by its name alone: of everything that it can be measured of. */
@@ -92,6 +101,7 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
     switch (quantity->scope) {
     case FW_SCOPE_SCENE:
     case FW_SCOPE_BODIES:
+        FW_TRY(expect_model(r, quantity, place));
         return add_probe(r, quantity, nothing) < 0 ? FW_SYSTEM_FAILED : FW_OK;
     case FW_SCOPE_BODY:
         for (subject.body = 0; subject.body < r->experiment->member_count; ++subject.body)
@@ -153,6 +163,7 @@ static fw_status choose_body(request *r, const fw_expectation *e, const fw_quant
 {
     const fw_scenario *scenario = r->experiment->scenario;
     subject->body = e->body_index;
+    if (subject->body < 0) FW_TRY(expect_model(r, quantity, e->quantity.place));
     if (subject->body < 0 && quantity->scope != FW_SCOPE_BODIES) {
         if (r->experiment->member_count != 1)
             return fw_scenario_fail(scenario, e->place, r->error,
@@ -201,7 +212,7 @@ static fw_status choose_subject(request *r, const fw_expectation *e, const fw_qu
         return fw_scenario_fail(scenario, e->body.place, r->error,
                                 "%s is not measured of a body, expected no key `body`",
                                 quantity->name);
-    if (quantity->scope == FW_SCOPE_SCENE) return FW_OK;
+    if (quantity->scope == FW_SCOPE_SCENE) return expect_model(r, quantity, e->quantity.place);
     if (quantity->scope == FW_SCOPE_WALL) return choose_wall(r, e, quantity, subject);
     return choose_body(r, e, quantity, subject);
 }

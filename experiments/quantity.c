@@ -4,7 +4,8 @@
 
 #include <string.h>
 
-static const fw_quantity *const tables[] = {fw_common_quantities, fw_boltzmann_quantities, NULL};
+static const fw_quantity *const tables[] = {fw_common_quantities, fw_elastic_quantities,
+                                            fw_boltzmann_quantities, fw_particle_quantities, NULL};
 
 static const fw_quantity *first_from(int table)
 {
@@ -32,6 +33,18 @@ const fw_quantity *fw_quantity_find(const char *name)
          quantity = fw_quantity_next(quantity))
         if (strcmp(quantity->name, name) == 0) return quantity;
     return NULL;
+}
+
+bool fw_quantity_fits(const fw_quantity *quantity, const char *model)
+{
+    const size_t length = strlen(model);
+    if (!quantity->model) return true;
+    for (const char *at = quantity->model; *at; at += at[0] == ' ') {
+        const size_t word = strcspn(at, " ");
+        if (word == length && memcmp(at, model, length) == 0) return true;
+        at += word;
+    }
+    return false;
 }
 
 int fw_quantity_component_count(const fw_quantity *quantity)

@@ -29,18 +29,22 @@ typedef struct fw_quantity {
     const char *components; /* "" for a number, else names: "x y", "xx xy yx yy" */
     const char *unit;
     const char *meaning;
-    const char *model; /* only of bodies of this model; NULL: of any */
+    const char *model; /* only of bodies of these models, names with blanks between; NULL: of any */
     void (*measure)(const fw_experiment *experiment, fw_subject subject, double *out);
 } fw_quantity;
 
 /* The tables, each in the file of its name. */
 extern const fw_quantity fw_common_quantities[];
 extern const fw_quantity fw_boltzmann_quantities[];
+extern const fw_quantity fw_elastic_quantities[];
+extern const fw_quantity fw_particle_quantities[];
 
 /* All quantities, model by model: `for (q = first(); q; q = next(q))`. */
 const fw_quantity *fw_quantity_first(void);
 const fw_quantity *fw_quantity_next(const fw_quantity *quantity); /* NULL: that was the last */
 const fw_quantity *fw_quantity_find(const char *name);            /* NULL: there is none */
+/* Can it be measured of bodies of that model? */
+bool fw_quantity_fits(const fw_quantity *quantity, const char *model);
 int fw_quantity_component_count(const fw_quantity *quantity);
 /* Number of a component by name, or -1. */
 int fw_quantity_find_component(const fw_quantity *quantity, const char *name);

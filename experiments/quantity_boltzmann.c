@@ -20,14 +20,6 @@ static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subje
     return fw_experiment_solid(experiment, subject.body);
 }
 
-static void angular_momentum(const fw_experiment *experiment, fw_subject subject, double *out)
-{
-    const fw_solid *solid = body_of(experiment, subject);
-    out[0] = 0;
-    for (int l = 0; l < solid->count; ++l)
-        out[0] += fw_vec2_cross(fw_solid_position(solid, l), fw_lb_solid_psi(solid, l));
-}
-
 /* Energy-weighted mean distance from the middle of the body, along x. */
 static void wave_front(const fw_experiment *experiment, fw_subject subject, double *out)
 {
@@ -140,7 +132,6 @@ static void stress_over_strain(const fw_experiment *experiment, fw_subject subje
 
 /* clang-format off */
 const fw_quantity fw_boltzmann_quantities[] = {
-    {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", LB, angular_momentum},
     {"wave-front", FW_SCOPE_BODY, "", "length", "mean distance of the energy from the middle of the body, along x", LB, wave_front},
     {"link-error", FW_SCOPE_BODY, "", "length", "largest violation of Eq 30 of Chopard and Marconi", LB, link_error},
     {"unrest", FW_SCOPE_BODY, "", "momentum", "largest of what must vanish at rest (Eqs 22-24): Psi + F/2, f_0, f_i + f_{i+2}", LB, unrest},

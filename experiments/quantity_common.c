@@ -3,6 +3,9 @@
 #include "experiments/member.h"
 #include "experiments/quantity.h"
 
+#include "core/langevin.h"
+#include "core/lb_solid.h"
+
 #include <math.h>
 
 static void put(double *out, fw_vec2 v)
@@ -48,6 +51,14 @@ static void kinetic_energy(const fw_experiment *experiment, fw_subject subject, 
 static void elastic_energy(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     out[0] = energies_of(experiment, subject).elastic;
+}
+
+static void energy_per_particle(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    double count = 0;
+    for (int b = 0; b < experiment->member_count; ++b)
+        if (subject.body < 0 || subject.body == b) count += experiment->members[b].count;
+    out[0] = total(energies_of(experiment, subject)) / count;
 }
 
 static void energy_drift(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -114,6 +125,22 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
     put(out, fw_vec2_subtract(now, booked));
 }
 
+static fw_vec2 momentum_of_particle(const fw_solid *solid, int i)
+{
+    if (solid->model == &fw_lb_solid_model) return fw_lb_solid_psi(solid, i);
+    const fw_langevin *motion = (const fw_langevin *)solid;
+    return fw_vec2_scale(motion->mass[i], (fw_vec2){motion->velocity_x[i], motion->velocity_y[i]});
+}
+
+static void angular_momentum(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_member *member = &experiment->members[subject.body];
+    const fw_solid *solid = body_of(experiment, subject);
+    out[0] = 0;
+    for (int i = member->first; i < member->first + member->count; ++i)
+        out[0] += fw_vec2_cross(fw_solid_position(solid, i), momentum_of_particle(solid, i));
+}
+
 static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     fw_vec2 now = momentum_of(experiment, subject);
@@ -155,6 +182,12 @@ static void friction_heat(const fw_experiment *experiment, fw_subject subject, d
 {
     (void)subject;
     out[0] = fw_scene_ledger(experiment->scene).friction_heat;
+}
+
+static void noise_heat(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).noise_heat;
 }
 
 static void fracture_energy(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -210,6 +243,43 @@ static void return_error(const fw_experiment *experiment, fw_subject subject, do
     }
 }
 
+static void mean_square_displacement(const fw_experiment *experiment, fw_subject subject,
+                                     double *out)
+{
+    const fw_member *member = &experiment->members[subject.body];
+    const fw_solid *solid = body_of(experiment, subject);
+    double sum = 0;
+    for (int l = 0; l < member->count; ++l) {
+        const fw_vec2 moved = fw_vec2_subtract(fw_solid_position(solid, member->first + l),
+                                               experiment->start[subject.body][l]);
+        sum += fw_vec2_dot(moved, moved);
+    }
+    out[0] = sum / member->count;
+}
+
+/* The angle that turns the start best into the present (least squares), about the middle. */
+static void rotation(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_member *member = &experiment->members[subject.body];
+    const fw_vec2 *start = experiment->start[subject.body];
+    const fw_solid *solid = body_of(experiment, subject);
+    fw_vec2 before = {0, 0}, now = {0, 0};
+    for (int l = 0; l < member->count; ++l) {
+        before = fw_vec2_add(before, start[l]);
+        now = fw_vec2_add(now, fw_solid_position(solid, member->first + l));
+    }
+    before = fw_vec2_scale(1. / member->count, before);
+    now = fw_vec2_scale(1. / member->count, now);
+    double cosine = 0, sine = 0;
+    for (int l = 0; l < member->count; ++l) {
+        const fw_vec2 from = fw_vec2_subtract(start[l], before);
+        const fw_vec2 to = fw_vec2_subtract(fw_solid_position(solid, member->first + l), now);
+        cosine += fw_vec2_dot(from, to);
+        sine += fw_vec2_cross(from, to);
+    }
+    out[0] = atan2(sine, cosine) * 180 / acos(-1);
+}
+
 /* --- walls --- */
 
 static void penetration(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -263,22 +333,27 @@ const fw_quantity fw_common_quantities[] = {
     {"energy", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy together", NULL, energy},
     {"kinetic-energy", FW_SCOPE_BODIES, "", "energy", "energy of motion", NULL, kinetic_energy},
     {"elastic-energy", FW_SCOPE_BODIES, "", "energy", "energy of deformation", NULL, elastic_energy},
+    {"energy-per-particle", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy over the number of particles", NULL, energy_per_particle},
     {"energy-drift", FW_SCOPE_SCENE, "", "1", "energy over the energy at the start, minus 1", NULL, energy_drift},
     {"energy-error", FW_SCOPE_BODIES, "", "1", "energy minus what the ledger of work and heat says, relative; of one body only while it meets no wall", NULL, body_energy_error},
     {"kinetic-fraction", FW_SCOPE_BODY, "", "1", "energy of the motion of the centre of mass over all energy", NULL, kinetic_fraction},
     {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum},
     {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error},
+    {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", "lattice-boltzmann movable-particles linear-lattice", angular_momentum},
     {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio},
     {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work},
     {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work},
     {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated},
     {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat},
+    {"noise-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, noise_heat},
     {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy},
     {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass},
     {"position", FW_SCOPE_SITE, "x y", "length", "of one particle", NULL, position},
     {"displacement", FW_SCOPE_SITE, "x y", "length", "of one particle from its place in the lattice, or from where it was placed", NULL, displacement},
     {"elongation", FW_SCOPE_BODY, "x y", "length", "displacement of the last particle minus that of the first", NULL, elongation},
     {"return-error", FW_SCOPE_BODY, "", "length", "largest distance of a particle from its start, in x or y", NULL, return_error},
+    {"mean-square-displacement", FW_SCOPE_BODY, "", "length^2", "of all particles from where they started", NULL, mean_square_displacement},
+    {"rotation", FW_SCOPE_BODY, "", "degrees", "by which the body has turned since the start, -180 to 180", NULL, rotation},
     {"penetration", FW_SCOPE_BODIES, "", "length", "how deep any particle lies behind a wall", NULL, penetration},
     {"unresolved", FW_SCOPE_SCENE, "", "1", "contacts since the start in which no consistent set of walls was found and the particle was held fast", NULL, unresolved},
     {"reaction", FW_SCOPE_WALL, "x y", "force", "[F(t) + F(t-1)]/2 of the wall on all bodies", NULL, reaction},

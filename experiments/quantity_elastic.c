@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* quantity_elastic.c - strain, moduli and wave speeds of any body on a lattice, from where its
+ * particles are. Keeps no state. */
+#include "experiments/member.h"
+#include "experiments/quantity.h"
+
+#include <math.h>
+
+static const fw_lattice *lattice_of(const fw_experiment *experiment, int body)
+{
+    return &experiment->scenario->bodies[body].lattice;
+}
+
+static fw_vec2 position_of(const fw_experiment *experiment, int body, int particle)
+{
+    return fw_solid_position(fw_experiment_solid(experiment, body),
+                             experiment->members[body].first + particle);
+}
+
+/* Smallest box around the undeformed lattice, without the origin. */
+static void find_extent(const fw_experiment *experiment, int body, fw_vec2 *low, fw_vec2 *high)
+{
+    const fw_sites *sites = &experiment->members[body].sites;
+    *low = (fw_vec2){INFINITY, INFINITY};
+    *high = (fw_vec2){-INFINITY, -INFINITY};
+    for (int l = 0; l < sites->count; ++l) {
+        const fw_vec2 at = fw_lattice_vector(lattice_of(experiment, body), sites->site[l]);
+        *low = (fw_vec2){fmin(low->x, at.x), fmin(low->y, at.y)};
+        *high = (fw_vec2){fmax(high->x, at.x), fmax(high->y, at.y)};
+    }
+}
+
+/* --- strain --- */
+
+/* The gradient G of the affine map u = u0 + G (X - X0) that fits the displacements of the inner
+ * particles best (least squares): those within half the body's size about its middle, where its
+ * sides and the places where it is pulled are far. Order xx xy yx yy, G_xy = du_x/dy. */
+static void affine_strain(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const int body = subject.body;
+    const fw_sites *sites = &experiment->members[body].sites;
+    fw_vec2 low, high;
+    find_extent(experiment, body, &low, &high);
+    const fw_vec2 middle = fw_vec2_scale(0.5, fw_vec2_add(low, high));
+    const fw_vec2 reach = fw_vec2_scale(0.25, fw_vec2_subtract(high, low));
+    double count = 0, uX[4] = {0};
+    fw_vec2 mean_u = {0, 0}, mean_X = {0, 0};
+    fw_sym2 XX = {0, 0, 0};
+    for (int pass = 0; pass < 2; ++pass) { /* means, then moments about them */
+        for (int l = 0; l < sites->count; ++l) {
+            const fw_vec2 place = fw_lattice_vector(lattice_of(experiment, body), sites->site[l]);
+            fw_vec2 X = fw_vec2_subtract(place, middle);
+            if (fabs(X.x) > reach.x * (1 + 1e-9) || fabs(X.y) > reach.y * (1 + 1e-9)) continue;
+            fw_vec2 u = fw_vec2_subtract(
+                fw_vec2_subtract(position_of(experiment, body, l),
+                                 lattice_of(experiment, body)->origin),
+                place);
+            if (pass == 0) {
+                count += 1;
+                mean_u = fw_vec2_add(mean_u, u);
+                mean_X = fw_vec2_add(mean_X, X);
+                continue;
+            }
+            u = fw_vec2_subtract(u, mean_u);
+            X = fw_vec2_subtract(X, mean_X);
+            XX = fw_sym2_add(XX, (fw_sym2){X.x * X.x, X.x * X.y, X.y * X.y});
+            uX[0] += u.x * X.x;
+            uX[1] += u.x * X.y;
+            uX[2] += u.y * X.x;
+            uX[3] += u.y * X.y;
+        }
+        if (pass == 0) {
+            mean_u = fw_vec2_scale(1 / count, mean_u);
+            mean_X = fw_vec2_scale(1 / count, mean_X);
+        }
+    }
+    const fw_sym2 inverse = fw_sym2_invert(XX);
+    for (int row = 0; row < 2; ++row) {
+        const fw_vec2 g = fw_sym2_apply(inverse, (fw_vec2){uX[2 * row], uX[2 * row + 1]});
+        out[2 * row] = g.x;
+        out[2 * row + 1] = g.y;
+    }
+}
+
+static void poisson_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    double g[4];
+    affine_strain(experiment, subject, g);
+    out[0] = -g[3] / g[0];
+    out[1] = -g[0] / g[3];
+}
+
+/* Half the difference of the external forces on both halves of a rectangle, over the length of the
+ * cut between them; order xx xy yx yy, the first letter the direction across the cut. */
+static void traction(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const int body = subject.body;
+    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    const fw_member *member = &experiment->members[body];
+    const fw_lattice *lattice = lattice_of(experiment, body);
+    const fw_scenario_shape *shape = &experiment->scenario->bodies[body].shape;
+    const double columns = shape->last_column - shape->first_column + 1;
+    const double rows = shape->last_row - shape->first_row + 1;
+    const double row_height = lattice->kind == FW_HEXAGONAL ? sqrt(0.75) : 1;
+    for (int c = 0; c < 4; ++c) out[c] = 0;
+    for (int l = 0; l < member->count; ++l) {
+        const fw_site site = member->sites.site[l];
+        const int right = 2 * site.i - shape->first_column - shape->last_column;
+        const int up = 2 * site.j - shape->first_row - shape->last_row;
+        const fw_vec2 force = {solid->external_x[member->first + l],
+                               solid->external_y[member->first + l]};
+        const double across = ((right > 0) - (right < 0)) / (2 * rows * row_height);
+        const double along = ((up > 0) - (up < 0)) / (2 * columns);
+        out[0] += across * force.x;
+        out[1] += across * force.y;
+        out[2] += along * force.x;
+        out[3] += along * force.y;
+    }
+    for (int c = 0; c < 4; ++c) out[c] /= lattice->spacing;
+}
+
+static void shear_modulus(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    double stress[4], g[4];
+    traction(experiment, subject, stress);
+    affine_strain(experiment, subject, g);
+    out[0] = 0.5 * (stress[1] + stress[2]) / (g[1] + g[2]);
+}
+
+/* --- waves --- */
+
+/* A body that starts at rest with a plane wave u = A cos(q . r) moves as u cos(omega t), each part
+ * with its own omega, wherever news of its sides has not come yet. Here at site [0, 0], where r = 0:
+ * omega = arccos(u/A)/t, for as long as omega t < pi. NaN without such a start. */
+static void wave_speed(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_scenario_body *body = &experiment->scenario->bodies[subject.body];
+    const fw_sites *sites = &experiment->members[subject.body].sites;
+    const double time = fw_scene_time(experiment->scene);
+    fw_vec2 q = {0, 0}, amplitude = {0, 0};
+    for (int n = 0; n < body->displacement.count; ++n) {
+        const fw_pattern *pattern = &body->displacement.item[n];
+        if (pattern->kind != FW_PATTERN_PLANE) continue;
+        q = pattern->wave_vector;
+        amplitude = fw_vec2_add(amplitude, pattern->amplitude);
+    }
+    const double length = sqrt(fw_vec2_dot(q, q));
+    const int middle = fw_sites_find(sites, (fw_site){0, 0});
+    out[0] = out[1] = NAN;
+    if (!(length > 0 && time > 0) || middle < 0) return;
+    const fw_vec2 u = fw_vec2_subtract(position_of(experiment, subject.body, middle),
+                                       body->lattice.origin);
+    const fw_vec2 along = fw_vec2_scale(1 / length, q), across = fw_vec2_turn(along);
+    out[0] = acos(fw_vec2_dot(u, along) / fw_vec2_dot(amplitude, along)) / (time * length);
+    out[1] = acos(fw_vec2_dot(u, across) / fw_vec2_dot(amplitude, across)) / (time * length);
+}
+
+static void anisotropy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    (void)subject;
+    for (int b = 0; b < experiment->member_count; ++b) {
+        double speed[2];
+        wave_speed(experiment, (fw_subject){.body = b}, speed);
+        for (int c = 0; c < 2; ++c) {
+            low[c] = fmin(low[c], speed[c]);
+            high[c] = fmax(high[c], speed[c]);
+        }
+    }
+    for (int c = 0; c < 2; ++c) out[c] = 2 * (high[c] - low[c]) / (high[c] + low[c]);
+}
+
+/* clang-format off */
+const fw_quantity fw_elastic_quantities[] = {
+    {"affine-strain", FW_SCOPE_BODY, "xx xy yx yy", "1", "gradient of the displacements, fitted to the inner half of the body; xy: of u_x along y", NULL, affine_strain},
+    {"poisson-ratio", FW_SCOPE_BODY, "x y", "1", "of the affine strain: how much thinner over how much longer, of a body pulled along x, or along y", NULL, poisson_ratio},
+    {"traction", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "of a rectangle at angle 0: half the difference of the external forces on both halves, over the length of the cut; the first letter is the direction across it", NULL, traction},
+    {"shear-modulus", FW_SCOPE_BODY, "", "force/length", "mean shear of the traction over that of the affine strain", NULL, shear_modulus},
+    {"wave-speed", FW_SCOPE_BODY, "along across", "length/time", "of the plane wave that the body started with, from the motion of site [0, 0]: of its part along the wave vector, and across", NULL, wave_speed},
+    {"anisotropy", FW_SCOPE_SCENE, "along across", "1", "difference of the highest and lowest wave speed of all bodies, over their mean", NULL, anisotropy},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+};
+/* clang-format on */
