@@ -19,6 +19,7 @@ typedef struct fw_wall_account {
     fw_vec2 impulse;   /* sum of force times tick */
     double work;       /* done on the bodies by the wall's motion */
     double dissipated; /* heat of friction, >= 0 */
+    double stored;     /* energy in the springs of a penalty wall */
     double contacts;   /* particles held in this step */
     double held;       /* particle steps held since the beginning */
 } fw_wall_account;
@@ -29,6 +30,7 @@ typedef struct fw_ledger {
     double energy_at_start;
     fw_vec2 momentum_at_start;
     double external_work, wall_work, grip_work, dissipated, friction_heat, noise_heat;
+    double wall_stored; /* in penalty walls, at present; not a part of the bodies' energy */
     fw_vec2 external_impulse, wall_impulse, grip_impulse, drag;
 } fw_ledger;
 

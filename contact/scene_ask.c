@@ -81,6 +81,7 @@ fw_ledger fw_scene_ledger(const fw_scene *scene)
     }
     for (int w = 0; w < scene->wall_count; ++w) {
         ledger.wall_work += scene->accounts[w].work;
+        ledger.wall_stored += scene->accounts[w].stored;
         ledger.friction_heat += scene->accounts[w].dissipated;
         ledger.wall_impulse = fw_vec2_add(ledger.wall_impulse, scene->accounts[w].impulse);
     }
@@ -154,7 +155,7 @@ long fw_scene_query_count(const fw_scene *scene)
 double fw_ledger_energy(const fw_ledger *l)
 {
     return l->energy_at_start + l->external_work + l->wall_work + l->grip_work - l->dissipated -
-           l->friction_heat + l->noise_heat;
+           l->friction_heat + l->noise_heat - l->wall_stored;
 }
 
 fw_vec2 fw_ledger_momentum(const fw_ledger *l)

@@ -51,36 +51,72 @@ static void list_near(fw_scene *scene, fw_run run)
     for (int n = 0; n < run.facet_count; ++n) scene->near[n] = scene->barriers[run.facets[n]];
 }
 
-/* One particle of a run. Where the walls push it further than its free path, the list is extended
- * and the particle solved again, from the same memory. */
-static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_number, int entry,
-                                 fw_error *error)
+/* One particle of a run against hard walls. Where they push it further than its free path, the list
+ * is extended and the particle solved again, from the same memory. */
+static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_number, int particle,
+                                const fw_prediction *free, fw_constraint *constraint,
+                                fw_error *error)
 {
-    int particle = fw_skin_particles(body->skin)[entry];
     const fw_vec2 position = fw_solid_position(body->solid, particle);
-    const fw_prediction *free = &fw_skin_predictions(body->skin)[entry];
     fw_contact_memory *memory = body->memory ? &body->memory[particle] : NULL;
     const fw_contact_memory before = memory ? *memory : (fw_contact_memory){0};
     for (;;) {
         fw_run run = fw_skin_run(body->skin, run_number);
-        fw_constraint constraint =
+        *constraint =
             fw_constrain(position, free, scene->near, run.facet_count, scene->barriers, memory);
-        if (!constraint.held) return FW_OK;
-        FW_TRY(fw_skin_extend(body->skin, scene->broadphase, run_number,
-                              fw_vec2_add(position, constraint.displacement), error));
-        fw_run extended = fw_skin_run(body->skin, run_number);
-        if (extended.facet_count == run.facet_count) {
-            body->contacts[body->contact_count++] = (scene_contact){particle, constraint};
+        if (!constraint->held) {
+            constraint->displacement = free->displacement;
             return FW_OK;
         }
+        FW_TRY(fw_skin_extend(body->skin, scene->broadphase, run_number,
+                              fw_vec2_add(position, constraint->displacement), error));
+        fw_run extended = fw_skin_run(body->skin, run_number);
+        if (extended.facet_count == run.facet_count) return FW_OK;
         list_near(scene, extended);
         if (memory) *memory = before;
     }
 }
 
-/* A force acts on its particle for `ticks`, from one move to the next. */
-static void book(fw_scene *scene, const fw_constraint *constraint, int ticks)
+/* Soft walls push as the path asks, and the path follows the push: w = hard(w_p + A F(w)). F falls
+ * with w by at most half the stiffness, so steps of 1/(1 + A K/2) end quickly. */
+static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_number, int entry,
+                                 fw_error *error)
 {
+    enum { ROUNDS = 60 };
+    const int particle = fw_skin_particles(body->skin)[entry];
+    const fw_vec2 position = fw_solid_position(body->solid, particle);
+    fw_prediction free = fw_skin_predictions(body->skin)[entry];
+    const fw_vec2 alone = free.displacement;
+    const fw_contact_memory before = body->memory ? body->memory[particle] : (fw_contact_memory){0};
+    const double yielding = 0.5 * scene->soft_stiffness * fmax(free.mobility.xx, free.mobility.yy);
+    scene_contact contact = {.particle = particle};
+    fw_vec2 w = alone;
+    for (int round = 0; round < ROUNDS; ++round) {
+        if (scene->soft_count > 0 && free.mobility.xx > 0)
+            contact.soft = scene_soft_force(scene, position, w);
+        contact.soft_path = w;
+        free.displacement = fw_vec2_add(alone, fw_sym2_apply(free.mobility, contact.soft));
+        if (round > 0 && body->memory) body->memory[particle] = before;
+        FW_TRY(
+            constrain_hard(scene, body, run_number, particle, &free, &contact.constraint, error));
+        const fw_vec2 change = fw_vec2_subtract(contact.constraint.displacement, w);
+        if (scene->soft_count == 0 ||
+            fabs(change.x) + fabs(change.y) <= 4e-16 * (fabs(w.x) + fabs(w.y)))
+            break;
+        w = fw_vec2_add(w, fw_vec2_scale(1 / (1 + yielding), change));
+    }
+    if (contact.constraint.held || contact.soft.x != 0 || contact.soft.y != 0)
+        body->contacts[body->contact_count++] = contact;
+    return FW_OK;
+}
+
+/* A force acts on its particle for `ticks`, from one move to the next. */
+static void book(fw_scene *scene, const scene_body *body, const scene_contact *contact)
+{
+    const fw_constraint *constraint = &contact->constraint;
+    const int ticks = body->solid->model->ticks_per_step;
+    if (contact->soft.x != 0 || contact->soft.y != 0)
+        scene_book_soft(scene, contact, fw_solid_position(body->solid, contact->particle), ticks);
     for (int n = 0; n < constraint->touch_count; ++n) {
         const fw_touch *touch = &constraint->touch[n];
         fw_wall_account *account = &scene->accounts[touch->wall];
@@ -100,7 +136,7 @@ fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *erro
     if (scene->wall_count == 0) return FW_OK;
     for (int n = 0; n < fw_skin_run_count(body->skin); ++n) {
         fw_run run = fw_skin_run(body->skin, n);
-        if (run.facet_count == 0 && !body->memory) continue;
+        if (run.facet_count == 0 && !body->memory && scene->soft_count == 0) continue;
         list_near(scene, run);
         for (int entry = run.first; entry < run.first + run.count; ++entry)
             if (!body->gripped || !body->gripped[fw_skin_particles(body->skin)[entry]])
@@ -109,8 +145,7 @@ fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *erro
     /* Runs follow a curve through space that is another one after a restart; sums go by particle.
      */
     qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
-    for (int n = 0; n < body->contact_count; ++n)
-        book(scene, &body->contacts[n].constraint, body->solid->model->ticks_per_step);
+    for (int n = 0; n < body->contact_count; ++n) book(scene, body, &body->contacts[n]);
     return FW_OK;
 }
 
@@ -127,7 +162,7 @@ void scene_collect_holds(fw_scene *scene, int number)
     for (int n = 0; n < body->contact_count; ++n) {
         const scene_contact *contact = &body->contacts[n];
         body->holds[n] = (fw_hold){contact->particle, contact->constraint.displacement,
-                                   contact->constraint.force};
+                                   fw_vec2_add(contact->constraint.force, contact->soft)};
     }
     if (!body->gripped) return;
     for (int n = 0; n < scene->grip_count; ++n) {

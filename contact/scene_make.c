@@ -219,6 +219,13 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
             FW_TRY(refuse_overlap(scene, &scene->bodies[b], error));
             FW_TRY(prepare_body(scene, &scene->bodies[b], error));
         }
+        for (int w = 0; w < scene->wall_count; ++w) {
+            const fw_surface surface = fw_wall_surface(scene->walls[w].wall);
+            if (surface.law != FW_PENALTY) continue;
+            scene->soft_count += 1;
+            scene->soft_stiffness += surface.stiffness;
+        }
+        FW_TRY(scene_check_soft(scene, error));
     }
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];

@@ -9,7 +9,9 @@
 
 typedef struct scene_contact {
     int particle;
-    fw_constraint constraint;
+    fw_constraint constraint; /* of hard walls; with where the particle goes in any case */
+    fw_vec2 soft;             /* force of penalty walls ... */
+    fw_vec2 soft_path;        /* ... for this displacement: that of the constraint, to rounding */
 } scene_contact;
 
 typedef struct scene_body {
@@ -59,6 +61,8 @@ struct fw_scene {
     fw_wall_account *accounts; /* per wall */
     scene_load *loads;
     scene_grip *grips;
+    int soft_count;        /* walls that are springs */
+    double soft_stiffness; /* of all of them together */
     fw_broadphase *broadphase;
     int facet_count;
     fw_barrier *barriers; /* of all facets, in the broadphase's order */
@@ -73,6 +77,12 @@ void scene_follow_wall(fw_scene *scene, int wall, int ticks);
 void scene_place_barriers(fw_scene *scene, int ticks);
 fw_status scene_refresh_skin(fw_scene *scene, scene_body *body, fw_error *error);
 fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *error);
+/* Of all penalty walls, on a particle at `position` that moves by w in this tick; and what that
+ * does to their accounts. */
+fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
+void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);
+/* FW_BAD_INPUT for a penalty wall that is too stiff for the time step. */
+fw_status scene_check_soft(fw_scene *scene, fw_error *error);
 /* All holds of the body in this tick: contacts and grips. */
 void scene_collect_holds(fw_scene *scene, int body);
 

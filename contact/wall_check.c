@@ -154,6 +154,11 @@ static fw_status check_surface(const fw_wall_def *def, fw_error *error)
                        "wall '%s': the stiffness of a penalty wall is %g, expected a finite "
                        "number > 0",
                        name_of(def), surface->stiffness);
+    if (surface->law == FW_PENALTY && def->shape == FW_CHAIN)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "wall '%s' is a chain and has a penalty, expected a box, polygon or circle: "
+                       "behind a chain there is no inside where its spring could act",
+                       name_of(def));
     return FW_OK;
 }
 

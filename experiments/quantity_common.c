@@ -58,14 +58,17 @@ static void energy_per_particle(const fw_experiment *experiment, fw_subject subj
     double count = 0;
     for (int b = 0; b < experiment->member_count; ++b)
         if (subject.body < 0 || subject.body == b) count += experiment->members[b].count;
-    out[0] = total(energies_of(experiment, subject)) / count;
+    const double walls =
+        subject.body < 0 ? fw_scene_ledger(experiment->scene).wall_stored : 0;
+    out[0] = (total(energies_of(experiment, subject)) + walls) / count;
 }
 
 static void energy_drift(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
-    double start = fw_scene_ledger(experiment->scene).energy_at_start;
-    out[0] = total(fw_scene_energies(experiment->scene)) / start - 1;
+    const fw_ledger ledger = fw_scene_ledger(experiment->scene);
+    const double now = total(fw_scene_energies(experiment->scene)) + ledger.wall_stored;
+    out[0] = now / ledger.energy_at_start - 1;
 }
 
 /* What the ledger says the energy should be, and the largest of the sums it is made of. */
@@ -170,6 +173,12 @@ static void wall_work(const fw_experiment *experiment, fw_subject subject, doubl
 {
     (void)subject;
     out[0] = fw_scene_ledger(experiment->scene).wall_work;
+}
+
+static void wall_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).wall_stored;
 }
 
 static void dissipated(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -333,8 +342,8 @@ const fw_quantity fw_common_quantities[] = {
     {"energy", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy together", NULL, energy},
     {"kinetic-energy", FW_SCOPE_BODIES, "", "energy", "energy of motion", NULL, kinetic_energy},
     {"elastic-energy", FW_SCOPE_BODIES, "", "energy", "energy of deformation", NULL, elastic_energy},
-    {"energy-per-particle", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy over the number of particles", NULL, energy_per_particle},
-    {"energy-drift", FW_SCOPE_SCENE, "", "1", "energy over the energy at the start, minus 1", NULL, energy_drift},
+    {"energy-per-particle", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy (of the scene: and that in penalty walls) over the number of particles", NULL, energy_per_particle},
+    {"energy-drift", FW_SCOPE_SCENE, "", "1", "energy, with that in penalty walls, over the energy at the start, minus 1", NULL, energy_drift},
     {"energy-error", FW_SCOPE_BODIES, "", "1", "energy minus what the ledger of work and heat says, relative; of one body only while it meets no wall", NULL, body_energy_error},
     {"kinetic-fraction", FW_SCOPE_BODY, "", "1", "energy of the motion of the centre of mass over all energy", NULL, kinetic_fraction},
     {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum},
@@ -343,6 +352,7 @@ const fw_quantity fw_common_quantities[] = {
     {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio},
     {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work},
     {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work},
+    {"wall-energy", FW_SCOPE_SCENE, "", "energy", "stored in the springs of penalty walls", NULL, wall_energy},
     {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated},
     {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat},
     {"noise-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, noise_heat},

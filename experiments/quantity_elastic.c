@@ -51,10 +51,9 @@ static void affine_strain(const fw_experiment *experiment, fw_subject subject, d
             const fw_vec2 place = fw_lattice_vector(lattice_of(experiment, body), sites->site[l]);
             fw_vec2 X = fw_vec2_subtract(place, middle);
             if (fabs(X.x) > reach.x * (1 + 1e-9) || fabs(X.y) > reach.y * (1 + 1e-9)) continue;
-            fw_vec2 u = fw_vec2_subtract(
-                fw_vec2_subtract(position_of(experiment, body, l),
-                                 lattice_of(experiment, body)->origin),
-                place);
+            fw_vec2 u = fw_vec2_subtract(fw_vec2_subtract(position_of(experiment, body, l),
+                                                          lattice_of(experiment, body)->origin),
+                                         place);
             if (pass == 0) {
                 count += 1;
                 mean_u = fw_vec2_add(mean_u, u);
@@ -130,8 +129,8 @@ static void shear_modulus(const fw_experiment *experiment, fw_subject subject, d
 /* --- waves --- */
 
 /* A body that starts at rest with a plane wave u = A cos(q . r) moves as u cos(omega t), each part
- * with its own omega, wherever news of its sides has not come yet. Here at site [0, 0], where r = 0:
- * omega = arccos(u/A)/t, for as long as omega t < pi. NaN without such a start. */
+ * with its own omega, wherever news of its sides has not come yet. Here at site [0, 0], where r =
+ * 0: omega = arccos(u/A)/t, for as long as omega t < pi. NaN without such a start. */
 static void wave_speed(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const fw_scenario_body *body = &experiment->scenario->bodies[subject.body];
@@ -148,8 +147,8 @@ static void wave_speed(const fw_experiment *experiment, fw_subject subject, doub
     const int middle = fw_sites_find(sites, (fw_site){0, 0});
     out[0] = out[1] = NAN;
     if (!(length > 0 && time > 0) || middle < 0) return;
-    const fw_vec2 u = fw_vec2_subtract(position_of(experiment, subject.body, middle),
-                                       body->lattice.origin);
+    const fw_vec2 u =
+        fw_vec2_subtract(position_of(experiment, subject.body, middle), body->lattice.origin);
     const fw_vec2 along = fw_vec2_scale(1 / length, q), across = fw_vec2_turn(along);
     out[0] = acos(fw_vec2_dot(u, along) / fw_vec2_dot(amplitude, along)) / (time * length);
     out[1] = acos(fw_vec2_dot(u, across) / fw_vec2_dot(amplitude, across)) / (time * length);

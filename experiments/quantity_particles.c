@@ -73,7 +73,8 @@ static void temperature(const fw_experiment *experiment, fw_subject subject, dou
 
 /* --- pressure --- */
 
-/* What the body covered when it was made: its cells of the lattice, or the box it was dropped in. */
+/* What the body covered when it was made: its cells of the lattice, or the box it was dropped in.
+ */
 static double area_of(const fw_experiment *experiment, int body)
 {
     const fw_scenario_body *from = &experiment->scenario->bodies[body];
@@ -165,9 +166,9 @@ static void bond_angle(const fw_experiment *experiment, fw_subject subject, doub
 {
     const fw_member *member = &experiment->members[subject.body];
     const fw_solid *solid = fw_experiment_solid(experiment, subject.body);
-    const fw_vec2 bond = fw_vec2_subtract(
-        fw_solid_position(solid, member->first + (member->count > 1 ? 1 : 0)),
-        fw_solid_position(solid, member->first));
+    const fw_vec2 bond =
+        fw_vec2_subtract(fw_solid_position(solid, member->first + (member->count > 1 ? 1 : 0)),
+                         fw_solid_position(solid, member->first));
     out[0] = atan2(bond.y, bond.x) * 180 / acos(-1);
 }
 

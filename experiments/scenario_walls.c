@@ -61,6 +61,8 @@ static fw_surface read_surface(const fw_node *node)
     if (!node) return (fw_surface){.law = FW_FRICTIONLESS};
     if (node->kind == FW_SCALAR)
         return (fw_surface){.law = node->text[0] == 's' ? FW_STICK : FW_FRICTIONLESS};
+    const fw_node *penalty = fw_node_find(node, "penalty");
+    if (penalty) return (fw_surface){.law = FW_PENALTY, .stiffness = fw_node_number(penalty)};
     return (fw_surface){.law = FW_COULOMB,
                         .friction = fw_node_number(fw_node_find(node, "coulomb"))};
 }

@@ -338,6 +338,11 @@ const fw_key fw_schema_keys[] = {
      .otherwise = "at rest", .meaning = "how it moves"},
     {"surface", "coulomb", FW_FORM_NUMBER, ALTERNATIVE, FROM_TO(0, 1000), NOT_STORED,
      .meaning = "friction coefficient: the tangential force is at most this times the reaction"},
+    {"surface", "penalty", FW_FORM_NUMBER, ALTERNATIVE, ABOVE_ZERO, NOT_STORED,
+     .unit = "force/length",
+     .meaning =
+         "soft: a particle behind the surface by d is pushed back with this times d; not for "
+         "chains"},
     {"path", "velocity", FW_FORM_NUMBERS, .layout = "[x, y]", AT(fw_path, velocity),
      .standard = "[0, 0]", .unit = "length/time", .meaning = "constant during the window"},
     {"path", "from", FW_FORM_NUMBER, .needs = "velocity", AT(fw_path, from), .standard = "0",
