@@ -58,8 +58,7 @@ static void energy_per_particle(const fw_experiment *experiment, fw_subject subj
     double count = 0;
     for (int b = 0; b < experiment->member_count; ++b)
         if (subject.body < 0 || subject.body == b) count += experiment->members[b].count;
-    const double walls =
-        subject.body < 0 ? fw_scene_ledger(experiment->scene).wall_stored : 0;
+    const double walls = subject.body < 0 ? fw_scene_ledger(experiment->scene).wall_stored : 0;
     out[0] = (total(energies_of(experiment, subject)) + walls) / count;
 }
 

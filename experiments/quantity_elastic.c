@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* quantity_elastic.c - strain, moduli and wave speeds of any body on a lattice, from where its
- * particles are. Keeps no state. */
+/* quantity_elastic.c - strain, Poisson's ratio and wave speeds of any body on a lattice, from where
+ * its particles are. Keeps no state. */
 #include "experiments/member.h"
 #include "experiments/quantity.h"
 
@@ -89,43 +89,6 @@ static void poisson_ratio(const fw_experiment *experiment, fw_subject subject, d
     out[1] = -g[0] / g[3];
 }
 
-/* Half the difference of the external forces on both halves of a rectangle, over the length of the
- * cut between them; order xx xy yx yy, the first letter the direction across the cut. */
-static void traction(const fw_experiment *experiment, fw_subject subject, double *out)
-{
-    const int body = subject.body;
-    const fw_solid *solid = fw_experiment_solid(experiment, body);
-    const fw_member *member = &experiment->members[body];
-    const fw_lattice *lattice = lattice_of(experiment, body);
-    const fw_scenario_shape *shape = &experiment->scenario->bodies[body].shape;
-    const double columns = shape->last_column - shape->first_column + 1;
-    const double rows = shape->last_row - shape->first_row + 1;
-    const double row_height = lattice->kind == FW_HEXAGONAL ? sqrt(0.75) : 1;
-    for (int c = 0; c < 4; ++c) out[c] = 0;
-    for (int l = 0; l < member->count; ++l) {
-        const fw_site site = member->sites.site[l];
-        const int right = 2 * site.i - shape->first_column - shape->last_column;
-        const int up = 2 * site.j - shape->first_row - shape->last_row;
-        const fw_vec2 force = {solid->external_x[member->first + l],
-                               solid->external_y[member->first + l]};
-        const double across = ((right > 0) - (right < 0)) / (2 * rows * row_height);
-        const double along = ((up > 0) - (up < 0)) / (2 * columns);
-        out[0] += across * force.x;
-        out[1] += across * force.y;
-        out[2] += along * force.x;
-        out[3] += along * force.y;
-    }
-    for (int c = 0; c < 4; ++c) out[c] /= lattice->spacing;
-}
-
-static void shear_modulus(const fw_experiment *experiment, fw_subject subject, double *out)
-{
-    double stress[4], g[4];
-    traction(experiment, subject, stress);
-    affine_strain(experiment, subject, g);
-    out[0] = 0.5 * (stress[1] + stress[2]) / (g[1] + g[2]);
-}
-
 /* --- waves --- */
 
 /* A body that starts at rest with a plane wave u = A cos(q . r) moves as u cos(omega t), each part
@@ -154,6 +117,18 @@ static void wave_speed(const fw_experiment *experiment, fw_subject subject, doub
     out[1] = acos(fw_vec2_dot(u, across) / fw_vec2_dot(amplitude, across)) / (time * length);
 }
 
+/* Density times speed squared: lambda + 2 mu along, mu across. */
+static void wave_modulus(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_lattice *lattice = lattice_of(experiment, subject.body);
+    const double square = lattice->spacing * lattice->spacing;
+    const double cell = lattice->kind == FW_HEXAGONAL ? sqrt(0.75) * square : square;
+    const fw_sym2 total = fw_member_mass(experiment, subject.body);
+    const double mass = 0.5 * (total.xx + total.yy) / experiment->members[subject.body].count;
+    wave_speed(experiment, subject, out);
+    for (int c = 0; c < 2; ++c) out[c] *= mass / cell * out[c];
+}
+
 static void anisotropy(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
@@ -173,9 +148,8 @@ static void anisotropy(const fw_experiment *experiment, fw_subject subject, doub
 const fw_quantity fw_elastic_quantities[] = {
     {"affine-strain", FW_SCOPE_BODY, "xx xy yx yy", "1", "gradient of the displacements, fitted to the inner half of the body; xy: of u_x along y", NULL, affine_strain},
     {"poisson-ratio", FW_SCOPE_BODY, "x y", "1", "of the affine strain: how much thinner over how much longer, of a body pulled along x, or along y", NULL, poisson_ratio},
-    {"traction", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "of a rectangle at angle 0: half the difference of the external forces on both halves, over the length of the cut; the first letter is the direction across it", NULL, traction},
-    {"shear-modulus", FW_SCOPE_BODY, "", "force/length", "mean shear of the traction over that of the affine strain", NULL, shear_modulus},
     {"wave-speed", FW_SCOPE_BODY, "along across", "length/time", "of the plane wave that the body started with, from the motion of site [0, 0]: of its part along the wave vector, and across", NULL, wave_speed},
+    {"wave-modulus", FW_SCOPE_BODY, "along across", "force/length", "density times wave speed squared: lambda + 2 mu along, the shear modulus mu across", NULL, wave_modulus},
     {"anisotropy", FW_SCOPE_SCENE, "along across", "1", "difference of the highest and lowest wave speed of all bodies, over their mean", NULL, anisotropy},
     {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
 };
