@@ -26,7 +26,8 @@ static fw_status check_drive(const char *name, const fw_grip_drive *drive, fw_er
 {
     if (!is_finite(drive->force) || !is_finite(drive->amplitude) || !is_finite(drive->tether) ||
         !isfinite(drive->period) || !isfinite(drive->phase) || !is_finite(drive->path.velocity) ||
-        !is_finite(drive->path.amplitude))
+        !is_finite(drive->path.amplitude) || !isfinite(drive->path.phase) ||
+        !isfinite(drive->path.from) || isnan(drive->path.until) || !isfinite(drive->path.period))
         return fw_fail(error, FW_BAD_INPUT, "grip %s: the drive has a number that is not finite",
                        name);
     if (drive->period < 0 || drive->path.period < 0)
@@ -44,6 +45,11 @@ fw_status fw_grip_create(fw_grip **grip, const fw_grip_def *def, fw_error *error
     if (def->particle_count < 1)
         return fw_fail(error, FW_BAD_INPUT, "grip %s holds no particles, expected at least one",
                        def->name);
+    for (int n = 1; n < def->particle_count; ++n)
+        if (def->particles[n] <= def->particles[n - 1])
+            return fw_fail(error, FW_BAD_INPUT,
+                           "grip %s: particle %d after %d, expected each once and ascending",
+                           def->name, def->particles[n], def->particles[n - 1]);
     FW_TRY(check_drive(def->name, &def->drive, error));
     size_t count = (size_t)def->particle_count;
     fw_grip *made = calloc(1, sizeof *made);

@@ -114,6 +114,10 @@ fw_status fw_scene_add_grip(fw_scene *scene, int number, const fw_grip_def *def,
             return fw_fail(error, FW_BAD_INPUT,
                            "grip %s holds particle %d of body %s, which another grip holds already",
                            def->name, def->particles[n], body->name);
+    for (int n = 0; n < scene->grip_count; ++n)
+        if (strcmp(fw_grip_name(scene->grips[n].grip), def->name) == 0)
+            return fw_fail(error, FW_BAD_INPUT,
+                           "two grips are called %s, expected names of their own", def->name);
     scene_grip *grip = &scene->grips[scene->grip_count];
     grip->body = number;
     FW_TRY(fw_grip_create(&grip->grip, def, error));

@@ -111,8 +111,9 @@ void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, doubl
     }
 }
 
-void fw_langevin_reverse(fw_langevin *solid)
+void fw_langevin_reverse(fw_solid *head)
 {
+    fw_langevin *solid = (fw_langevin *)head;
     for (int i = 0; i < solid->head.count; ++i) {
         solid->velocity_x[i] = -solid->velocity_x[i];
         solid->velocity_y[i] = -solid->velocity_y[i];

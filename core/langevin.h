@@ -60,7 +60,7 @@ void fw_langevin_start(fw_langevin *solid);
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
 
 /* Turns every velocity round: without damping the way back is the way it came. */
-void fw_langevin_reverse(fw_langevin *solid);
+void fw_langevin_reverse(fw_solid *solid);
 
 /* Velocities drawn from Maxwell's distribution at that temperature, for particles first to
  * first + count - 1, then shifted to leave their momentum zero. */

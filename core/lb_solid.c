@@ -421,5 +421,6 @@ const fw_solid_model fw_lb_solid_model = {
     .masses = masses,
     .state = state,
     .restored = restored,
+    .reverse = fw_lb_solid_reverse,
     .fields = lb_fields,
 };

@@ -184,6 +184,7 @@ const fw_solid_model fw_linear_lattice_model = {
     .masses = fw_langevin_masses,
     .state = fw_langevin_state,
     .restored = fw_langevin_restored,
+    .reverse = fw_langevin_reverse,
     .fields = fields,
 };
 

@@ -15,11 +15,11 @@
 
 /* What the numbers are for: draws of different streams are independent. */
 typedef enum fw_noise_stream {
-    FW_NOISE_THERMOSTAT,      /* Langevin noise */
-    FW_NOISE_FORCE,           /* random external forces; one stream per force follows from here */
-    FW_NOISE_START = 1 << 16, /* random displacements and velocities at the start */
+    FW_NOISE_THERMOSTAT,          /* Langevin noise */
+    FW_NOISE_FORCE,               /* random external forces; 65535 streams from here */
     FW_NOISE_PLACEMENT = 1 << 17, /* random sequential placement */
     FW_NOISE_MAXWELL = 1 << 18,   /* thermal velocities */
+    FW_NOISE_START = 1 << 24      /* random starts of single sites; all streams from here */
 } fw_noise_stream;
 
 /* 128 random bits. */

@@ -92,6 +92,7 @@ const fw_solid_model fw_particles_model = {
     .masses = fw_langevin_masses,
     .state = state,
     .restored = restored,
+    .reverse = fw_langevin_reverse,
     .fields = fw_particle_fields,
 };
 

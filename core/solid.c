@@ -49,6 +49,14 @@ void fw_solid_head_state(fw_solid *solid, fw_state_list *list)
     fw_state_list_add(list, "ticks", FW_I64, 1, &solid->ticks);
 }
 
+void fw_solid_reverse(fw_solid *solid)
+{
+    fw_vec2 before = fw_solid_momentum(solid);
+    solid->model->reverse(solid);
+    fw_vec2 change = fw_vec2_subtract(fw_solid_momentum(solid), before);
+    solid->account.impulse = fw_vec2_add(solid->account.impulse, change);
+}
+
 const fw_field *fw_solid_find_field(const fw_solid *solid, const char *name)
 {
     for (const fw_field *field = solid->model->fields; field && field->name; ++field)

@@ -83,6 +83,8 @@ typedef struct fw_solid_model {
      * same arrays and calling `restored` puts the solid exactly where it was. */
     void (*state)(fw_solid *solid, fw_state_list *list);
     void (*restored)(fw_solid *solid); /* rebuilds what follows from the state; may be NULL */
+    /* Turns the arrow of time: the solid runs back the way it came; NULL: it cannot. */
+    void (*reverse)(fw_solid *solid);
     const fw_field *fields;
 } fw_solid_model;
 
@@ -133,6 +135,9 @@ static inline void fw_solid_advance(fw_solid *solid, const fw_hold *holds, int h
 {
     solid->model->advance(solid, holds, hold_count);
 }
+
+/* Reverses a solid whose model can, and books what that does to its momentum as an impulse. */
+void fw_solid_reverse(fw_solid *solid);
 
 static inline fw_energies fw_solid_energies(const fw_solid *solid)
 {

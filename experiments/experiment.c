@@ -131,6 +131,20 @@ static fw_status place_of_failure(const fw_scenario *scenario, fw_place place, f
     return fw_scenario_fail(scenario, place, error, "%s", inner.sentence);
 }
 
+static fw_status refuse_reversal(const fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    for (int b = 0; b < scenario->body_count && scenario->run.reverse_at > 0; ++b) {
+        const fw_solid_model *model = fw_experiment_solid(experiment, b)->model;
+        if (!model->reverse)
+            return fw_scenario_fail(scenario, scenario->bodies[b].place, error,
+                                    "body %s cannot be reversed: the model %s does not know how, "
+                                    "expected no run.reverse-at",
+                                    scenario->bodies[b].name, model->name);
+    }
+    return FW_OK;
+}
+
 static fw_status note_start(fw_experiment *experiment, fw_error *error)
 {
     size_t count = (size_t)experiment->member_count;
@@ -161,6 +175,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     FW_TRY(fw_scene_create(&experiment->scene, middle, scenario->run.limit, error));
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(make_sites(experiment, b, error));
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(add_body(experiment, b, error));
+    FW_TRY(refuse_reversal(experiment, error));
     for (int a = 0; a < scenario->body_count; ++a)
         for (int b = a + 1; b < scenario->body_count; ++b)
             /* Within one solid the energy of overlapping particles was looked at already. */
@@ -215,21 +230,13 @@ void fw_experiment_destroy(fw_experiment *experiment)
     free(experiment);
 }
 
-static void reverse(fw_solid *solid)
-{
-    if (fw_solid_is_particles(solid) || fw_solid_is_linear_lattice(solid))
-        fw_langevin_reverse((fw_langevin *)solid);
-    else
-        fw_lb_solid_reverse(solid);
-}
-
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
 {
     FW_TRY(fw_scene_step(experiment->scene, error));
     if (experiment->scenario->run.reverse_at != 0 &&
         fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
         for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b)
-            reverse(fw_scene_body(experiment->scene, b));
+            fw_solid_reverse(fw_scene_body(experiment->scene, b));
     return FW_OK;
 }
 

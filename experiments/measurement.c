@@ -259,13 +259,24 @@ static fw_status add_expected(request *r, int number)
     return r->measurement->expected[number] < 0 ? FW_SYSTEM_FAILED : FW_OK;
 }
 
+static bool is_measured(const request *r, const fw_quantity *quantity)
+{
+    for (int n = 0; n < r->measurement->probe_count; ++n)
+        if (r->measurement->probes[n].quantity == quantity) return true;
+    return false;
+}
+
 static fw_status add_all(request *r)
 {
     const fw_scenario *scenario = r->experiment->scenario;
     const fw_quantity *quantity;
     for (int n = 0; n < scenario->measure.count; ++n) {
         FW_TRY(find_quantity(r, scenario->measure.item[n], &quantity));
+        int probes = r->measurement->probe_count;
         FW_TRY(add_everywhere(r, quantity, scenario->measure.item[n].place));
+        if (r->measurement->probe_count == probes && !is_measured(r, quantity))
+            return fw_scenario_fail(scenario, scenario->measure.item[n].place, r->error,
+                                    "there is nothing to measure %s of", quantity->name);
     }
     for (int n = 0; scenario->measure.count == 0 && standard_set[n]; ++n)
         FW_TRY(add_everywhere(r, fw_quantity_find(standard_set[n]), (fw_place){0}));

@@ -25,7 +25,7 @@ static void write_time(FILE *out, double seconds)
     if (seconds < 60)
         fprintf(out, "%.0f s", seconds);
     else if (seconds < 3600)
-        fprintf(out, "%.0f min %02.0f s", seconds / 60 - 0.5, (double)((int)seconds % 60));
+        fprintf(out, "%d min %02d s", (int)seconds / 60, (int)seconds % 60);
     else
         fprintf(out, "%.1f h", seconds / 3600);
 }
