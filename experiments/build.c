@@ -50,6 +50,8 @@ static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, fw_vec2 pl
         const double *g = pattern->gradient;
         return (fw_vec2){g[0] * place.x + g[1] * place.y, g[2] * place.x + g[3] * place.y};
     }
+    case FW_PATTERN_MODE:
+        break; /* depends on the material: build_automaton.c adds it */
     case FW_PATTERN_RANDOM:
         return fw_vec2_scale(pattern->random,
                              fw_noise_uniform(seed, (uint32_t)particle, 0, stream));

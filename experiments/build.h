@@ -29,5 +29,8 @@ fw_status fw_build_particles(const fw_scenario *scenario, const fw_member *membe
 /* A body of material FW_LINEAR_LATTICE. */
 fw_status fw_build_linear(const fw_scenario *scenario, int body, const fw_sites *sites,
                           fw_solid **solid, fw_error *error);
+/* A body of material FW_ELASTIC_AUTOMATON. */
+fw_status fw_build_automaton(const fw_scenario *scenario, int body, const fw_sites *sites,
+                             fw_solid **solid, fw_error *error);
 
 #endif

@@ -48,9 +48,27 @@ static void look_for_haste(fw_caution *caution, const fw_experiment *experiment)
     }
 }
 
+int fw_caution_walls(FILE *out, const fw_experiment *experiment)
+{
+    int count = 0;
+    for (int w = 0; w < fw_scene_wall_count(experiment->scene); ++w) {
+        const fw_wall *wall = fw_scene_wall(experiment->scene, w);
+        if (fw_wall_surface(wall).law != FW_COMPONENTWISE) continue;
+        fprintf(out,
+                "caution: the surface of wall %s is 'componentwise', which does not conserve "
+                "energy: where c2 couples x and y it can grow without bound ('frictionless' and "
+                "'stick' conserve it)\n",
+                fw_wall_name(wall));
+        count += 1;
+    }
+    return count;
+}
+
 fw_status fw_caution_look(fw_caution *caution, const fw_experiment *experiment, fw_error *error)
 {
     if (!caution->out) return FW_OK;
+    if (!caution->looked) fw_caution_walls(caution->out, experiment);
+    caution->looked = true;
     if (!caution->hurried && fw_scene_wall_count(experiment->scene) > 0)
         look_for_haste(caution, experiment);
     return caution->met ? FW_OK : look_for_meetings(caution, experiment, error);

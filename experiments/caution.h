@@ -12,7 +12,12 @@ typedef struct fw_caution {
     FILE *out;    /* NULL: says nothing */
     bool met;     /* bodies were seen to pass through each other, and it was said */
     bool hurried; /* an LB body was too fast, and it was said */
+    bool looked;  /* not for the first time */
 } fw_caution;
+
+/* Names the walls that break a law which all others keep, a line each; returns how many there are.
+ */
+int fw_caution_walls(FILE *out, const fw_experiment *experiment);
 
 /* Looks at the scene as it is now, and says what is new, a line each. To be called at the start and
  * now and then. */

@@ -48,7 +48,7 @@ static const option options[] = {
     {'q', "--quiet", "-q", NULL, "no progress"},
     {'w', "--overwrite", NULL, NULL, "replaces an earlier result in the folder"},
     {'n', "--no-plot", NULL, NULL, "draws no pictures"},
-    {'k', "--kind", NULL, "KIND", "motion, forces, field, strip or series"},
+    {'k', "--kind", NULL, "KIND", "motion, forces, field, strip, series or analysis"},
     {'f', "--field", NULL, "NAME", "field that is drawn as colour"},
     {'b', "--observable", NULL, "NAME[,NAME]", "observables that are drawn or written over time"},
     {'a', "--at", NULL, "STEP[,STEP]",

@@ -2,6 +2,7 @@
 /* command_check.c - what a scenario would take, without running it: size, memory, time and how near
  * it is to where its solids stop being right; on request a picture of its start.
  * Start reading at fw_command_check(). */
+#include "experiments/caution.h"
 #include "experiments/command.h"
 #include "experiments/figure.h"
 #include "experiments/run.h"
@@ -206,6 +207,20 @@ static void print_time_step(const fw_scenario *scenario, int member, double limi
            scenario->dynamics.time_step, limit);
 }
 
+/* A body that would grow has been refused before. */
+static void check_automaton(const fw_scenario *scenario, int member)
+{
+    static const char *const edges[] = {"bond", "trapezoid", "mirror", "periodic"};
+    const fw_scenario_body *body = &scenario->bodies[member];
+    const fw_scenario_automaton *material = &scenario->materials[body->material].automaton;
+    const fw_automaton_speeds c = material->speeds;
+    printf("  %-14s stable: c1^2 + c2^2 = %.6g, expected at most 2; boundary %s, under which this "
+           "body does not grow%s\n",
+           body->name, c.transverse * c.transverse + c.coupling * c.coupling,
+           edges[material->boundary],
+           material->boundary == FW_EDGES_MIRROR ? " but keeps neither energy nor momentum" : "");
+}
+
 static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
@@ -214,6 +229,9 @@ static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw
         switch (m->kind) {
         case FW_LATTICE_BOLTZMANN:
             FW_TRY(check_boltzmann(experiment, b, warnings, error));
+            break;
+        case FW_ELASTIC_AUTOMATON:
+            check_automaton(scenario, b);
             break;
         case FW_MOVABLE_PARTICLES:
             print_time_step(scenario, b, particles_limit(scenario, &m->particles));
@@ -242,6 +260,7 @@ static fw_status check_run(fw_run *run, const char *name, const fw_arguments *ar
     print_bodies(experiment);
     print_sizes(experiment->scenario, &size);
     FW_TRY(check_limits(experiment, &warnings, error));
+    warnings += fw_caution_walls(stdout, experiment);
     fflush(stdout);
     if (arguments->output) {
         FW_TRY(draw_start(experiment, arguments->output, error));

@@ -6,6 +6,7 @@
 #include "experiments/quantity.h"
 #include "experiments/schema.h"
 
+#include "core/elastic_automaton.h"
 #include "core/lb_solid.h"
 #include "core/linear_lattice.h"
 #include "core/particles.h"
@@ -45,7 +46,7 @@ fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error)
     static const char *const scope[] = {
         [FW_SCOPE_SCENE] = "scene", [FW_SCOPE_BODIES] = "body or scene",
         [FW_SCOPE_BODY] = "body",   [FW_SCOPE_SITE] = "site",
-        [FW_SCOPE_WALL] = "wall",
+        [FW_SCOPE_WALL] = "wall",   [FW_SCOPE_ANALYSIS] = "analysis",
     };
     (void)arguments;
     (void)error;
@@ -58,6 +59,7 @@ fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error)
     print_fields(&fw_lb_solid_model);
     print_fields(&fw_particles_model);
     print_fields(&fw_linear_lattice_model);
+    print_fields(&fw_elastic_automaton_model);
     return FW_OK;
 }
 

@@ -63,6 +63,9 @@ static fw_status add_body(fw_experiment *experiment, int number, fw_error *error
     case FW_LINEAR_LATTICE:
         FW_TRY(fw_build_linear(scenario, number, &member->sites, &solid, error));
         break;
+    case FW_ELASTIC_AUTOMATON:
+        FW_TRY(fw_build_automaton(scenario, number, &member->sites, &solid, error));
+        break;
     case FW_MOVABLE_PARTICLES:
         return add_particles(experiment, number, error);
     }
@@ -167,6 +170,18 @@ static fw_status note_start(fw_experiment *experiment, fw_error *error)
     return FW_OK;
 }
 
+static fw_status analyse(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    experiment->analyses = calloc((size_t)scenario->analysis_count + 1, sizeof(fw_analysis *));
+    if (!experiment->analyses) return fw_fail_memory(error, "the analyses of an experiment");
+    for (int n = 0; n < scenario->analysis_count; ++n) {
+        FW_TRY(fw_analysis_create(&experiment->analyses[n], scenario, n, error));
+        experiment->analysis_count += 1;
+    }
+    return FW_OK;
+}
+
 static fw_status fill(fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
@@ -189,7 +204,8 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
-    return note_start(experiment, error);
+    FW_TRY(note_start(experiment, error));
+    return analyse(experiment, error);
 }
 
 fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *scenario,
@@ -223,6 +239,9 @@ void fw_experiment_destroy(fw_experiment *experiment)
         fw_sites_clear(&experiment->members[b].sites);
     for (int b = 0; experiment->start && b < experiment->member_count; ++b)
         free(experiment->start[b]);
+    for (int n = 0; n < experiment->analysis_count; ++n)
+        fw_analysis_destroy(experiment->analyses[n]);
+    free(experiment->analyses);
     free(experiment->start);
     free(experiment->energy_at_start);
     free(experiment->momentum_at_start);

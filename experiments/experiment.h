@@ -4,6 +4,7 @@
 #define FW_EXPERIMENT_H
 
 #include "contact/scene.h"
+#include "experiments/analysis.h"
 #include "experiments/scenario.h"
 
 /* Where a body of the scenario lives in the scene: particles first .. first + count - 1 of one
@@ -24,6 +25,8 @@ typedef struct fw_experiment {
     double *energy_at_start;
     fw_vec2 *momentum_at_start;
     fw_vec2 **start; /* positions */
+    int analysis_count;
+    fw_analysis **analyses; /* same order as the scenario's */
 } fw_experiment;
 
 /* Builds solids, walls and forces. FW_BAD_INPUT with file, line and column where the scenario asks

@@ -31,6 +31,8 @@ static void write_label(const fw_experiment *experiment, fw_probe *probe)
         snprintf(end, room, ".%s[%d,%d]", experiment->members[s.body].name, site.i, site.j);
     } else if (s.body >= 0) {
         snprintf(end, room, ".%s", experiment->members[s.body].name);
+    } else if (s.analysis >= 0) {
+        snprintf(end, room, ".%s", experiment->scenario->analyses[s.analysis].name);
     } else if (s.wall >= 0) {
         snprintf(end, room, ".%s", fw_wall_name(fw_scene_wall(experiment->scene, s.wall)));
     }
@@ -43,7 +45,8 @@ static int add_probe(request *r, const fw_quantity *quantity, fw_subject subject
     for (int n = 0; n < m->probe_count; ++n) {
         const fw_probe *p = &m->probes[n];
         if (p->quantity == quantity && p->subject.body == subject.body &&
-            p->subject.wall == subject.wall && p->subject.particle == subject.particle)
+            p->subject.wall == subject.wall && p->subject.particle == subject.particle &&
+            p->subject.analysis == subject.analysis)
             return n;
     }
     fw_probe *probes = realloc(m->probes, ((size_t)m->probe_count + 1) * sizeof *probes);
@@ -93,10 +96,16 @@ static fw_status expect_model(const request *r, const fw_quantity *quantity, fw_
                             quantity->model);
 }
 
+static bool fits_kind(const request *r, const fw_quantity *quantity, int analysis)
+{
+    const fw_analysis *of = r->experiment->analyses[analysis];
+    return strcmp(quantity->model, fw_analysis_kind_name(of->what->kind)) == 0;
+}
+
 /* A quantity by its name alone: of everything that it can be measured of. */
 static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_place place)
 {
-    const fw_subject nothing = {-1, -1, -1};
+    const fw_subject nothing = {-1, -1, -1, -1};
     fw_subject subject = nothing;
     switch (quantity->scope) {
     case FW_SCOPE_SCENE:
@@ -112,6 +121,12 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
         for (subject.wall = 0; subject.wall < fw_scene_wall_count(r->experiment->scene);
              ++subject.wall)
             if (add_probe(r, quantity, subject) < 0) return FW_SYSTEM_FAILED;
+        return FW_OK;
+    case FW_SCOPE_ANALYSIS:
+        for (subject.analysis = 0; subject.analysis < r->experiment->analysis_count;
+             ++subject.analysis)
+            if (fits_kind(r, quantity, subject.analysis) && add_probe(r, quantity, subject) < 0)
+                return FW_SYSTEM_FAILED;
         return FW_OK;
     case FW_SCOPE_SITE:
         break;
@@ -138,7 +153,7 @@ static fw_status add_drawn(request *r, fw_scenario_name name)
     FW_TRY(find_quantity(r, (fw_scenario_name){word[0], name.place}, &quantity));
     bool component = words > 1 && fw_quantity_find_component(quantity, word[words - 1]) >= 0;
     if (words - component == 1 && !rest) return add_everywhere(r, quantity, name.place);
-    fw_subject subject = {-1, -1, -1};
+    fw_subject subject = {-1, -1, -1, -1};
     bool of_body = quantity->scope == FW_SCOPE_BODIES || quantity->scope == FW_SCOPE_BODY;
     for (int b = 0; b < r->experiment->member_count && of_body; ++b)
         if (strcmp(r->experiment->members[b].name, word[1]) == 0 && fits_model(r, quantity, b))
@@ -173,7 +188,7 @@ static fw_status choose_body(request *r, const fw_expectation *e, const fw_quant
     }
     if (subject->body >= 0 && !fits_model(r, quantity, subject->body))
         return fw_scenario_fail(scenario, e->quantity.place, r->error,
-                                "%s is measured of a %s solid, but body %s is a %s one",
+                                "%s is measured of bodies of model %s, but body %s is of model %s",
                                 quantity->name, quantity->model,
                                 r->experiment->members[subject->body].name,
                                 fw_experiment_solid(r->experiment, subject->body)->model->name);
@@ -199,19 +214,51 @@ static fw_status choose_wall(request *r, const fw_expectation *e, const fw_quant
     return FW_OK;
 }
 
+static fw_status choose_analysis(request *r, const fw_expectation *e, const fw_quantity *quantity,
+                                 fw_subject *subject)
+{
+    const fw_scenario *scenario = r->experiment->scenario;
+    int fitting = 0;
+    for (int n = 0; n < scenario->analysis_count; ++n) {
+        if (!fits_kind(r, quantity, n) || (e->analysis_index >= 0 && e->analysis_index != n))
+            continue;
+        subject->analysis = n;
+        fitting += 1;
+    }
+    if (fitting == 1) return FW_OK;
+    if (fitting > 1)
+        return fw_scenario_fail(scenario, e->place, r->error,
+                                "%s is measured of one analysis, expected the key `analysis`",
+                                quantity->name);
+    if (e->analysis.text)
+        return fw_scenario_fail(scenario, e->analysis.place, r->error,
+                                "%s is measured of an analysis of kind %s, which %s is not",
+                                quantity->name, quantity->model, e->analysis.text);
+    return fw_scenario_fail(scenario, e->quantity.place, r->error,
+                            "%s is measured of an analysis of kind %s, and the scenario has none",
+                            quantity->name, quantity->model);
+}
+
 static fw_status choose_subject(request *r, const fw_expectation *e, const fw_quantity *quantity,
                                 fw_subject *subject)
 {
     const fw_scenario *scenario = r->experiment->scenario;
-    *subject = (fw_subject){-1, -1, -1};
+    *subject = (fw_subject){-1, -1, -1, -1};
     if (quantity->scope != FW_SCOPE_WALL && e->wall.text)
         return fw_scenario_fail(scenario, e->wall.place, r->error,
                                 "%s is not measured of a wall, expected no key `wall`",
                                 quantity->name);
-    if ((quantity->scope == FW_SCOPE_WALL || quantity->scope == FW_SCOPE_SCENE) && e->body.text)
+    const bool bodiless = quantity->scope == FW_SCOPE_WALL || quantity->scope == FW_SCOPE_SCENE ||
+                          quantity->scope == FW_SCOPE_ANALYSIS;
+    if (bodiless && e->body.text)
         return fw_scenario_fail(scenario, e->body.place, r->error,
                                 "%s is not measured of a body, expected no key `body`",
                                 quantity->name);
+    if (quantity->scope != FW_SCOPE_ANALYSIS && e->analysis.text)
+        return fw_scenario_fail(scenario, e->analysis.place, r->error,
+                                "%s is not measured of an analysis, expected no key `analysis`",
+                                quantity->name);
+    if (quantity->scope == FW_SCOPE_ANALYSIS) return choose_analysis(r, e, quantity, subject);
     if (quantity->scope == FW_SCOPE_SCENE) return expect_model(r, quantity, e->quantity.place);
     if (quantity->scope == FW_SCOPE_WALL) return choose_wall(r, e, quantity, subject);
     return choose_body(r, e, quantity, subject);

@@ -394,6 +394,32 @@ fw_status fw_playback_read_masses(fw_playback *playback, double *masses, fw_erro
     return fw_hdf5_check(playback->file->hdf5, error);
 }
 
+fw_status fw_playback_read_table(fw_playback *playback, const char *group, const char *name,
+                                 fw_table *table, fw_error *error)
+{
+    char path[3 * FW_NAME_SIZE];
+    fw_hdf5 *hdf5 = playback->file->hdf5;
+    fw_shape shape;
+    *table = (fw_table){.rank = 0};
+    snprintf(path, sizeof path, "parameters/analysis/%.*s/%.*s", FW_NAME_SIZE - 1, group,
+             FW_NAME_SIZE - 1, name);
+    fw_dataset dataset = fw_hdf5_find(hdf5, path);
+    if (dataset < 0)
+        return fw_fail(error, FW_BAD_INPUT, "the results hold no %s of an analysis %s", name,
+                       group);
+    if (!fw_hdf5_shape(hdf5, dataset, &shape) || shape.text || shape.element != FW_F64 ||
+        shape.rank < 1 || shape.rank > 2 || shape.extent[0] > INT_MAX ||
+        (shape.rank == 2 && shape.extent[1] > INT_MAX) || !fw_hdf5_is_stored(hdf5, dataset))
+        return refuse(playback, path, error);
+    table->rank = shape.rank;
+    for (int axis = 0; axis < shape.rank; ++axis) table->extent[axis] = (int)shape.extent[axis];
+    table->values = fw_array_of_doubles((size_t)fw_table_size(table));
+    if (!table->values) return fw_fail_memory(error, "the arrays of an analysis");
+    fw_hdf5_read(hdf5, dataset, FW_F64, 0, shape.extent[0], table->values);
+    fw_hdf5_release(dataset);
+    return fw_hdf5_check(hdf5, error);
+}
+
 int fw_playback_find_observable(const fw_playback *playback, const char *name)
 {
     for (int i = 0; i < playback->observable_count; ++i)

@@ -71,6 +71,11 @@ fw_status fw_playback_read_field(fw_playback *playback, int64_t frame, const cha
                                  double *values, fw_error *error);
 fw_status fw_playback_read_masses(fw_playback *playback, double *masses, fw_error *error);
 
+/* An array of an analysis: rank, extent and `values`, which is malloc'ed; name, unit and meaning
+ * stay NULL. FW_BAD_INPUT: the results hold no such array. */
+fw_status fw_playback_read_table(fw_playback *playback, const char *group, const char *name,
+                                 fw_table *table, fw_error *error);
+
 /* Index in `observables`, or -1. */
 int fw_playback_find_observable(const fw_playback *playback, const char *name);
 /* All samples of an observable, components of one sample next to each other:

@@ -27,6 +27,7 @@ static const kind_row kinds[] = {
     [FW_PLOT_FIELD] = {"field", 1, fw_plot_draw_field},
     [FW_PLOT_STRIP] = {"strip", 6, fw_plot_draw_strip},
     [FW_PLOT_SERIES] = {"series", 0, fw_plot_draw_series},
+    [FW_PLOT_ANALYSIS] = {"analysis", 0, fw_plot_draw_analysis},
     {NULL, 0, NULL},
 };
 
@@ -104,7 +105,9 @@ static fw_status find_kind(const char *name, fw_plot_kind *kind, fw_error *error
         return fw_fail(error, FW_BAD_INPUT, "no pictures of kind %s; did you mean %s?", name,
                        guess.best);
     return fw_fail(error, FW_BAD_INPUT,
-                   "no pictures of kind %s, expected motion, forces, field, strip or series", name);
+                   "no pictures of kind %s, expected motion, forces, field, strip, series or "
+                   "analysis",
+                   name);
 }
 
 static fw_status find_field(draft *d, const char *name, fw_error *error)
@@ -236,6 +239,8 @@ static fw_plot_kind kind_of(const fw_scenario_picture *own)
         return FW_PLOT_FORCES;
     case FW_PICTURE_FIELD:
         return own->instant_count > 1 ? FW_PLOT_STRIP : FW_PLOT_FIELD;
+    case FW_PICTURE_ANALYSIS:
+        return FW_PLOT_ANALYSIS;
     case FW_PICTURE_SERIES:
         break;
     }
@@ -268,6 +273,7 @@ static fw_status decide_kind(draft *d, const fw_plot_wish *wish, fw_error *error
     bool coloured = *kind == FW_PLOT_FIELD || *kind == FW_PLOT_STRIP;
     if (wish->field && !coloured) stray = "a field";
     if (wish->observable_count > 0 && *kind != FW_PLOT_SERIES) stray = "observables";
+    if (wish->step_count > 0 && *kind == FW_PLOT_ANALYSIS) stray = "steps";
     if (wish->logarithmic && *kind != FW_PLOT_SERIES) stray = "anything on logarithmic axes";
     if (!stray) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT, "a picture of kind %s does not draw %s", kinds[*kind].name,
@@ -306,6 +312,19 @@ static fw_status decide_observables(draft *d, const fw_plot_wish *wish, fw_error
     if (d->picture.observable_count > 0) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT,
                    "%s: no energy was measured, expected the names of observables to draw",
+                   d->result->directory);
+}
+
+/* The picture's own, or the first. */
+static fw_status decide_analysis(draft *d, fw_error *error)
+{
+    const fw_scenario *scenario = d->result->scenario;
+    const char *name = d->own ? d->own->analysis.text : NULL;
+    for (int n = 0; n < scenario->analysis_count && !d->picture.analysis; ++n)
+        if (!name || strcmp(scenario->analyses[n].name, name) == 0)
+            d->picture.analysis = &scenario->analyses[n];
+    if (d->picture.analysis) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "%s: the scenario has no analysis to draw",
                    d->result->directory);
 }
 
@@ -349,6 +368,9 @@ static fw_status decide(draft *d, const fw_plot_wish *wish, fw_error *error)
     case FW_PLOT_SERIES:
         FW_TRY(decide_observables(d, wish, error));
         FW_TRY(take_span(d, wish, error));
+        break;
+    case FW_PLOT_ANALYSIS:
+        FW_TRY(decide_analysis(d, error));
         break;
     }
     return decide_page(d, wish, error);

@@ -50,7 +50,8 @@ typedef enum fw_plot_kind {
     FW_PLOT_FORCES,
     FW_PLOT_FIELD,
     FW_PLOT_STRIP,
-    FW_PLOT_SERIES
+    FW_PLOT_SERIES,
+    FW_PLOT_ANALYSIS
 } fw_plot_kind;
 
 /* A picture with every choice made. */
@@ -64,6 +65,7 @@ typedef struct fw_plot_picture {
     const char **observables;
     int64_t from, until; /* steps of a series */
     bool logarithmic;
+    const fw_scenario_analysis *analysis;
 } fw_plot_picture;
 
 /* --- what is found before anything is drawn --- */
@@ -130,5 +132,7 @@ fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_pictur
                               fw_error *error);
 fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error);
+fw_status fw_plot_draw_analysis(const fw_plot_result *result, const fw_plot_picture *picture,
+                                fw_error *error);
 
 #endif

@@ -9,16 +9,18 @@
 
 /* What a quantity is measured of. */
 typedef enum fw_scope {
-    FW_SCOPE_SCENE,  /* the whole scene only */
-    FW_SCOPE_BODIES, /* one body, or all together where none is named */
-    FW_SCOPE_BODY,   /* one body; may be left out where there is only one */
-    FW_SCOPE_SITE,   /* one site of a body */
-    FW_SCOPE_WALL    /* one wall; may be left out where there is only one */
+    FW_SCOPE_SCENE,   /* the whole scene only */
+    FW_SCOPE_BODIES,  /* one body, or all together where none is named */
+    FW_SCOPE_BODY,    /* one body; may be left out where there is only one */
+    FW_SCOPE_SITE,    /* one site of a body */
+    FW_SCOPE_WALL,    /* one wall; may be left out where there is only one */
+    FW_SCOPE_ANALYSIS /* one analysis of its kind; may be left out where there is only one */
 } fw_scope;
 
 /* -1: none. */
 typedef struct fw_subject {
     int body, wall, particle; /* particle: within the body */
+    int analysis;
 } fw_subject;
 
 enum { FW_COMPONENTS_MOST = 4 };
@@ -29,7 +31,8 @@ typedef struct fw_quantity {
     const char *components; /* "" for a number, else names: "x y", "xx xy yx yy" */
     const char *unit;
     const char *meaning;
-    const char *model; /* only of bodies of these models, names with blanks between; NULL: of any */
+    const char *model; /* only of bodies of these models (analyses of this kind), names with blanks
+                        * between; NULL: of any */
     void (*measure)(const fw_experiment *experiment, fw_subject subject, double *out);
 } fw_quantity;
 
@@ -38,6 +41,7 @@ extern const fw_quantity fw_common_quantities[];
 extern const fw_quantity fw_boltzmann_quantities[];
 extern const fw_quantity fw_elastic_quantities[];
 extern const fw_quantity fw_particle_quantities[];
+extern const fw_quantity fw_automaton_quantities[];
 
 /* All quantities, model by model: `for (q = first(); q; q = next(q))`. */
 const fw_quantity *fw_quantity_first(void);

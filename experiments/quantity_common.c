@@ -160,6 +160,12 @@ static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject
         0.5 * fw_sym2_form(p, inverse, p) / total(fw_member_energies(experiment, subject.body));
 }
 
+static void mean_velocity(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, fw_sym2_apply(fw_sym2_invert(fw_member_mass(experiment, subject.body)),
+                           fw_member_momentum(experiment, subject.body)));
+}
+
 /* --- the ledger --- */
 
 static void external_work(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -349,6 +355,7 @@ const fw_quantity fw_common_quantities[] = {
     {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error},
     {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", "lattice-boltzmann movable-particles linear-lattice", angular_momentum},
     {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio},
+    {"mean-velocity", FW_SCOPE_BODY, "x y", "length/time", "momentum over mass, both of the whole body", NULL, mean_velocity},
     {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work},
     {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work},
     {"wall-energy", FW_SCOPE_SCENE, "", "energy", "stored in the springs of penalty walls", NULL, wall_energy},

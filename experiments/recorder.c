@@ -127,6 +127,21 @@ static fw_status describe_observables(fw_recorder *r, fw_error *error)
     return FW_OK;
 }
 
+static fw_status describe_analyses(fw_recorder *r, fw_error *error)
+{
+    const fw_experiment *experiment = r->experiment;
+    fw_table_group *groups = calloc((size_t)experiment->analysis_count + 1, sizeof *groups);
+    r->def.groups = groups;
+    if (!groups) return fw_fail_memory(error, "the analyses of a results file");
+    for (int n = 0; n < experiment->analysis_count; ++n) {
+        const fw_analysis *analysis = experiment->analyses[n];
+        if (analysis->table_count == 0) continue;
+        groups[r->def.group_count++] =
+            (fw_table_group){analysis->what->name, analysis->tables, analysis->table_count};
+    }
+    return FW_OK;
+}
+
 static fw_status describe(fw_recorder *r, const char *directory, int threads, fw_error *error)
 {
     const fw_scenario *scenario = r->experiment->scenario;
@@ -145,6 +160,7 @@ static fw_status describe(fw_recorder *r, const char *directory, int threads, fw
     r->def.sample_count = fw_measurement_row_count(scenario);
     FW_TRY(describe_bodies(r, error));
     FW_TRY(describe_fields(r, error));
+    FW_TRY(describe_analyses(r, error));
     return describe_observables(r, error);
 }
 
@@ -404,6 +420,7 @@ void fw_recorder_destroy(fw_recorder *recorder)
     free((fw_trajectory_body *)recorder->def.bodies);
     free((fw_trajectory_field *)recorder->def.fields);
     free((fw_observable *)recorder->def.observables);
+    free((fw_table_group *)recorder->def.groups);
     free(recorder->bodies);
     free(recorder->frame);
     free(recorder->solid_x);

@@ -120,8 +120,10 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     FW_TRY(fw_scenario_read_materials(scenario, error));
     FW_TRY(fw_scenario_read_bodies(scenario, error));
     FW_TRY(fw_scenario_check_dynamics(scenario, error));
+    FW_TRY(fw_scenario_check_clock(scenario, error));
     FW_TRY(fw_scenario_read_walls(scenario, error));
     FW_TRY(fw_scenario_read_forces(scenario, error));
+    FW_TRY(fw_scenario_read_analyses(scenario, error));
     FW_TRY(fw_scenario_read_expectations(scenario, error));
     return fw_scenario_read_pictures(scenario, error);
 }

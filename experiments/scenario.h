@@ -9,6 +9,7 @@
 #define FW_SCENARIO_H
 
 #include "contact/wall.h"
+#include "core/automaton_matrices.h"
 #include "core/lattice.h"
 #include "core/pair_potential.h"
 #include "core/return_force.h"
@@ -47,10 +48,26 @@ typedef struct fw_scenario_linear {
     bool compensated;
 } fw_scenario_linear;
 
+typedef enum fw_automaton_edges {
+    FW_EDGES_BOND,
+    FW_EDGES_TRAPEZOID,
+    FW_EDGES_MIRROR,
+    FW_EDGES_PERIODIC
+} fw_automaton_edges;
+
+typedef struct fw_scenario_automaton {
+    fw_automaton_speeds speeds; /* inside the disc of stability */
+    fw_automaton_edges boundary;
+    double damping;  /* a */
+    int black;       /* which sites move first: 0 those with i + j even, 1 odd */
+    double break_at; /* 0: never */
+} fw_scenario_automaton;
+
 typedef enum fw_material_kind {
     FW_LATTICE_BOLTZMANN,
     FW_MOVABLE_PARTICLES,
-    FW_LINEAR_LATTICE
+    FW_LINEAR_LATTICE,
+    FW_ELASTIC_AUTOMATON
 } fw_material_kind;
 
 typedef struct fw_scenario_material {
@@ -61,6 +78,7 @@ typedef struct fw_scenario_material {
         fw_scenario_boltzmann boltzmann;
         fw_scenario_particles particles;
         fw_scenario_linear linear;
+        fw_scenario_automaton automaton;
     };
 } fw_scenario_material;
 
@@ -102,6 +120,7 @@ typedef enum fw_pattern_kind {
     FW_PATTERN_WAVE,     /* amplitude cos(wave_vector . s + phase) */
     FW_PATTERN_PLANE,    /* amplitude cos(wave_vector . r + phase), r the place less the origin */
     FW_PATTERN_GRADIENT, /* gradient r */
+    FW_PATTERN_MODE,     /* of an elastic automaton: a running wave of its endless lattice */
     FW_PATTERN_RANDOM    /* each component uniform in [-random, random) */
 } fw_pattern_kind;
 
@@ -115,6 +134,8 @@ typedef struct fw_pattern {
     double gradient[4];  /* xx xy yx yy */
     double phase;        /* radians */
     double random;
+    int branch;  /* mode: FW_SLOW or FW_FAST */
+    double size; /* mode: of the white cells' displacement */
 } fw_pattern;
 
 typedef struct fw_patterns {
@@ -146,8 +167,9 @@ typedef struct fw_scenario_body {
     fw_vec2 velocity;
     fw_patterns displacement;
     fw_patterns velocities;
-    double spin;        /* angular velocity about its middle at the start */
-    double temperature; /* of its velocities at the start */
+    double spin;             /* angular velocity about its middle at the start */
+    double temperature;      /* of its velocities at the start */
+    bool displaced_as_given; /* elastic automaton: both colours alike */
     fw_replacements rest_mass;
     fw_replacements link_stiffness;
 } fw_scenario_body;
@@ -234,7 +256,9 @@ typedef struct fw_expectation {
     int body_index;            /* -1: none given */
     fw_scenario_name wall;
     int wall_index; /* -1: none given */
-    bool has_site;  /* of that body; checked */
+    fw_scenario_name analysis;
+    int analysis_index; /* -1: none given */
+    bool has_site;      /* of that body; checked */
     fw_site site;
     fw_scenario_name component; /* "x", "y", "xx", ...; text NULL: none given */
     bool has_at;
@@ -253,7 +277,8 @@ typedef enum fw_picture_kind {
     FW_PICTURE_MOTION, /* the bodies at several instants, with the path of the centre of mass */
     FW_PICTURE_FORCES, /* forces as arrows */
     FW_PICTURE_FIELD,  /* a field as colour on the particles */
-    FW_PICTURE_SERIES  /* observables over time */
+    FW_PICTURE_SERIES, /* observables over time */
+    FW_PICTURE_ANALYSIS
 } fw_picture_kind;
 
 typedef struct fw_scenario_picture {
@@ -267,7 +292,36 @@ typedef struct fw_scenario_picture {
     fw_scenario_names observables; /* "energy", "elongation.chain", "momentum.x" */
     int64_t from, until;           /* steps between which a series is drawn */
     bool logarithmic;              /* whether its values are drawn on logarithmic axes */
+    fw_scenario_name analysis;
 } fw_scenario_picture;
+
+/* --- what is computed without running --- */
+
+typedef enum fw_analysis_kind {
+    FW_ANALYSIS_STABILITY_MAP,
+    FW_ANALYSIS_DISPERSION,
+    FW_ANALYSIS_PLANE_MODE,
+    FW_ANALYSIS_BODY_STABILITY,
+    FW_ANALYSIS_BOLTZMANN_TWIN
+} fw_analysis_kind;
+
+/* Members that its kind does not have are zero. */
+typedef struct fw_scenario_analysis {
+    const char *name;
+    fw_place place;
+    fw_analysis_kind kind;
+    double c1[2], c2[2]; /* stability map: from, to; body stability: the first of each */
+    int points[2];       /* of c1 and of c2, ends included */
+    int64_t waves;       /* wave vectors along each side of the Brillouin zone */
+    int material;        /* dispersion, plane mode: of kind FW_ELASTIC_AUTOMATON */
+    int64_t size,
+        steps; /* dispersion: of the periodic body that carries the waves, and of its run */
+    fw_vec2 wave_vector; /* plane mode: radians per site */
+    fw_automaton_edges boundary;
+    int rectangle[2]; /* body stability: columns, rows */
+    int body;         /* twin */
+    int64_t ticks;    /* twin: half-steps of the automaton */
+} fw_scenario_analysis;
 
 /* --- the whole --- */
 
@@ -293,6 +347,8 @@ typedef struct fw_scenario {
     fw_expectation *expectations;
     int picture_count;
     fw_scenario_picture *pictures;
+    int analysis_count;
+    fw_scenario_analysis *analyses;
 } fw_scenario;
 
 /* Reads a scenario; `file` is what sentences call it. `settings` are the arguments of the --set

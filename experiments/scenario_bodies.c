@@ -9,7 +9,8 @@ static fw_material_kind kind_of(const char *model)
 {
     static const char *const models[] = {[FW_LATTICE_BOLTZMANN] = "lattice-boltzmann",
                                          [FW_MOVABLE_PARTICLES] = "movable-particles",
-                                         [FW_LINEAR_LATTICE] = "linear-lattice"};
+                                         [FW_LINEAR_LATTICE] = "linear-lattice",
+                                         [FW_ELASTIC_AUTOMATON] = "elastic-automaton"};
     int kind = 0;
     while (strcmp(models[kind], model) != 0) ++kind; /* the schema knows no other */
     return (fw_material_kind)kind;
@@ -29,6 +30,8 @@ fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error)
         material->kind = kind_of(node->first->key);
         if (material->kind == FW_MOVABLE_PARTICLES)
             FW_TRY(fw_scenario_read_particles(scenario, node->first, &material->particles, error));
+        if (material->kind == FW_ELASTIC_AUTOMATON)
+            FW_TRY(fw_scenario_read_automaton(scenario, node->first, &material->automaton, error));
     }
     return FW_OK;
 }
@@ -68,6 +71,10 @@ static fw_status read_pattern(fw_scenario *scenario, const fw_node *node,
     if ((given = fw_node_find(node, "wave"))) {
         pattern->kind = FW_PATTERN_WAVE;
         return fw_schema_fill(scenario->document, "wave", given, pattern, error);
+    }
+    if ((given = fw_node_find(node, "mode"))) {
+        pattern->kind = FW_PATTERN_MODE;
+        return fw_schema_fill(scenario->document, "mode", given, pattern, error);
     }
     pattern->kind = FW_PATTERN_RANDOM;
     pattern->random = fw_node_number(fw_node_find(node, "random"));
@@ -137,7 +144,8 @@ static fw_status refuse_foreign_keys(const fw_scenario *scenario, const fw_node 
 {
     enum {
         BOLTZMANN = 1 << FW_LATTICE_BOLTZMANN,
-        POINT_MASSES = 1 << FW_MOVABLE_PARTICLES | 1 << FW_LINEAR_LATTICE
+        POINT_MASSES = 1 << FW_MOVABLE_PARTICLES | 1 << FW_LINEAR_LATTICE,
+        AUTOMATON = 1 << FW_ELASTIC_AUTOMATON
     };
     static const struct {
         const char *key;
@@ -146,7 +154,8 @@ static fw_status refuse_foreign_keys(const fw_scenario *scenario, const fw_node 
     } keys[] = {{"rest-mass", BOLTZMANN, "lattice Boltzmann bodies have"},
                 {"link-stiffness", BOLTZMANN, "lattice Boltzmann bodies have"},
                 {"spin", POINT_MASSES, "movable particles and linear lattices have"},
-                {"temperature", POINT_MASSES, "movable particles and linear lattices have"}};
+                {"temperature", POINT_MASSES, "movable particles and linear lattices have"},
+                {"displaced-as-given", AUTOMATON, "elastic automata have"}};
     const unsigned own = 1u << scenario->materials[body->material].kind;
     for (size_t n = 0; n < sizeof keys / sizeof keys[0]; ++n) {
         const fw_node *given = fw_node_find(node, keys[n].key);
@@ -177,6 +186,7 @@ static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenar
                          error));
     FW_TRY(
         read_patterns(scenario, fw_node_find(node, "velocities"), body, &body->velocities, error));
+    FW_TRY(fw_scenario_check_automaton(scenario, node, body, error));
     FW_TRY(read_replacements(scenario, fw_node_find(node, "rest-mass"), "mass-change", body,
                              &body->rest_mass, error));
     return read_replacements(scenario, fw_node_find(node, "link-stiffness"), "stiffness-change",

@@ -93,15 +93,19 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
     FW_TRY(fw_schema_fill(scenario->document, "expectation", node, e, error));
     e->has_at = fw_node_find(node, "at") != NULL;
     e->has_site = fw_node_find(node, "site") != NULL;
-    e->body_index = e->wall_index = -1;
+    e->body_index = e->wall_index = e->analysis_index = -1;
     int count;
     const fw_node *body = fw_node_find(node, "body"), *wall = fw_node_find(node, "wall");
+    const fw_node *analysis = fw_node_find(node, "analysis");
     if (body)
         FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "bodies", &count), "body",
                                 body, &e->body_index, error));
     if (wall)
         FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "walls", &count), "wall", wall,
                                 &e->wall_index, error));
+    if (analysis)
+        FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "analysis", &count),
+                                "analysis", analysis, &e->analysis_index, error));
     if (e->has_site && !fw_scenario_has_site(&scenario->bodies[e->body_index], e->site))
         return fw_scenario_fail(scenario, fw_node_find(node, "site")->place, error,
                                 "site [%d, %d] is not one of body '%s'", e->site.i, e->site.j,
@@ -129,13 +133,27 @@ fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error)
 static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
                             const fw_scenario_picture *picture, fw_error *error)
 {
-    static const char *const of_series[] = {"observables", "from", "until", "logarithmic", NULL};
-    static const char *const of_bodies[] = {"instants", "field", NULL};
+    enum {
+        MOTION = 1 << FW_PICTURE_MOTION,
+        FORCES = 1 << FW_PICTURE_FORCES,
+        FIELD = 1 << FW_PICTURE_FIELD,
+        SERIES = 1 << FW_PICTURE_SERIES,
+        ANALYSIS = 1 << FW_PICTURE_ANALYSIS
+    };
+    static const struct {
+        const char *key;
+        unsigned kinds; /* that draw it */
+    } keys[] = {{"observables", SERIES},
+                {"from", SERIES},
+                {"until", SERIES},
+                {"logarithmic", SERIES},
+                {"instants", MOTION | FORCES | FIELD},
+                {"field", MOTION | FORCES | FIELD},
+                {"analysis", ANALYSIS}};
     const fw_node *kind = fw_node_find(node, "kind");
-    const char *const *strays = picture->kind == FW_PICTURE_SERIES ? of_bodies : of_series;
-    for (; *strays; ++strays) {
-        const fw_node *stray = fw_node_find(node, *strays);
-        if (stray)
+    for (size_t n = 0; n < sizeof keys / sizeof keys[0]; ++n) {
+        const fw_node *stray = fw_node_find(node, keys[n].key);
+        if (stray && !(keys[n].kinds >> picture->kind & 1))
             return fw_scenario_fail(scenario, stray->key_place, error,
                                     "pictures.%s has '%s', which a picture of kind '%s' does not "
                                     "draw",
@@ -152,6 +170,24 @@ static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
                                 "pictures.%s ends at step %lld, expected %lld to %lld", node->key,
                                 (long long)picture->until, (long long)picture->from + 1,
                                 (long long)scenario->run.steps);
+    return FW_OK;
+}
+
+/* The one named, or the only one. */
+static fw_status check_analysis(const fw_scenario *scenario, const fw_node *node,
+                                fw_scenario_picture *picture, fw_error *error)
+{
+    if (picture->kind != FW_PICTURE_ANALYSIS) return FW_OK;
+    int count, index;
+    const fw_node *part = fw_scenario_part(scenario, "analysis", &count);
+    const fw_node *named = fw_node_find(node, "analysis");
+    if (named) return fw_scenario_find(scenario, part, "analysis", named, &index, error);
+    if (count != 1)
+        return fw_scenario_fail(scenario, picture->place, error,
+                                "pictures.%s draws an analysis, of which the scenario has %d, "
+                                "expected the key 'analysis'",
+                                picture->name, count);
+    picture->analysis = (fw_scenario_name){part->first->key, part->first->key_place};
     return FW_OK;
 }
 
@@ -192,6 +228,7 @@ fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
         picture->place = node->key_place;
         FW_TRY(fw_schema_fill(scenario->document, "picture", node, picture, error));
         FW_TRY(check_kind(scenario, node, picture, error));
+        FW_TRY(check_analysis(scenario, node, picture, error));
         const fw_node *instants = fw_node_find(node, "instants");
         if (instants) FW_TRY(read_instants(scenario, instants, picture, error));
     }

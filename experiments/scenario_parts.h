@@ -23,6 +23,17 @@ fw_status fw_scenario_check_dynamics(const fw_scenario *scenario, fw_error *erro
 /* A random placement from the mapping under `placed`. */
 fw_status fw_scenario_read_placed(const fw_scenario *scenario, const fw_node *node,
                                   fw_scenario_body *body, fw_error *error);
+fw_status fw_scenario_read_analyses(fw_scenario *scenario, fw_error *error);
+
+/* The rest of a material from the mapping under its key `elastic-automaton`: speeds, checked. */
+fw_status fw_scenario_read_automaton(const fw_scenario *scenario, const fw_node *node,
+                                     fw_scenario_automaton *material, fw_error *error);
+/* What the schema could not see about an automaton's body, once all of it is read. */
+fw_status fw_scenario_check_automaton(const fw_scenario *scenario, const fw_node *node,
+                                      const fw_scenario_body *body, fw_error *error);
+
+/* That all bodies move in half-steps, or none does. */
+fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error);
 
 /* Shape of a body from the mapping under its key `shape`. */
 fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *node,

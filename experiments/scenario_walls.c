@@ -59,8 +59,10 @@ static fw_status read_geometry(const fw_scenario *scenario, const fw_node *node,
 static fw_surface read_surface(const fw_node *node)
 {
     if (!node) return (fw_surface){.law = FW_FRICTIONLESS};
+    static const fw_surface_law laws[] = {FW_FRICTIONLESS, FW_STICK, FW_COMPONENTWISE};
     if (node->kind == FW_SCALAR)
-        return (fw_surface){.law = node->text[0] == 's' ? FW_STICK : FW_FRICTIONLESS};
+        return (fw_surface){.law =
+                                laws[fw_node_word(node, fw_schema_find("wall", "surface")->words)]};
     const fw_node *penalty = fw_node_find(node, "penalty");
     if (penalty) return (fw_surface){.law = FW_PENALTY, .stiffness = fw_node_number(penalty)};
     return (fw_surface){.law = FW_COULOMB,

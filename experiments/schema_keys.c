@@ -39,6 +39,12 @@ const fw_section fw_schema_sections[] = {
      "Popov and Filippov's Eqs 1-12: particles on a hexagonal lattice, tied for ever to their "
      "neighbours, F = k1 u + k2 e (e . u) for a bond of direction e whose ends are displaced by u "
      "against each other."},
+    {"elastic-automaton", "`materials.NAME.elastic-automaton`", "an elastic automaton",
+     "The solid of Dong, Zhang, Xu and Gan: black and white cells move in turn, each reflected "
+     "about the place that its neighbours ask for. One step is a black and a white half-step and "
+     "takes one unit of time. Waves run at c1 (transverse) and (c1^2 + c2^2)^(1/2) (longitudinal) "
+     "spacings per step; c1^2 + c2^2 must not exceed 2. A boundary rule that is unstable for a "
+     "body, by the spectral radius of the body's own update, is refused."},
     {"body", "`bodies.NAME`", "a body",
      "Particles on the sites of a lattice, all of one material."},
     {"shape", "`bodies.NAME.shape`", "a shape",
@@ -55,6 +61,12 @@ const fw_section fw_schema_sections[] = {
      "amplitude cos(wave-vector . s + phase) at site s = [i, j]."},
     {"plane-wave", "`plane-wave`", "a plane wave",
      "amplitude cos(wave-vector . r + phase) at distance r = [x, y] from the body's origin."},
+    {"mode", "`mode`", "a mode",
+     "A running wave of the endless automaton (Dong Eqs 37-40): Re(a exp(i (wave-vector . s + "
+     "omega "
+     "t + phase))) at site s = [i, j], a being that of the cell's colour. It runs against its wave "
+     "vector. White's a has a real positive x (or y, where x is zero); in a periodic body that the "
+     "wave fits into it goes on for ever."},
     {"mass-change", "Items of `bodies.NAME.rest-mass`", "a change of rest mass",
      "Another rest mass for the selected sites. The last one given holds."},
     {"stiffness-change", "Items of `bodies.NAME.link-stiffness`", "a change of stiffness",
@@ -65,7 +77,9 @@ const fw_section fw_schema_sections[] = {
      "belong to the body."},
     {"wall", "`walls.NAME`", "a wall", "A rigid wall, at rest or on a prescribed path."},
     {"surface", "`walls.NAME.surface`", "a surface",
-     "`frictionless`, `stick` (a particle that touches is held), or a mapping:"},
+     "`frictionless`, `stick` (a particle that touches is held), `componentwise` (of an elastic "
+     "automaton: what would pass is frozen, the rest of the motion left alone, which does not "
+     "conserve energy), or a mapping:"},
     {"path", "`walls.NAME.path`", "a path",
      "The wall is displaced by velocity (t - from) while from <= t <= until, plus amplitude "
      "sin(360 t / period + phase)."},
@@ -80,6 +94,22 @@ const fw_section fw_schema_sections[] = {
     {"expectation", "Items of `expect`", "an expectation",
      "A number that the run must show, or it ends with exit code 1. Either `value` with `within` "
      "or `within-relative`, or `below`, `above` or both."},
+    {"analysis", "`analysis.NAME`", "an analysis",
+     "What is computed without running: numbers that `expect` can speak of, and arrays in the "
+     "results file under parameters/analysis/NAME."},
+    {"stability-map", "`analysis.NAME.stability-map`", "a stability map",
+     "Growth of plane waves of the elastic automaton over the plane of c1 and c2."},
+    {"dispersion", "`analysis.NAME.dispersion`", "a dispersion",
+     "Frequencies along Gamma-X-M-Gamma: waves that run through a periodic body, beside the closed "
+     "form."},
+    {"plane-mode", "`analysis.NAME.plane-mode`", "a plane wave's modes",
+     "Speeds and polarisations of both modes of a wave vector."},
+    {"body-stability", "`analysis.NAME.body-stability`", "a body's stability",
+     "Growth by the own update of a rectangle with free edges, stable or not; at most 400 cells."},
+    {"boltzmann-twin", "`analysis.NAME.boltzmann-twin`", "a lattice Boltzmann twin",
+     "Runs the lattice Boltzmann solid that Chopard's automaton is (M0 = 0, two of its steps for "
+     "one "
+     "of the automaton), from the same start, between the same walls, and compares."},
     {"picture", "`pictures.NAME`", "a picture",
      "What `fretwork plot` draws unless told otherwise."},
     {.name = NULL}};
@@ -116,6 +146,8 @@ const fw_key fw_schema_keys[] = {
      .most = FW_NAMED_MOST, NOT_STORED, .otherwise = "nothing", .meaning = "what must come out"},
     {"scenario", "pictures", FW_FORM_NAMED, .inside = "picture", .most = 64, NOT_STORED,
      .otherwise = "the motion", .meaning = "pictures by name"},
+    {"scenario", "analysis", FW_FORM_NAMED, .inside = "analysis", .most = 64, NOT_STORED,
+     .otherwise = "none", .meaning = "what is computed without running, by name"},
 
     /* --- materials --- */
     {"material", "lattice-boltzmann", FW_FORM_MAPPING, .inside = "lattice-boltzmann", ALTERNATIVE,
@@ -201,6 +233,42 @@ const fw_key fw_schema_keys[] = {
                 "specimen with free sides shows another Poisson ratio"},
     {"linear-lattice", "mass", FW_FORM_NUMBER, ABOVE_ZERO, AT(fw_scenario_linear, mass),
      .standard = "1", .unit = "mass", .meaning = "of each particle"},
+    {"material", "elastic-automaton", FW_FORM_MAPPING, .inside = "elastic-automaton", ALTERNATIVE,
+     AT(fw_scenario_material, automaton), .meaning = "the elastic automaton"},
+    {"elastic-automaton", "c1", FW_FORM_NUMBER, ALTERNATIVE, AT_LEAST(0),
+     AT(fw_scenario_automaton, speeds.transverse), .unit = "spacings/step",
+     .meaning = "speed of transverse waves; c1^2 is the shear modulus"},
+    {"elastic-automaton", "c2", FW_FORM_NUMBER, .needs = "c1", AT_LEAST(0),
+     AT(fw_scenario_automaton, speeds.coupling), .otherwise = "must stand beside `c1`",
+     .unit = "spacings/step",
+     .meaning = "couples x and y; c2^2 is lambda plus the shear modulus, at 0 they know nothing of "
+                "each other"},
+    {"elastic-automaton", "shear-modulus", FW_FORM_NUMBER, ALTERNATIVE, ABOVE_ZERO, NOT_STORED,
+     .unit = "(spacings/step)^2", .meaning = "in place of c1 and c2, with `poisson-ratio`"},
+    {"elastic-automaton", "poisson-ratio", FW_FORM_NUMBER, .needs = "shear-modulus",
+     FROM_TO(-1, 0.999), NOT_STORED, .otherwise = "must stand beside `shear-modulus`",
+     .meaning = "that of the plane, lambda/(lambda + 2 mu)"},
+    {"elastic-automaton", "chopard", FW_FORM_FLAG, ALTERNATIVE, NOT_STORED,
+     .meaning = "`true`: Chopard's automaton, c1 = 2^(1/2) and c2 = 0, which is the lattice "
+                "Boltzmann solid with M0 = 0"},
+    {"elastic-automaton", "boundary", FW_FORM_WORD, .words = "bond|trapezoid|mirror|periodic",
+     AT(fw_scenario_automaton, boundary), .standard = "bond",
+     .meaning =
+         "what a missing neighbour contributes. bond: nothing; trapezoid: nothing, and bonds "
+         "along an edge count half; both conserve energy and momentum. mirror: what the "
+         "opposite neighbour does; keeps neither. periodic: the body's frame closes upon "
+         "itself, its columns and rows must be even"},
+    {"elastic-automaton", "damping", FW_FORM_NUMBER, AT(fw_scenario_automaton, damping),
+     .bounds = FW_ABOVE | FW_UP_TO, .low = 0, .high = 1, .standard = "1",
+     .meaning = "a: each step leaves this part of a wave; at 1 nothing is lost. The lattice "
+                "Boltzmann solid's mu is (1 + a)/2"},
+    {"elastic-automaton", "black", FW_FORM_WORD, .words = "even|odd",
+     AT(fw_scenario_automaton, black), .standard = "even",
+     .meaning = "the sites [i, j] that move first: those with i + j even, or odd"},
+    {"elastic-automaton", "break-at", FW_FORM_NUMBER, AT(fw_scenario_automaton, break_at),
+     ABOVE_ZERO, .otherwise = "bonds never break", .unit = "length",
+     .meaning = "a bond whose ends are displaced from each other by more than this breaks; needs "
+                "boundary `bond` and a c2 at which every bond's matrix is positive"},
 
     /* --- bodies --- */
     {"body", "material", FW_FORM_NAME, REQUIRED, NOT_STORED, .meaning = "one of `materials`"},
@@ -234,6 +302,12 @@ const fw_key fw_schema_keys[] = {
      .meaning =
          "of random velocities at the start, which add up to zero (movable particles, linear "
          "lattice)"},
+    {"body", "displaced-as-given", FW_FORM_FLAG, .needs = "displacement",
+     AT(fw_scenario_body, displaced_as_given), .standard = "false",
+     .meaning =
+         "elastic automaton: black and white are displaced just as `displacement` says, as in "
+         "the paper, which in general sets the body moving; without it white lies where "
+         "strain alone brings no velocity"},
     {"body", "rest-mass", FW_FORM_LIST, .items = FW_FORM_MAPPING, .inside = "mass-change",
      .most = 4096, NOT_STORED, .otherwise = "the material's",
      .meaning = "of single sites (lattice Boltzmann)"},
@@ -272,6 +346,8 @@ const fw_key fw_schema_keys[] = {
     {"pattern", "gradient", FW_FORM_NUMBERS, .layout = "[xx, xy, yx, yy]", ALTERNATIVE, NOT_STORED,
      .unit = "1/length",
      .meaning = "xx x + xy y along x, yx x + yy y along y, at [x, y] from the body's origin"},
+    {"pattern", "mode", FW_FORM_MAPPING, .inside = "mode", ALTERNATIVE, NOT_STORED,
+     .meaning = "a running wave of an elastic automaton; its displacements are taken as given"},
     {"pattern", "random", FW_FORM_NUMBER, ALTERNATIVE, ABOVE_ZERO, NOT_STORED,
      .meaning = "each component uniform between minus and plus this, from the run's seed"},
     {"gaussian", "amplitude", FW_FORM_NUMBERS, .layout = "[x, y]", REQUIRED,
@@ -294,6 +370,14 @@ const fw_key fw_schema_keys[] = {
      AT(fw_pattern, wave_vector), .unit = "radians per length", .meaning = "6.2832/wavelength"},
     {"plane-wave", "phase", FW_FORM_ANGLE, FROM_TO(-360, 360), AT(fw_pattern, phase),
      .standard = "0", .unit = "degrees", .meaning = "at the body's origin"},
+    {"mode", "wave-vector", FW_FORM_NUMBERS, .layout = "[i, j]", REQUIRED,
+     AT(fw_pattern, wave_vector), .unit = "radians per site", .meaning = "not zero"},
+    {"mode", "branch", FW_FORM_WORD, .words = "slow|fast", REQUIRED, AT(fw_pattern, branch),
+     .meaning = "long waves: slow is transverse, fast longitudinal"},
+    {"mode", "amplitude", FW_FORM_NUMBER, REQUIRED, ABOVE_ZERO, AT(fw_pattern, size),
+     .unit = "length", .meaning = "of the white cells' displacement"},
+    {"mode", "phase", FW_FORM_ANGLE, FROM_TO(-360, 360), AT(fw_pattern, phase), .standard = "0",
+     .unit = "degrees", .meaning = "at site [0, 0]"},
 
     {"mass-change", "sites", SELECTION, REQUIRED, NOT_STORED, .meaning = "which sites"},
     {"mass-change", "value", FW_FORM_SYMMETRIC, REQUIRED, AT(fw_replacement, value),
@@ -331,7 +415,7 @@ const fw_key fw_schema_keys[] = {
      .standard = "false", .meaning = "the chain returns to its first point"},
     {"wall", "side", FW_FORM_WORD, .words = "inside|outside", AT(fw_scenario_wall, def.side),
      .standard = "inside", .meaning = "where particles are free: of boxes, polygons and circles"},
-    {"wall", "surface", FW_FORM_WORD | FW_FORM_MAPPING, .words = "frictionless|stick",
+    {"wall", "surface", FW_FORM_WORD | FW_FORM_MAPPING, .words = "frictionless|stick|componentwise",
      .inside = "surface", NOT_STORED, .standard = "frictionless",
      .meaning = "what it does along its tangent"},
     {"wall", "path", FW_FORM_MAPPING, .inside = "path", AT(fw_scenario_wall, def.path),
@@ -437,6 +521,8 @@ const fw_key fw_schema_keys[] = {
      .meaning = "of which body"},
     {"expectation", "wall", FW_FORM_NAME, AT(fw_expectation, wall), .otherwise = "the only one",
      .meaning = "of which wall"},
+    {"expectation", "analysis", FW_FORM_NAME, AT(fw_expectation, analysis),
+     .otherwise = "the only one", .meaning = "of which analysis"},
     {"expectation", "site", FW_FORM_INTEGERS, .layout = "[i, j]", .needs = "body",
      AT(fw_expectation, site), .otherwise = "not of a single site",
      .meaning = "of which of the body's sites"},
@@ -471,11 +557,12 @@ const fw_key fw_schema_keys[] = {
     {"expectation", "note", FW_FORM_TEXT, AT(fw_expectation, note), .otherwise = "none",
      .meaning = "a remark for the table of results"},
 
-    {"picture", "kind", FW_FORM_WORD, .words = "motion|forces|field|series", REQUIRED,
+    {"picture", "kind", FW_FORM_WORD, .words = "motion|forces|field|series|analysis", REQUIRED,
      AT(fw_scenario_picture, kind),
      .meaning = "motion: the bodies at several instants with the path of the centre of mass; "
                 "forces: forces as arrows; field: a field as colour on the particles, several "
-                "instants side by side; series: observables over time"},
+                "instants side by side; series: observables over time; analysis: a map or curves "
+                "of one of `analysis`"},
     {"picture", "title", FW_FORM_TEXT, AT(fw_scenario_picture, title),
      .otherwise = "the scenario's", .meaning = "written above it"},
     {"picture", "instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024,
@@ -496,4 +583,55 @@ const fw_key fw_schema_keys[] = {
      .meaning = "last step of a series"},
     {"picture", "logarithmic", FW_FORM_FLAG, AT(fw_scenario_picture, logarithmic),
      .standard = "false", .meaning = "the values of a series on logarithmic axes"},
+    {"picture", "analysis", FW_FORM_NAME, AT(fw_scenario_picture, analysis),
+     .otherwise = "the only one", .meaning = "which analysis is drawn"},
+
+    /* --- what is computed without running --- */
+    {"analysis", "stability-map", FW_FORM_MAPPING, .inside = "stability-map", ALTERNATIVE,
+     NOT_STORED, .meaning = "which c1 and c2 are stable"},
+    {"analysis", "dispersion", FW_FORM_MAPPING, .inside = "dispersion", ALTERNATIVE, NOT_STORED,
+     .meaning = "frequencies, simulated and in closed form"},
+    {"analysis", "plane-mode", FW_FORM_MAPPING, .inside = "plane-mode", ALTERNATIVE, NOT_STORED,
+     .meaning = "speeds and polarisations of one wave vector"},
+    {"analysis", "body-stability", FW_FORM_MAPPING, .inside = "body-stability", ALTERNATIVE,
+     NOT_STORED, .meaning = "of a boundary rule"},
+    {"analysis", "boltzmann-twin", FW_FORM_MAPPING, .inside = "boltzmann-twin", ALTERNATIVE,
+     NOT_STORED, .meaning = "two solids that are one"},
+    {"stability-map", "c1", FW_FORM_NUMBERS, .layout = "[from, to]", REQUIRED, FROM_TO(0, 10),
+     AT(fw_scenario_analysis, c1), .unit = "spacings/step", .meaning = "both included"},
+    {"stability-map", "c2", FW_FORM_NUMBERS, .layout = "[from, to]", REQUIRED, FROM_TO(0, 10),
+     AT(fw_scenario_analysis, c2), .unit = "spacings/step", .meaning = "both included"},
+    {"stability-map", "points", FW_FORM_INTEGERS, .layout = "[c1, c2]", FROM_TO(1, 1025),
+     AT(fw_scenario_analysis, points), .standard = "[65, 65]",
+     .meaning = "of the map, ends included"},
+    {"stability-map", "waves", FW_FORM_INTEGER, FROM_TO(4, 1024), AT(fw_scenario_analysis, waves),
+     .standard = "64",
+     .meaning = "so many times so many wave vectors, multiples of 2 pi/waves; a multiple of 4 has "
+                "the worst one, (pi/2, pi/2)"},
+    {"dispersion", "material", FW_FORM_NAME, REQUIRED, NOT_STORED,
+     .meaning = "one of `materials`, an elastic automaton"},
+    {"dispersion", "size", FW_FORM_INTEGER, FROM_TO(4, 256), AT(fw_scenario_analysis, size),
+     .standard = "32", .unit = "sites",
+     .meaning = "columns and rows of the periodic body, even; wave vectors are multiples of 2 "
+                "pi/size"},
+    {"dispersion", "steps", FW_FORM_INTEGER, FROM_TO(1, 100000), AT(fw_scenario_analysis, steps),
+     .standard = "64", .unit = "steps", .meaning = "that each wave runs"},
+    {"plane-mode", "material", FW_FORM_NAME, REQUIRED, NOT_STORED,
+     .meaning = "one of `materials`, an elastic automaton"},
+    {"plane-mode", "wave-vector", FW_FORM_NUMBERS, .layout = "[i, j]", REQUIRED,
+     AT(fw_scenario_analysis, wave_vector), .unit = "radians per site", .meaning = "not zero"},
+    {"body-stability", "c1", FW_FORM_NUMBER, REQUIRED, AT_LEAST(0), AT(fw_scenario_analysis, c1),
+     .unit = "spacings/step", .meaning = "as in the material"},
+    {"body-stability", "c2", FW_FORM_NUMBER, REQUIRED, AT_LEAST(0), AT(fw_scenario_analysis, c2),
+     .unit = "spacings/step", .meaning = "as in the material"},
+    {"body-stability", "boundary", FW_FORM_WORD, .words = "bond|trapezoid|mirror", REQUIRED,
+     AT(fw_scenario_analysis, boundary), .meaning = "as in the material"},
+    {"body-stability", "rectangle", FW_FORM_INTEGERS, .layout = "[columns, rows]", REQUIRED,
+     AT_LEAST(1), AT(fw_scenario_analysis, rectangle), .unit = "sites",
+     .meaning = "at most 400 cells"},
+    {"boltzmann-twin", "body", FW_FORM_NAME, REQUIRED, NOT_STORED,
+     .meaning = "one of `bodies`, of Chopard's automaton with boundary `bond`, on which no force "
+                "acts"},
+    {"boltzmann-twin", "half-steps", FW_FORM_INTEGER, FROM_TO(1, 10000000),
+     AT(fw_scenario_analysis, ticks), .standard = "1000", .meaning = "that are compared"},
     {.section = NULL}};

@@ -46,9 +46,13 @@ double fw_trajectory_size(const fw_trajectory_def *def)
         links += def->bodies[i].link_count;
     }
     for (int i = 0; i < def->observable_count; ++i) components += def->observables[i].components;
+    double tables = 0;
+    for (int g = 0; g < def->group_count; ++g)
+        for (int n = 0; n < def->groups[g].table_count; ++n)
+            tables += 8 * (double)fw_table_size(&def->groups[g].tables[n]);
     int numbers = 3 * (1 + def->velocity + def->force) + def->field_count;
-    return (double)fw_layout_structure(def) + (double)strlen(def->scenario) + 16 * particles +
-           8 * links + (double)def->frame_count * (8 * numbers * particles + 16) +
+    return (double)fw_layout_structure(def) + (double)strlen(def->scenario) + tables +
+           16 * particles + 8 * links + (double)def->frame_count * (8 * numbers * particles + 16) +
            (double)def->sample_count * (8 * components + 16);
 }
 

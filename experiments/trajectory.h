@@ -2,10 +2,10 @@
 /* trajectory.h - the results file of a run, DIR/trajectory.h5, as it is written.
  *
  * H5MD 1.1: particles/trajectory holds all bodies one after the other, in three dimensions with
- * z = 0; observables/NAME are time series; parameters holds the scenario, the seed, the provenance
- * and how many frames and samples count. Everything is laid out when the file is created; while a
- * run writes, only numbers change. A frame counts once it is whole, so whatever ends the process, a
- * reader finds every frame that counts. playback.h reads it.
+ * z = 0; observables/NAME are time series; parameters holds the scenario, the seed, the provenance,
+ * analyses, and how many frames and samples count. Everything is laid out when the file is created;
+ * while a run writes, only numbers change. A frame counts once it is whole, so whatever ends the
+ * process, a reader finds every frame that counts. playback.h reads it.
  *
  * Quantities are in the reduced units of the solids. All arrays given here belong to the caller and
  * are copied before the call returns. */
@@ -13,6 +13,7 @@
 #define FW_TRAJECTORY_H
 
 #include "core/status.h"
+#include "experiments/table.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -48,6 +49,13 @@ typedef struct fw_observable {
     int components;      /* 1: a scalar; more: a vector */
 } fw_observable;
 
+/* Arrays that belong together, kept under parameters/analysis/NAME. */
+typedef struct fw_table_group {
+    const char *name;
+    const fw_table *tables;
+    int table_count;
+} fw_table_group;
+
 /* Plain data that describes the file; start from fw_trajectory_def_default(). */
 typedef struct fw_trajectory_def {
     const char *directory;
@@ -64,6 +72,8 @@ typedef struct fw_trajectory_def {
     int field_count;
     const fw_observable *observables;
     int observable_count;
+    const fw_table_group *groups;
+    int group_count;
     int64_t frame_count;  /* frames that the run will write, at most */
     int64_t sample_count; /* rows of observables that the run will write, at most */
 } fw_trajectory_def;

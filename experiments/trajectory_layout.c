@@ -47,6 +47,8 @@ fw_status fw_layout_check(const fw_trajectory_def *def, fw_error *error)
             if (strcmp(def->fields[j].name, name) == 0)
                 return fw_fail(error, FW_BAD_INPUT, "there are two fields named '%s'", name);
     }
+    for (int g = 0; g < def->group_count; ++g)
+        FW_TRY(check_name("analysis", def->groups[g].name, error));
     for (int i = 0; i < def->observable_count; ++i) {
         const char *name = def->observables[i].name;
         FW_TRY(check_name("observable", name, error));
@@ -65,6 +67,7 @@ size_t fw_layout_structure(const fw_trajectory_def *def)
 {
     size_t elements = (size_t)(1 + def->velocity + def->force + def->field_count);
     size_t objects = 64 + elements + (size_t)def->observable_count;
+    for (int g = 0; g < def->group_count; ++g) objects += 1 + (size_t)def->groups[g].table_count;
     size_t bodies = (size_t)def->body_count * FW_NAME_SIZE;
     size_t chunks = elements * (size_t)def->frame_count;
     for (int i = 0; i < def->observable_count; ++i)
@@ -217,6 +220,26 @@ static void make_parameters(fw_hdf5 *file, const fw_trajectory_def *def, const f
     make_text(file, "parameters/provenance/exit_reason", FW_EXIT_REASON_SIZE, FW_RUN_RUNNING);
 }
 
+static void make_tables(fw_hdf5 *file, const fw_trajectory_def *def)
+{
+    char path[3 * FW_NAME_SIZE];
+    if (def->group_count > 0) fw_hdf5_make_group(file, "parameters/analysis");
+    for (int g = 0; g < def->group_count; ++g) {
+        const fw_table_group *group = &def->groups[g];
+        snprintf(path, sizeof path, "parameters/analysis/%s", group->name);
+        fw_hdf5_make_group(file, path);
+        for (int n = 0; n < group->table_count; ++n) {
+            const fw_table *table = &group->tables[n];
+            const uint64_t extent[] = {(uint64_t)table->extent[0], (uint64_t)table->extent[1]};
+            snprintf(path, sizeof path, "parameters/analysis/%s/%s", group->name, table->name);
+            fw_dataset made = fw_hdf5_make_array(file, path, FW_F64, table->rank, extent);
+            fw_hdf5_write(file, made, FW_F64, 0, extent[0], table->values);
+            fw_hdf5_attach_text(file, path, "unit", table->unit);
+            fw_hdf5_attach_text(file, path, "meaning", table->meaning);
+        }
+    }
+}
+
 void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def)
 {
     fw_provenance now = fw_provenance_now();
@@ -225,6 +248,7 @@ void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def)
     make_links(file, def);
     fw_hdf5_make_group(file, "observables");
     make_parameters(file, def, &now);
+    make_tables(file, def);
 }
 
 void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def)
