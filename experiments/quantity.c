@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-static const fw_quantity *const tables[] = {fw_common_quantities,   fw_elastic_quantities,
+static const fw_quantity *const tables[] = {fw_common_quantities,    fw_elastic_quantities,
                                             fw_boltzmann_quantities, fw_particle_quantities,
                                             fw_automaton_quantities, NULL};
 

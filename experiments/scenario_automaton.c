@@ -107,21 +107,12 @@ fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error)
         const bool halves = scenario->materials[body->material].kind == FW_ELASTIC_AUTOMATON;
         *(halves ? &automaton : &other) = body;
     }
-    if (!automaton) return FW_OK;
-    if (other)
-        return fw_scenario_fail(
-            scenario, automaton->place, error,
-            "body '%s' is an elastic automaton, which moves in half-steps, and "
-            "'%s' is not, expected bodies that share one clock: such two belong "
-            "in scenarios of their own",
-            automaton->name, other->name);
-    if (scenario->run.reverse_at == 0) return FW_OK;
-    int count;
-    const fw_node *run = fw_scenario_part(scenario, "run", &count);
-    return fw_scenario_fail(scenario, fw_node_find(run, "reverse-at")->key_place, error,
-                            "run.reverse-at with the elastic automaton '%s', expected none: its "
-                            "colours would have to change their turns",
-                            automaton->name);
+    if (!automaton || !other) return FW_OK;
+    return fw_scenario_fail(scenario, automaton->place, error,
+                            "body '%s' is an elastic automaton, which moves in half-steps, and "
+                            "'%s' is not, expected bodies that share one clock: such two belong in "
+                            "scenarios of their own",
+                            automaton->name, other->name);
 }
 
 /* --- analyses --- */

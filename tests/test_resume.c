@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_resume.c - a run that was interrupted, after whichever step and however often, ends with the
  * datasets of the run that was not: with noise, friction, damping, fracture, moving walls and a
- * reversed arrow of time, for any number of threads before and after. */
+ * reversed arrow of time, in half-steps, for any number of threads before and after. */
 #include "tests/laws.h"
 
 #include "experiments/interrupt.h"
@@ -68,6 +68,34 @@ static const char large[] =
     "forces: {shaking: {body: sheet, random: 0.1, balanced: true}}\n"
     "measure: [energy, momentum, reaction, friction-heat, broken-links, contacts-so-far]\n"
     "run: {steps: 9, record-every: 4, seed: 5}\n";
+
+static const char ticks[] =
+    "title: an automaton is torn on a floor that swings\n"
+    "materials: {foam: {elastic-automaton: {c1: 0.8, c2: 0.4, damping: 0.98, black: odd,"
+    " break-at: 0.45}}}\n"
+    "bodies: {block: {material: foam, shape: {rectangle: [9, 5]}, origin: [0, 0.7],"
+    " velocity: [0.1, -0.1], velocities: [{random: 0.2}]}}\n"
+    "walls:\n"
+    "  floor: {chain: [[-50, -2], [50, 2]], surface: {coulomb: 0.3},"
+    " path: {amplitude: [0, 0.2], period: 9}}\n"
+    "forces:\n"
+    "  shaking: {body: block, random: 0.05}\n"
+    "  left: {body: block, sites: left, force: [-0.1, 0]}\n"
+    "  right: {body: block, sites: right, force: [0.1, 0], ramp: 5}\n"
+    "measure: [energy, momentum, wall-work, friction-heat, dissipated, broken-bonds,"
+    " contacts-so-far]\n"
+    "record: {velocity: true, force: true, fields: [energy, displacement-x]}\n" RUN "}\n";
+
+/* Colours of more cells than one thread takes. */
+static const char large_ticks[] =
+    "title: a large automaton rubs\n"
+    "materials: {foam: {elastic-automaton: {c1: 1, c2: 0.6, damping: 0.97}}}\n"
+    "bodies: {block: {material: foam, shape: {rectangle: [190, 180]}, origin: [0, 0.16],"
+    " velocity: [0.1, -0.08], velocities: [{random: 0.2}]}}\n"
+    "walls: {floor: {chain: [[-500, 0], [500, 0]], surface: {coulomb: 0.3}}}\n"
+    "forces: {shaking: {body: block, random: 0.1, balanced: true}}\n"
+    "measure: [energy, momentum, reaction, friction-heat, dissipated, contacts-so-far]\n"
+    "run: {steps: 6, record-every: 4, seed: 5}\n";
 
 static fw_scenario *read_scenario(const char *text)
 {
@@ -231,6 +259,22 @@ static void large_bodies_with_threads_switched(void **state)
     check_scenario(large, labels, any_threads);
 }
 
+static void half_steps(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"friction-heat", "dissipated", "broken-bonds.block",
+                                         "contacts-so-far.floor", NULL};
+    check_scenario(ticks, labels, one_thread);
+}
+
+static void large_automata_with_threads_switched(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"friction-heat", "dissipated", "contacts-so-far.floor",
+                                         NULL};
+    check_scenario(large_ticks, labels, any_threads);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -239,6 +283,8 @@ int main(void)
         cmocka_unit_test(moving_walls),
         cmocka_unit_test(reversed_time),
         cmocka_unit_test(large_bodies_with_threads_switched),
+        cmocka_unit_test(half_steps),
+        cmocka_unit_test(large_automata_with_threads_switched),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
