@@ -48,6 +48,48 @@ void fw_particles_return_forces(const fw_solid *solid, double *x, double *y)
     }
 }
 
+void fw_particles_bond_return_forces(const fw_solid *solid, double *lengths)
+{
+    const fw_particles *particles = (const fw_particles *)solid;
+    const double radius = particles->bond_radius;
+#pragma omp parallel for schedule(static) if (solid->count > PARALLEL_FROM)
+    for (int i = 0; i < solid->count; ++i) {
+        const fw_particle_group *group = &particles->groups[particles->group_of[i]];
+        double sum = 0;
+        int bonds = 0;
+        for (size_t k = particles->own_begin[i]; k < particles->own_end[i]; ++k) {
+            const int j = particles->neighbours->list[k];
+            const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
+            const double r2 = dx * dx + dy * dy;
+            if (!(r2 < radius * radius)) continue;
+            const fw_return_pair pair =
+                fw_return_pair_at(&group->return_force, group->axes, dx, dy, r2);
+            const fw_vec2 force = turned(group->turn, pair.first, pair.second);
+            sum += sqrt(force.x * force.x + force.y * force.y);
+            bonds += 1;
+        }
+        lengths[i] = bonds > 0 ? sum / bonds : NAN;
+    }
+}
+
+fw_vec2 fw_particles_force_on(const fw_solid *solid, int group, int by_group)
+{
+    const fw_particles *particles = (const fw_particles *)solid;
+    const fw_particle_group *body = &particles->groups[group];
+    fw_vec2 sum = {0, 0};
+    for (int i = body->first; i < body->first + body->count; ++i)
+        for (size_t k = particles->neighbours->begin[i]; k < particles->neighbours->begin[i + 1];
+             ++k) {
+            const int j = particles->neighbours->list[k];
+            if (particles->group_of[j] != by_group) continue;
+            const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
+            const double push = particles->strength_across *
+                                fw_pair_at(&particles->potential, dx * dx + dy * dy).push;
+            sum = fw_vec2_add(sum, (fw_vec2){push * dx, push * dy});
+        }
+    return sum;
+}
+
 /* Calls for each neighbour of i whether it is in the same body, and how strong the potential is. */
 static double strength_of(const fw_particles *particles, int i, size_t k)
 {

@@ -103,6 +103,11 @@ double fw_particles_bond_radius(const fw_solid *solid);
 /* Sums over the bonds of each particle; every array has one entry per particle. */
 /* Net return force on each particle: the vector whose length Eq 24 averages. */
 void fw_particles_return_forces(const fw_solid *solid, double *x, double *y);
+/* Mean length of the return forces of a particle's single bonds, those closer than the bond radius
+ * in its own body; NaN for a particle without any. */
+void fw_particles_bond_return_forces(const fw_solid *solid, double *lengths);
+/* Sum of the pair forces that the particles of one body exert on those of another. */
+fw_vec2 fw_particles_force_on(const fw_solid *solid, int group, int by_group);
 /* Half of the energy of each particle's pairs (potential and conservative return force). */
 void fw_particles_pair_energies(const fw_solid *solid, double *energies);
 
