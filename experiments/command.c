@@ -25,6 +25,9 @@ const fw_command fw_commands[] = {
     {"plot", "plot DIR", "draws pictures of a result", "hikfbapl", 1, 1, fw_command_plot},
     {"table", "table DIR", "observables of a result as comma-separated values", "hcb", 1, 1,
      fw_command_table},
+    {"profile", "profile DIR",
+     "what a result says across the contact: its profile and the layer, beside the control", "hfx",
+     1, 1, fw_command_profile},
     {"quantities", "quantities", "what can be measured, recorded and expected, by name", "h", 0, 0,
      fw_command_quantities},
     {"reference", "reference", "every key of a scenario file", "h", 0, 0, fw_command_reference},
@@ -48,14 +51,15 @@ static const option options[] = {
     {'q', "--quiet", "-q", NULL, "no progress"},
     {'w', "--overwrite", NULL, NULL, "replaces an earlier result in the folder"},
     {'n', "--no-plot", NULL, NULL, "draws no pictures"},
-    {'k', "--kind", NULL, "KIND", "motion, forces, field, strip, series or analysis"},
-    {'f', "--field", NULL, "NAME", "field that is drawn as colour"},
+    {'k', "--kind", NULL, "KIND", "motion, forces, field, strip, series, profile, loop or analysis"},
+    {'f', "--field", NULL, "NAME", "field that is drawn as colour, or printed"},
     {'b', "--observable", NULL, "NAME[,NAME]", "observables that are drawn or written over time"},
     {'a', "--at", NULL, "STEP[,STEP]",
      "steps that are drawn; of a series, from the first to the second"},
     {'l', "--logarithmic", NULL, NULL, "logarithmic axes for the values of a series"},
     {'p', "--picture", NULL, "NAME", "one of the scenario's own pictures"},
     {'j', "--json", NULL, "FILE", "the verdicts as JSON too; - : on stdout, instead of tables"},
+    {'x', "--axis", NULL, "AXIS", "x or y: the coordinate of the profile"},
     {'h', "--help", "-h", NULL, "this text"},
     {0, NULL, NULL, NULL, NULL},
 };
@@ -164,6 +168,9 @@ static fw_status store(fw_arguments *a, const option *o, const char *value, fw_e
         break;
     case 'j':
         a->json = value;
+        break;
+    case 'x':
+        a->axis = value;
         break;
     case 'h':
         a->help = true;

@@ -16,7 +16,7 @@ typedef struct fw_arguments {
     int setting_count;
     const char *settings[FW_SETTINGS_MOST]; /* of --set and --seed, in order */
     const char *output;                     /* -o; NULL: not given */
-    const char *field, *picture, *observable, *at, *kind, *json;
+    const char *field, *picture, *observable, *at, *kind, *json, *axis;
     char seed[48]; /* the setting that --seed stands for */
     int threads;   /* 0: not given */
     bool quiet, overwrite, no_plot, logarithmic, help;
@@ -53,6 +53,7 @@ fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_table(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_profile(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_reference(const fw_arguments *arguments, fw_error *error);
 

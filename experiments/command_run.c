@@ -5,29 +5,32 @@
 #include "experiments/playback.h"
 #include "experiments/plot.h"
 #include "experiments/provenance.h"
-#include "experiments/run.h"
+#include "experiments/study.h"
 #include "experiments/verdict.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* What comes after the last step: pictures, the table, and where everything lies. */
-static fw_status tell(const fw_scenario *scenario, const fw_run *run, const char *directory,
+static fw_status tell(const fw_scenario *scenario, const fw_study *study, const char *directory,
                       bool no_plot, fw_error *error)
 {
     printf("%s\n", scenario->title);
-    int failures = fw_verdict_print(stdout, scenario, fw_run_measurement(run));
+    int failures = fw_verdict_print(stdout, scenario, fw_study_measurement(study));
     printf("results: %s/%s\n", directory, FW_TRAJECTORY_FILE);
+    if (fw_study_table(study))
+        printf("profile: %s/%s; `fretwork profile %s` prints it\n", directory, FW_PROFILE_FILE,
+               directory);
     fflush(stdout);
     if (!no_plot) FW_TRY(fw_plot_all(directory, stdout, error));
     return failures > 0 ? FW_EXPECTATION_FAILED : FW_OK;
 }
 
-static fw_status finish(fw_run *run, const fw_scenario *scenario, const char *directory,
+static fw_status finish(fw_study *study, const fw_scenario *scenario, const char *directory,
                         bool no_plot, fw_error *error)
 {
-    FW_TRY(fw_run_to_end(run, error));
-    return tell(scenario, run, directory, no_plot, error);
+    FW_TRY(fw_study_to_end(study, error));
+    return tell(scenario, study, directory, no_plot, error);
 }
 
 fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
@@ -43,12 +46,12 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};
-    fw_run *run;
+    fw_study *study;
     fw_interrupt_watch();
-    fw_status status = fw_run_begin(&run, scenario, &options, error);
+    fw_status status = fw_study_begin(&study, scenario, &options, error);
     if (status == FW_OK) {
-        status = finish(run, scenario, directory, arguments->no_plot, error);
-        fw_run_destroy(run);
+        status = finish(study, scenario, directory, arguments->no_plot, error);
+        fw_study_destroy(study);
     }
     fw_scenario_destroy(scenario);
     return status;
@@ -93,14 +96,14 @@ fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
                                     .name = directory,
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};
-    fw_run *run;
+    fw_study *study;
     char note[FW_SENTENCE_SIZE];
     fw_interrupt_watch();
-    fw_status status = fw_run_resume(&run, scenario, &options, note, error);
+    fw_status status = fw_study_resume(&study, scenario, &options, note, error);
     if (status == FW_OK) {
         if (note[0]) fprintf(stderr, "fretwork: %s\n", note);
-        status = finish(run, scenario, directory, arguments->no_plot, error);
-        fw_run_destroy(run);
+        status = finish(study, scenario, directory, arguments->no_plot, error);
+        fw_study_destroy(study);
     }
     fw_scenario_destroy(scenario);
     return status;

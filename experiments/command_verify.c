@@ -6,7 +6,7 @@
 #include "experiments/json.h"
 #include "experiments/progress.h"
 #include "experiments/provenance.h"
-#include "experiments/run.h"
+#include "experiments/study.h"
 #include "experiments/verdict.h"
 #include "experiments/whole_file.h"
 
@@ -33,16 +33,17 @@ static void write_verdict(fw_json *json, const fw_verdict *verdict)
     fw_json_number(json, "above", bounds && e->has_above ? e->above : NAN);
     fw_json_number(json, "below", bounds && e->has_below ? e->below : NAN);
     fw_json_number(json, "measured", verdict->measured);
+    if (isfinite(verdict->error)) fw_json_number(json, "error", verdict->error);
     fw_json_flag(json, "holds", verdict->holds);
     fw_json_text(json, "source", e->source);
     fw_json_text(json, "note", e->note);
     fw_json_end(json, '}');
 }
 
-static void judge(tally *sum, const char *name, const fw_scenario *scenario, const fw_run *run,
+static void judge(tally *sum, const char *name, const fw_scenario *scenario, const fw_study *study,
                   double seconds)
 {
-    const fw_measurement *measurement = fw_run_measurement(run);
+    const fw_measurement *measurement = fw_study_measurement(study);
     if (sum->table) {
         fprintf(sum->table, "%s: %s (%.1f s)\n", name, scenario->title, seconds);
         fw_verdict_print(sum->table, scenario, measurement);
@@ -76,13 +77,13 @@ static fw_status verify_one(const char *word, const fw_arguments *arguments, tal
     const fw_run_options options = {.threads = fw_command_threads(arguments),
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr};
-    fw_run *run;
+    fw_study *study;
     double started = fw_progress_clock();
-    fw_status status = fw_run_begin(&run, scenario, &options, error);
+    fw_status status = fw_study_begin(&study, scenario, &options, error);
     if (status == FW_OK) {
-        status = fw_run_to_end(run, error);
-        if (status == FW_OK) judge(sum, name, scenario, run, fw_progress_clock() - started);
-        fw_run_destroy(run);
+        status = fw_study_to_end(study, error);
+        if (status == FW_OK) judge(sum, name, scenario, study, fw_progress_clock() - started);
+        fw_study_destroy(study);
     }
     if (status == FW_DIVERGED) status = fw_fail_within(error, "%s", name);
     fw_scenario_destroy(scenario);

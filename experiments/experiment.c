@@ -9,6 +9,7 @@
 #include "experiments/build.h"
 #include "experiments/member.h"
 #include "experiments/overlap.h"
+#include "experiments/phase.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -170,6 +171,20 @@ static fw_status note_start(fw_experiment *experiment, fw_error *error)
     return FW_OK;
 }
 
+static fw_status add_profile(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    const fw_solid *particles = fw_experiment_particles(experiment);
+    if (scenario->profile.every == 0) return FW_OK;
+    if (!particles)
+        return fw_scenario_fail(scenario, scenario->profile.place, error,
+                                "a profile is taken of movable particles, and no body is made of "
+                                "them");
+    FW_TRY(fw_profile_create(&experiment->profile, scenario, particles, error));
+    fw_profile_follow(experiment->profile, particles, 0);
+    return FW_OK;
+}
+
 static fw_status analyse(fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
@@ -202,9 +217,11 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
                                 fw_scene_add_wall(experiment->scene, &wall->def, error), error));
     }
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
+    FW_TRY(fw_grips_add(experiment, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
     FW_TRY(note_start(experiment, error));
+    FW_TRY(add_profile(experiment, error));
     return analyse(experiment, error);
 }
 
@@ -221,6 +238,7 @@ fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *sc
     }
     made->scenario = scenario;
     made->members = members;
+    made->phase = -1;
     made->member_count = scenario->body_count;
     fw_status status = fill(made, error);
     if (status != FW_OK) {
@@ -234,6 +252,7 @@ fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *sc
 void fw_experiment_destroy(fw_experiment *experiment)
 {
     if (!experiment) return;
+    fw_profile_destroy(experiment->profile);
     fw_scene_destroy(experiment->scene);
     for (int b = 0; b < experiment->member_count; ++b)
         fw_sites_clear(&experiment->members[b].sites);
@@ -251,15 +270,27 @@ void fw_experiment_destroy(fw_experiment *experiment)
 
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
 {
+    FW_TRY(fw_phase_enter(experiment, error));
     FW_TRY(fw_scene_step(experiment->scene, error));
     if (experiment->scenario->run.reverse_at != 0 &&
         fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
         for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b)
             fw_solid_reverse(fw_scene_body(experiment->scene, b));
+    if (experiment->profile)
+        fw_profile_follow(experiment->profile, fw_experiment_particles(experiment),
+                          fw_scene_steps(experiment->scene));
     return FW_OK;
 }
 
 const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int member)
 {
     return fw_scene_observe_body(experiment->scene, experiment->members[member].solid);
+}
+
+const fw_solid *fw_experiment_particles(const fw_experiment *experiment)
+{
+    for (int b = 0; b < experiment->member_count; ++b)
+        if (fw_solid_is_particles(fw_experiment_solid(experiment, b)))
+            return fw_experiment_solid(experiment, b);
+    return NULL;
 }

@@ -5,6 +5,7 @@
 
 #include "contact/scene.h"
 #include "experiments/analysis.h"
+#include "experiments/profile.h"
 #include "experiments/scenario.h"
 
 /* Where a body of the scenario lives in the scene: particles first .. first + count - 1 of one
@@ -20,7 +21,9 @@ typedef struct fw_experiment {
     const fw_scenario *scenario; /* observed: must live as long */
     fw_scene *scene;
     int member_count;
-    fw_member *members; /* one per body of the scenario, same order */
+    fw_member *members;  /* one per body of the scenario, same order */
+    fw_profile *profile; /* NULL where the scenario has none */
+    int phase;           /* whose parameters the scene has; -1: none yet */
     /* As it was at the start, per body, for what is measured relative to it. */
     double *energy_at_start;
     fw_vec2 *momentum_at_start;
@@ -36,10 +39,12 @@ fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *sc
                                fw_error *error);
 void fw_experiment_destroy(fw_experiment *experiment);
 
-/* One step, with what the scenario does to the scene at certain steps (reversal). */
+/* One step, with what the scenario does to the scene at certain steps (phases, reversal). */
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error);
 
 /* The solid in which a body lives. */
+/* All movable particles of the scenario, or NULL where it has none. */
+const fw_solid *fw_experiment_particles(const fw_experiment *experiment);
 const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int member);
 
 #endif

@@ -14,6 +14,9 @@ static const char *const standard_set[] = {"energy",         "kinetic-energy", "
                                            "energy-error",   "momentum",       "momentum-error",
                                            "centre-of-mass", "reaction",       NULL};
 
+/* What the measures of a profile's layer are made of. */
+static const char *const profile_set[] = {"slip", "interface-force", "contact-return-force", NULL};
+
 typedef struct request {
     const fw_experiment *experiment;
     fw_measurement *measurement;
@@ -35,6 +38,8 @@ static void write_label(const fw_experiment *experiment, fw_probe *probe)
         snprintf(end, room, ".%s", experiment->scenario->analyses[s.analysis].name);
     } else if (s.wall >= 0) {
         snprintf(end, room, ".%s", fw_wall_name(fw_scene_wall(experiment->scene, s.wall)));
+    } else if (s.grip >= 0) {
+        snprintf(end, room, ".%s", fw_grip_name(fw_scene_observe_grip(experiment->scene, s.grip)));
     }
 }
 
@@ -45,8 +50,8 @@ static int add_probe(request *r, const fw_quantity *quantity, fw_subject subject
     for (int n = 0; n < m->probe_count; ++n) {
         const fw_probe *p = &m->probes[n];
         if (p->quantity == quantity && p->subject.body == subject.body &&
-            p->subject.wall == subject.wall && p->subject.particle == subject.particle &&
-            p->subject.analysis == subject.analysis)
+            p->subject.wall == subject.wall && p->subject.grip == subject.grip &&
+            p->subject.particle == subject.particle && p->subject.analysis == subject.analysis)
             return n;
     }
     fw_probe *probes = realloc(m->probes, ((size_t)m->probe_count + 1) * sizeof *probes);
@@ -105,7 +110,7 @@ static bool fits_kind(const request *r, const fw_quantity *quantity, int analysi
 /* A quantity by its name alone: of everything that it can be measured of. */
 static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_place place)
 {
-    const fw_subject nothing = {-1, -1, -1, -1};
+    const fw_subject nothing = {-1, -1, -1, -1, -1};
     fw_subject subject = nothing;
     switch (quantity->scope) {
     case FW_SCOPE_SCENE:
@@ -122,6 +127,15 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
              ++subject.wall)
             if (add_probe(r, quantity, subject) < 0) return FW_SYSTEM_FAILED;
         return FW_OK;
+    case FW_SCOPE_GRIP:
+        for (subject.grip = 0; subject.grip < fw_scene_grip_count(r->experiment->scene);
+             ++subject.grip)
+            if (add_probe(r, quantity, subject) < 0) return FW_SYSTEM_FAILED;
+        return FW_OK;
+    case FW_SCOPE_STUDY:
+        return fw_scenario_fail(r->experiment->scenario, place, r->error,
+                                "%s comes out of all runs together; expected it in `expect`",
+                                quantity->name);
     case FW_SCOPE_ANALYSIS:
         for (subject.analysis = 0; subject.analysis < r->experiment->analysis_count;
              ++subject.analysis)
@@ -153,7 +167,7 @@ static fw_status add_drawn(request *r, fw_scenario_name name)
     FW_TRY(find_quantity(r, (fw_scenario_name){word[0], name.place}, &quantity));
     bool component = words > 1 && fw_quantity_find_component(quantity, word[words - 1]) >= 0;
     if (words - component == 1 && !rest) return add_everywhere(r, quantity, name.place);
-    fw_subject subject = {-1, -1, -1, -1};
+    fw_subject subject = {-1, -1, -1, -1, -1};
     bool of_body = quantity->scope == FW_SCOPE_BODIES || quantity->scope == FW_SCOPE_BODY;
     for (int b = 0; b < r->experiment->member_count && of_body; ++b)
         if (strcmp(r->experiment->members[b].name, word[1]) == 0 && fits_model(r, quantity, b))
@@ -214,6 +228,19 @@ static fw_status choose_wall(request *r, const fw_expectation *e, const fw_quant
     return FW_OK;
 }
 
+static fw_status choose_grip(request *r, const fw_expectation *e, const fw_quantity *quantity,
+                             fw_subject *subject)
+{
+    subject->grip = e->grip_index;
+    if (subject->grip >= 0) return FW_OK;
+    if (fw_scene_grip_count(r->experiment->scene) != 1)
+        return fw_scenario_fail(r->experiment->scenario, e->place, r->error,
+                                "%s is measured of one grip, expected the key `grip`",
+                                quantity->name);
+    subject->grip = 0;
+    return FW_OK;
+}
+
 static fw_status choose_analysis(request *r, const fw_expectation *e, const fw_quantity *quantity,
                                  fw_subject *subject)
 {
@@ -243,14 +270,17 @@ static fw_status choose_subject(request *r, const fw_expectation *e, const fw_qu
                                 fw_subject *subject)
 {
     const fw_scenario *scenario = r->experiment->scenario;
-    *subject = (fw_subject){-1, -1, -1, -1};
+    *subject = (fw_subject){-1, -1, -1, -1, -1};
     if (quantity->scope != FW_SCOPE_WALL && e->wall.text)
         return fw_scenario_fail(scenario, e->wall.place, r->error,
                                 "%s is not measured of a wall, expected no key `wall`",
                                 quantity->name);
-    const bool bodiless = quantity->scope == FW_SCOPE_WALL || quantity->scope == FW_SCOPE_SCENE ||
-                          quantity->scope == FW_SCOPE_ANALYSIS;
-    if (bodiless && e->body.text)
+    if (quantity->scope != FW_SCOPE_GRIP && e->grip.text)
+        return fw_scenario_fail(scenario, e->grip.place, r->error,
+                                "%s is not measured of a grip, expected no key `grip`",
+                                quantity->name);
+    if (quantity->scope != FW_SCOPE_BODIES && quantity->scope != FW_SCOPE_BODY &&
+        quantity->scope != FW_SCOPE_SITE && e->body.text)
         return fw_scenario_fail(scenario, e->body.place, r->error,
                                 "%s is not measured of a body, expected no key `body`",
                                 quantity->name);
@@ -261,6 +291,7 @@ static fw_status choose_subject(request *r, const fw_expectation *e, const fw_qu
     if (quantity->scope == FW_SCOPE_ANALYSIS) return choose_analysis(r, e, quantity, subject);
     if (quantity->scope == FW_SCOPE_SCENE) return expect_model(r, quantity, e->quantity.place);
     if (quantity->scope == FW_SCOPE_WALL) return choose_wall(r, e, quantity, subject);
+    if (quantity->scope == FW_SCOPE_GRIP) return choose_grip(r, e, quantity, subject);
     return choose_body(r, e, quantity, subject);
 }
 
@@ -286,6 +317,16 @@ static fw_status choose_component(request *r, const fw_expectation *e, const fw_
                             quantity->name, quantity->components);
 }
 
+static fw_status add_outcome(request *r, int number, const fw_quantity *quantity)
+{
+    const fw_scenario *scenario = r->experiment->scenario;
+    r->measurement->expected[number] = -1;
+    r->measurement->component[number] = (int)(quantity - fw_layer_quantities);
+    if (r->experiment->profile) return FW_OK;
+    return fw_scenario_fail(scenario, scenario->expectations[number].quantity.place, r->error,
+                            "%s comes out of a profile, and the scenario has none", quantity->name);
+}
+
 static fw_status add_expected(request *r, int number)
 {
     const fw_scenario *scenario = r->experiment->scenario;
@@ -293,6 +334,7 @@ static fw_status add_expected(request *r, int number)
     const fw_quantity *quantity;
     fw_subject subject;
     FW_TRY(find_quantity(r, e->quantity, &quantity));
+    if (quantity->scope == FW_SCOPE_STUDY) return add_outcome(r, number, quantity);
     FW_TRY(choose_subject(r, e, quantity, &subject));
     FW_TRY(choose_component(r, e, quantity, &r->measurement->component[number]));
     if (e->has_at && (e->at > scenario->run.steps || !fw_measurement_is_due(scenario, e->at)))
@@ -327,6 +369,8 @@ static fw_status add_all(request *r)
     }
     for (int n = 0; scenario->measure.count == 0 && standard_set[n]; ++n)
         FW_TRY(add_everywhere(r, fw_quantity_find(standard_set[n]), (fw_place){0}));
+    for (int n = 0; scenario->profile.every != 0 && profile_set[n]; ++n)
+        FW_TRY(add_everywhere(r, fw_quantity_find(profile_set[n]), (fw_place){0}));
     for (int n = 0; n < scenario->expectation_count; ++n) FW_TRY(add_expected(r, n));
     for (int p = 0; p < scenario->picture_count; ++p)
         for (int n = 0; n < scenario->pictures[p].observables.count; ++n)

@@ -24,8 +24,11 @@ typedef struct fw_measurement {
     int64_t *steps;
     double *times;
     double *values; /* count rows of `width` */
-    int *expected;  /* per expectation: its probe ... */
-    int *component; /* ... and component */
+    int *expected;  /* per expectation: its probe, or -1: it comes out of the study ... */
+    int *component; /* ... and component, or number of the layer's measure */
+    /* What came out of the study, by fw_layer_measure: means and their errors. NULL before its end.
+     */
+    const double *outcome, *outcome_error;
 } fw_measurement;
 
 /* Resolves all names. FW_BAD_INPUT at the place of a name that means nothing, or of an expectation

@@ -186,6 +186,8 @@ static fw_status read_observables(fw_playback *playback, fw_error *error)
     for (int i = 0; i < count; ++i) {
         char path[FW_NAME_SIZE + 64];
         fw_shape shape;
+        /* Groups of arrays, which are no series. */
+        if (strcmp(names[i], "profile") == 0 || strcmp(names[i], "layer") == 0) continue;
         fw_playback_observable *added = &playback->observables[playback->observable_count++];
         memcpy(added->name, names[i], FW_NAME_SIZE);
         snprintf(path, sizeof path, "observables/%s", names[i]);
@@ -438,6 +440,42 @@ fw_status fw_playback_read_observable(fw_playback *playback, int observable, dou
         find_rows(playback, path, FW_F64, playback->sample_count, components > 1, &components);
     if (dataset < 0) return refuse(playback, path, error);
     fw_hdf5_read(playback->file->hdf5, dataset, FW_F64, 0, (uint64_t)playback->sample_count,
+                 values);
+    fw_hdf5_release(dataset);
+    return fw_hdf5_check(playback->file->hdf5, error);
+}
+
+static fw_dataset find_array(fw_playback *playback, const char *name, int columns, int *rows)
+{
+    char path[FW_NAME_SIZE + 64];
+    fw_shape shape;
+    snprintf(path, sizeof path, "observables/%s", name);
+    fw_dataset dataset = fw_hdf5_find(playback->file->hdf5, path);
+    *rows = 0;
+    if (dataset < 0 || !fw_hdf5_shape(playback->file->hdf5, dataset, &shape) || shape.text ||
+        shape.element != FW_F64 || shape.rank < 1 || shape.rank > 2 ||
+        shape.extent[0] > (uint64_t)INT_MAX)
+        return -1;
+    const uint64_t found = shape.rank == 2 ? shape.extent[1] : columns > 1 ? shape.extent[0] : 1;
+    if (found != (uint64_t)columns || !fw_hdf5_is_stored(playback->file->hdf5, dataset)) return -1;
+    *rows = shape.rank == 1 && columns > 1 ? 1 : (int)shape.extent[0];
+    return dataset;
+}
+
+int fw_playback_array_rows(fw_playback *playback, const char *name, int columns)
+{
+    int rows;
+    fw_hdf5_release(find_array(playback, name, columns, &rows));
+    return rows;
+}
+
+fw_status fw_playback_read_array(fw_playback *playback, const char *name, int rows, int columns,
+                                 double *values, fw_error *error)
+{
+    int found;
+    fw_dataset dataset = find_array(playback, name, columns, &found);
+    if (dataset < 0 || found != rows) return refuse(playback, name, error);
+    fw_hdf5_read(playback->file->hdf5, dataset, FW_F64, 0, (uint64_t)(rows > 1 ? rows : columns),
                  values);
     fw_hdf5_release(dataset);
     return fw_hdf5_check(playback->file->hdf5, error);

@@ -71,6 +71,11 @@ fw_status fw_playback_read_field(fw_playback *playback, int64_t frame, const cha
                                  double *values, fw_error *error);
 fw_status fw_playback_read_masses(fw_playback *playback, double *masses, fw_error *error);
 
+/* Arrays of the run as a whole (fw_trajectory_array), by name. Rows of an array of so many columns,
+ * 0 if there is none. */
+int fw_playback_array_rows(fw_playback *playback, const char *name, int columns);
+fw_status fw_playback_read_array(fw_playback *playback, const char *name, int rows, int columns,
+                                 double *values, fw_error *error);
 /* An array of an analysis: rank, extent and `values`, which is malloc'ed; name, unit and meaning
  * stay NULL. FW_BAD_INPUT: the results hold no such array. */
 fw_status fw_playback_read_table(fw_playback *playback, const char *group, const char *name,

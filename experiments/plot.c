@@ -27,6 +27,8 @@ static const kind_row kinds[] = {
     [FW_PLOT_FIELD] = {"field", 1, fw_plot_draw_field},
     [FW_PLOT_STRIP] = {"strip", 6, fw_plot_draw_strip},
     [FW_PLOT_SERIES] = {"series", 0, fw_plot_draw_series},
+    [FW_PLOT_PROFILE] = {"profile", 1, fw_plot_draw_profile},
+    [FW_PLOT_LOOP] = {"loop", 0, fw_plot_draw_loop},
     [FW_PLOT_ANALYSIS] = {"analysis", 0, fw_plot_draw_analysis},
     {NULL, 0, NULL},
 };
@@ -105,8 +107,8 @@ static fw_status find_kind(const char *name, fw_plot_kind *kind, fw_error *error
         return fw_fail(error, FW_BAD_INPUT, "no pictures of kind %s; did you mean %s?", name,
                        guess.best);
     return fw_fail(error, FW_BAD_INPUT,
-                   "no pictures of kind %s, expected motion, forces, field, strip, series or "
-                   "analysis",
+                   "no pictures of kind %s, expected motion, forces, field, strip, series, "
+                   "profile, loop or analysis",
                    name);
 }
 
@@ -239,6 +241,10 @@ static fw_plot_kind kind_of(const fw_scenario_picture *own)
         return FW_PLOT_FORCES;
     case FW_PICTURE_FIELD:
         return own->instant_count > 1 ? FW_PLOT_STRIP : FW_PLOT_FIELD;
+    case FW_PICTURE_PROFILE:
+        return FW_PLOT_PROFILE;
+    case FW_PICTURE_LOOP:
+        return FW_PLOT_LOOP;
     case FW_PICTURE_ANALYSIS:
         return FW_PLOT_ANALYSIS;
     case FW_PICTURE_SERIES:
@@ -270,7 +276,7 @@ static fw_status decide_kind(draft *d, const fw_plot_wish *wish, fw_error *error
     d->name = d->own ? d->own->name : kinds[*kind].name;
     if (*kind == FW_PLOT_FIELD && wish->step_count > 1) *kind = FW_PLOT_STRIP;
     const char *stray = NULL;
-    bool coloured = *kind == FW_PLOT_FIELD || *kind == FW_PLOT_STRIP;
+    bool coloured = *kind == FW_PLOT_FIELD || *kind == FW_PLOT_STRIP || *kind == FW_PLOT_PROFILE;
     if (wish->field && !coloured) stray = "a field";
     if (wish->observable_count > 0 && *kind != FW_PLOT_SERIES) stray = "observables";
     if (wish->step_count > 0 && *kind == FW_PLOT_ANALYSIS) stray = "steps";
@@ -287,7 +293,7 @@ static fw_status decide_field(draft *d, const fw_plot_wish *wish, fw_error *erro
     if (name) return find_field(d, name, error);
     if (playback->field_count > 0)
         d->picture.field = playback->fields[0].name;
-    else if (d->picture.kind == FW_PLOT_FIELD)
+    else if (d->picture.kind == FW_PLOT_FIELD || d->picture.kind == FW_PLOT_PROFILE)
         return fw_fail(error, FW_BAD_INPUT,
                        "%s: no field was recorded; to have one, name it under record.fields and "
                        "run again",
@@ -334,7 +340,8 @@ static fw_status decide_page(draft *d, const fw_plot_wish *wish, fw_error *error
     const fw_scenario *scenario = d->result->scenario;
     *page = fw_page_default();
     page->title = d->own && d->own->title ? d->own->title : scenario->title;
-    bool of_paper = d->picture.kind == FW_PLOT_MOTION || d->picture.kind == FW_PLOT_FORCES;
+    bool of_paper = d->picture.kind == FW_PLOT_MOTION || d->picture.kind == FW_PLOT_FORCES ||
+                    d->picture.kind == FW_PLOT_PROFILE;
     if (d->own && of_paper && scenario->figure && scenario->source)
         append(d->caption, sizeof d->caption, "Compare %s.%s", scenario->source,
                d->notes[0] ? " " : "");
@@ -358,6 +365,7 @@ static fw_status decide(draft *d, const fw_plot_wish *wish, fw_error *error)
     switch (d->picture.kind) {
     case FW_PLOT_FIELD:
     case FW_PLOT_STRIP:
+    case FW_PLOT_PROFILE:
         FW_TRY(decide_field(d, wish, error));
         FW_TRY(take_frames(d, error));
         break;
@@ -368,6 +376,8 @@ static fw_status decide(draft *d, const fw_plot_wish *wish, fw_error *error)
     case FW_PLOT_SERIES:
         FW_TRY(decide_observables(d, wish, error));
         FW_TRY(take_span(d, wish, error));
+        break;
+    case FW_PLOT_LOOP:
         break;
     case FW_PLOT_ANALYSIS:
         FW_TRY(decide_analysis(d, error));

@@ -51,6 +51,8 @@ typedef enum fw_plot_kind {
     FW_PLOT_FIELD,
     FW_PLOT_STRIP,
     FW_PLOT_SERIES,
+    FW_PLOT_PROFILE,
+    FW_PLOT_LOOP,
     FW_PLOT_ANALYSIS
 } fw_plot_kind;
 
@@ -132,6 +134,10 @@ fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_pictur
                               fw_error *error);
 fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error);
+fw_status fw_plot_draw_profile(const fw_plot_result *result, const fw_plot_picture *picture,
+                               fw_error *error);
+fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture *picture,
+                            fw_error *error);
 fw_status fw_plot_draw_analysis(const fw_plot_result *result, const fw_plot_picture *picture,
                                 fw_error *error);
 

@@ -14,12 +14,14 @@ typedef enum fw_scope {
     FW_SCOPE_BODY,    /* one body; may be left out where there is only one */
     FW_SCOPE_SITE,    /* one site of a body */
     FW_SCOPE_WALL,    /* one wall; may be left out where there is only one */
+    FW_SCOPE_GRIP,    /* one grip; may be left out where there is only one */
+    FW_SCOPE_STUDY,   /* comes out of all runs of a study together; expected only */
     FW_SCOPE_ANALYSIS /* one analysis of its kind; may be left out where there is only one */
 } fw_scope;
 
 /* -1: none. */
 typedef struct fw_subject {
-    int body, wall, particle; /* particle: within the body */
+    int body, wall, grip, particle; /* particle: within the body */
     int analysis;
 } fw_subject;
 
@@ -33,6 +35,7 @@ typedef struct fw_quantity {
     const char *meaning;
     const char *model; /* only of bodies of these models (analyses of this kind), names with blanks
                         * between; NULL: of any */
+    /* NULL for what comes out of a study. */
     void (*measure)(const fw_experiment *experiment, fw_subject subject, double *out);
 } fw_quantity;
 
@@ -42,6 +45,8 @@ extern const fw_quantity fw_boltzmann_quantities[];
 extern const fw_quantity fw_elastic_quantities[];
 extern const fw_quantity fw_particle_quantities[];
 extern const fw_quantity fw_automaton_quantities[];
+extern const fw_quantity fw_grip_quantities[];
+extern const fw_quantity fw_layer_quantities[]; /* in the order of fw_layer_measure */
 
 /* All quantities, model by model: `for (q = first(); q; q = next(q))`. */
 const fw_quantity *fw_quantity_first(void);

@@ -5,7 +5,7 @@
 #include "experiments/recorder.h"
 
 #include "experiments/checkpoint.h"
-#include "experiments/trajectory.h"
+#include "experiments/profile_table.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -160,6 +160,12 @@ static fw_status describe(fw_recorder *r, const char *directory, int threads, fw
     r->def.sample_count = fw_measurement_row_count(scenario);
     FW_TRY(describe_bodies(r, error));
     FW_TRY(describe_fields(r, error));
+    if (r->experiment->profile) {
+        fw_trajectory_array *arrays;
+        FW_TRY(fw_profile_table_arrays(&arrays, &r->def.array_count,
+                                       fw_profile_bin_count(r->experiment->profile), error));
+        r->def.arrays = arrays;
+    }
     FW_TRY(describe_analyses(r, error));
     return describe_observables(r, error);
 }
@@ -208,13 +214,13 @@ static fw_status allocate_frames(fw_recorder *r, fw_error *error)
     return allocate_solids(r, error);
 }
 
-/* The scene's sections, and the recorder's own counters. */
+/* The scene's sections, the recorder's own counters, and the profile's sums. */
 static fw_status list_sections(fw_recorder *r, fw_error *error)
 {
     int count = fw_scene_section_count(r->experiment->scene);
-    r->section_count = count + 1;
-    r->sections = calloc((size_t)count + 1, sizeof *r->sections);
-    r->states = calloc((size_t)count + 1, sizeof *r->states);
+    r->section_count = count + 1 + (r->experiment->profile != NULL);
+    r->sections = calloc((size_t)r->section_count, sizeof *r->sections);
+    r->states = calloc((size_t)r->section_count, sizeof *r->states);
     if (!r->sections || !r->states) return fw_fail_memory(error, "a checkpoint");
     for (int n = 0; n < count; ++n) {
         r->sections[n].name = fw_scene_section(r->experiment->scene, n, &r->states[n]);
@@ -223,6 +229,9 @@ static fw_status list_sections(fw_recorder *r, fw_error *error)
     fw_state_list_add(&r->states[count], "written", FW_I64, sizeof r->written / sizeof(int64_t),
                       &r->written);
     r->sections[count] = (fw_checkpoint_section){"recorder", &r->states[count]};
+    if (!r->experiment->profile) return FW_OK;
+    fw_profile_state(r->experiment->profile, &r->states[count + 1]);
+    r->sections[count + 1] = (fw_checkpoint_section){"profile", &r->states[count + 1]};
     return FW_OK;
 }
 
@@ -384,6 +393,12 @@ fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error)
                                fw_scene_steps(recorder->experiment->scene), error);
 }
 
+fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_array *array,
+                                  const double *values, fw_error *error)
+{
+    return fw_trajectory_write_array(recorder->trajectory, array, values, error);
+}
+
 fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error *error)
 {
     return fw_trajectory_finish(recorder->trajectory, reason ? reason : FW_RUN_FINISHED, error);
@@ -420,6 +435,7 @@ void fw_recorder_destroy(fw_recorder *recorder)
     free((fw_trajectory_body *)recorder->def.bodies);
     free((fw_trajectory_field *)recorder->def.fields);
     free((fw_observable *)recorder->def.observables);
+    free((fw_trajectory_array *)recorder->def.arrays);
     free((fw_table_group *)recorder->def.groups);
     free(recorder->bodies);
     free(recorder->frame);

@@ -4,6 +4,7 @@
 #define FW_RECORDER_H
 
 #include "experiments/measurement.h"
+#include "experiments/trajectory.h"
 
 typedef struct fw_recorder fw_recorder;
 
@@ -26,6 +27,9 @@ fw_status fw_recorder_write_row(fw_recorder *recorder, int64_t step, double time
                                 fw_error *error);
 fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error);
 fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error);
+
+fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_array *array,
+                                  const double *values, fw_error *error);
 
 /* Ends the file; `reason` NULL: the run reached its end. */
 fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error *error);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* run.c - the life of a run.
+/* run.c - the life of a run. Several may run at a time, each in a thread of its own; they write
+ * their results one after the other, since HDF5 can do no better.
  * State: the experiment, its series, its recorder. Invariant: what the newest checkpoint speaks of
  * is in the results file. Start reading at fw_run_to_end(). */
 #include "experiments/run.h"
@@ -46,21 +47,31 @@ static fw_status measure(fw_run *run, fw_error *error)
     const double *row = fw_measurement_take(run->measurement, run->experiment);
     if (!run->recorder) return FW_OK;
     int64_t last = run->measurement->count - 1;
-    return fw_recorder_write_row(run->recorder, run->measurement->steps[last],
-                                 run->measurement->times[last], row, error);
+    fw_status status;
+#pragma omp critical(results)
+    status = fw_recorder_write_row(run->recorder, run->measurement->steps[last],
+                                   run->measurement->times[last], row, error);
+    return status;
 }
 
 static fw_status record(fw_run *run, fw_error *error)
 {
     FW_TRY(fw_caution_look(&run->caution, run->experiment, error));
-    return run->recorder ? fw_recorder_write_frame(run->recorder, error) : FW_OK;
+    fw_status status = FW_OK;
+    if (!run->recorder) return FW_OK;
+#pragma omp critical(results)
+    status = fw_recorder_write_frame(run->recorder, error);
+    return status;
 }
 
 static fw_status checkpoint(fw_run *run, fw_error *error)
 {
     if (!run->recorder) return FW_OK;
     run->checkpointed = fw_progress_clock();
-    return fw_recorder_checkpoint(run->recorder, error);
+    fw_status status;
+#pragma omp critical(results)
+    status = fw_recorder_checkpoint(run->recorder, error);
+    return status;
 }
 
 /* The start counts as a step of its own: with its checkpoint a run can go on whatever ends it, and
@@ -212,11 +223,33 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error)
     }
     fw_progress_end(&progress);
     if (!run->recorder) return status;
-    if (status == FW_OK) return fw_recorder_finish(run->recorder, NULL, error);
+    if (status == FW_OK) return run->options.keep_open ? FW_OK : fw_run_finish(run, error);
     /* The reason goes into the file as far as the disk still takes it. */
     fw_error ignored;
+#pragma omp critical(results)
     fw_recorder_finish(run->recorder, error->sentence, &ignored);
     return status;
+}
+
+fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,
+                             fw_error *error)
+{
+    return run->recorder ? fw_recorder_write_array(run->recorder, array, values, error) : FW_OK;
+}
+
+fw_status fw_run_finish(fw_run *run, fw_error *error)
+{
+    fw_status status = FW_OK;
+    if (!run->recorder) return FW_OK;
+#pragma omp critical(results)
+    status = fw_recorder_finish(run->recorder, NULL, error);
+    return status;
+}
+
+void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error)
+{
+    run->measurement->outcome = outcome;
+    run->measurement->outcome_error = outcome_error;
 }
 
 void fw_run_destroy(fw_run *run)

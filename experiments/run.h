@@ -16,6 +16,7 @@ typedef struct fw_run_options {
     int threads;
     const char *name; /* for the progress line */
     FILE *progress;   /* NULL: none */
+    bool keep_open;   /* the results file is ended by fw_run_finish, not by the last step */
     FILE *cautions;   /* where caution.h says what it sees; NULL: nowhere */
 } fw_run_options;
 
@@ -33,6 +34,13 @@ fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_
 /* To the end. FW_INTERRUPTED or FW_TERMINATED: a signal came; a checkpoint was written.
  * FW_DIVERGED, FW_SYSTEM_FAILED: the last checkpoint stays whole. */
 fw_status fw_run_to_end(fw_run *run, fw_error *error);
+
+/* With keep_open: what is known of the run as a whole, and the end. */
+fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,
+                             fw_error *error);
+fw_status fw_run_finish(fw_run *run, fw_error *error);
+/* For expectations of a study's outcome; both are observed. */
+void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error);
 
 void fw_run_destroy(fw_run *run);
 

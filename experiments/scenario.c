@@ -123,6 +123,9 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     FW_TRY(fw_scenario_check_clock(scenario, error));
     FW_TRY(fw_scenario_read_walls(scenario, error));
     FW_TRY(fw_scenario_read_forces(scenario, error));
+    FW_TRY(fw_scenario_read_grips(scenario, error));
+    FW_TRY(fw_scenario_read_phases(scenario, error));
+    FW_TRY(fw_scenario_read_study(scenario, error));
     FW_TRY(fw_scenario_read_analyses(scenario, error));
     FW_TRY(fw_scenario_read_expectations(scenario, error));
     return fw_scenario_read_pictures(scenario, error);

@@ -8,6 +8,7 @@
 #ifndef FW_SCENARIO_H
 #define FW_SCENARIO_H
 
+#include "contact/grip.h"
 #include "contact/wall.h"
 #include "core/automaton_matrices.h"
 #include "core/lattice.h"
@@ -202,6 +203,62 @@ typedef struct fw_scenario_force {
     double period, phase; /* times sin(2 pi step / period + phase); period 0: constant */
 } fw_scenario_force;
 
+/* --- grips and phases --- */
+
+typedef enum fw_hold_choice { FW_HOLD_NONE, FW_HOLD_X, FW_HOLD_Y, FW_HOLD_BOTH } fw_hold_choice;
+
+typedef struct fw_scenario_drive {
+    fw_hold_choice hold; /* as written; what follows from it is in `drive` */
+    fw_grip_drive drive;
+} fw_scenario_drive;
+
+typedef struct fw_scenario_grip {
+    const char *name;
+    fw_place place;
+    int body; /* index into the scenario's bodies */
+    fw_selection sites;
+    double layer; /* > 0: of these only what is so near to the outer face of `side` */
+    int side;     /* 0 left, 1 right, 2 bottom, 3 top */
+    fw_scenario_drive motion;
+} fw_scenario_grip;
+
+/* The whole drive of a grip during a phase. */
+typedef struct fw_phase_drive {
+    fw_place place;
+    int grip; /* index into the scenario's grips */
+    fw_scenario_drive motion;
+} fw_phase_drive;
+
+typedef struct fw_scenario_phase {
+    const char *name;
+    fw_place place;
+    int64_t from, until;         /* the steps from <= step < until */
+    double damping, temperature; /* < 0: those of `dynamics` */
+    int drive_count;
+    fw_phase_drive *drives;
+} fw_scenario_phase;
+
+/* What is averaged across the scene; no `every`: nothing is. */
+typedef struct fw_scenario_profile {
+    fw_place place;
+    int axis;               /* 0: x, 1: y */
+    fw_scenario_name phase; /* text NULL: the whole run */
+    int64_t from, until;    /* samples are taken after the steps from < step <= until */
+    int64_t every;
+    double bin, middle;
+    double window[2]; /* of the other coordinate; low == high: all */
+    double contact;   /* half width of the contact region */
+    double far[2];    /* distances from the middle */
+} fw_scenario_profile;
+
+/* More runs of the same scenario. */
+typedef struct fw_scenario_study {
+    int64_t seeds; /* run.seed and the following ones */
+    int control_count;
+    const char **control; /* changes that make the control run, as --set has them */
+    fw_place control_place;
+} fw_scenario_study;
+
 /* --- running and recording --- */
 
 /* Of all movable particles and linear lattices of a scenario. */
@@ -256,15 +313,18 @@ typedef struct fw_expectation {
     int body_index;            /* -1: none given */
     fw_scenario_name wall;
     int wall_index; /* -1: none given */
+    fw_scenario_name grip;
+    int grip_index; /* -1: none given */
     fw_scenario_name analysis;
     int analysis_index; /* -1: none given */
     bool has_site;      /* of that body; checked */
     fw_site site;
     fw_scenario_name component; /* "x", "y", "xx", ...; text NULL: none given */
     bool has_at;
-    int64_t at;          /* in that step */
-    fw_take take;        /* otherwise this of the series ... */
-    int64_t from, until; /* ... over the steps from <= step <= until */
+    int64_t at;             /* in that step */
+    fw_take take;           /* otherwise this of the series ... */
+    int64_t from, until;    /* ... over the steps from <= step <= until */
+    fw_scenario_name phase; /* that gives these; text NULL: none given */
     fw_verdict_kind kind;
     double value, within; /* within: absolute, or relative to |value| */
     bool has_below, has_above;
@@ -274,10 +334,12 @@ typedef struct fw_expectation {
 } fw_expectation;
 
 typedef enum fw_picture_kind {
-    FW_PICTURE_MOTION, /* the bodies at several instants, with the path of the centre of mass */
-    FW_PICTURE_FORCES, /* forces as arrows */
-    FW_PICTURE_FIELD,  /* a field as colour on the particles */
-    FW_PICTURE_SERIES, /* observables over time */
+    FW_PICTURE_MOTION,  /* the bodies at several instants, with the path of the centre of mass */
+    FW_PICTURE_FORCES,  /* forces as arrows */
+    FW_PICTURE_FIELD,   /* a field as colour on the particles */
+    FW_PICTURE_SERIES,  /* observables over time */
+    FW_PICTURE_PROFILE, /* the bodies above their profile, the control beside it */
+    FW_PICTURE_LOOP,    /* tangential force against slip */
     FW_PICTURE_ANALYSIS
 } fw_picture_kind;
 
@@ -339,6 +401,12 @@ typedef struct fw_scenario {
     fw_scenario_wall *walls;
     int force_count;
     fw_scenario_force *forces;
+    int grip_count;
+    fw_scenario_grip *grips;
+    int phase_count;
+    fw_scenario_phase *phases; /* one after the other, from step 0 to the last */
+    fw_scenario_profile profile;
+    fw_scenario_study study;
     fw_scenario_dynamics dynamics;
     fw_scenario_run run;
     fw_scenario_record record;

@@ -6,11 +6,31 @@
 
 /* --- expectations --- */
 
+/* A phase in place of the steps that it takes. */
+static fw_status read_phase(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
+                            fw_error *error)
+{
+    const fw_node *name = fw_node_find(node, "phase");
+    if (!name) return FW_OK;
+    const fw_node *stray = fw_node_find(node, "from");
+    if (!stray) stray = fw_node_find(node, "until");
+    if (stray)
+        return fw_scenario_fail(scenario, stray->key_place, error,
+                                "the expectation of '%s' has both 'phase' and '%s', expected one "
+                                "of them",
+                                e->quantity.text, stray->key);
+    int phase;
+    FW_TRY(fw_scenario_find_phase(scenario, name, &phase, error));
+    e->from = scenario->phases[phase].from;
+    e->until = scenario->phases[phase].until;
+    return FW_OK;
+}
+
 /* What `at` and `take` look at must be measured. */
 static fw_status check_steps(const fw_scenario *scenario, const fw_node *node,
                              const fw_expectation *e, fw_error *error)
 {
-    static const char *const series_keys[] = {"take", "from", "until", NULL};
+    static const char *const series_keys[] = {"take", "from", "until", "phase", NULL};
     const fw_scenario_run *run = &scenario->run;
     const char *quantity = e->quantity.text;
     if (e->has_at) {
@@ -93,7 +113,7 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
     FW_TRY(fw_schema_fill(scenario->document, "expectation", node, e, error));
     e->has_at = fw_node_find(node, "at") != NULL;
     e->has_site = fw_node_find(node, "site") != NULL;
-    e->body_index = e->wall_index = e->analysis_index = -1;
+    e->body_index = e->wall_index = e->grip_index = e->analysis_index = -1;
     int count;
     const fw_node *body = fw_node_find(node, "body"), *wall = fw_node_find(node, "wall");
     const fw_node *analysis = fw_node_find(node, "analysis");
@@ -103,6 +123,10 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
     if (wall)
         FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "walls", &count), "wall", wall,
                                 &e->wall_index, error));
+    const fw_node *grip = fw_node_find(node, "grip");
+    if (grip)
+        FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "grips", &count), "grip", grip,
+                                &e->grip_index, error));
     if (analysis)
         FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "analysis", &count),
                                 "analysis", analysis, &e->analysis_index, error));
@@ -110,6 +134,7 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
         return fw_scenario_fail(scenario, fw_node_find(node, "site")->place, error,
                                 "site [%d, %d] is not one of body '%s'", e->site.i, e->site.j,
                                 e->body.text);
+    FW_TRY(read_phase(scenario, node, e, error));
     FW_TRY(check_steps(scenario, node, e, error));
     return read_verdict(scenario, node, e, error);
 }

@@ -12,6 +12,13 @@ fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_bodies(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_forces(fw_scenario *scenario, fw_error *error);
+fw_status fw_scenario_read_grips(fw_scenario *scenario, fw_error *error);
+fw_status fw_scenario_read_phases(fw_scenario *scenario, fw_error *error);
+/* Profile and study; after the phases. */
+fw_status fw_scenario_read_study(fw_scenario *scenario, fw_error *error);
+/* Index of the phase of that name. */
+fw_status fw_scenario_find_phase(const fw_scenario *scenario, const fw_node *name, int *phase,
+                                 fw_error *error);
 fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error);
 

@@ -16,6 +16,65 @@
     FW_FORM_SELECTION, .items = FW_FORM_INTEGERS, .layout = "[i, j]", .least = 1,                  \
                        .words = "all|left|right|bottom|top", .inside = "selection"
 
+/* What moves a grip, whole: in the grip itself and in each phase. */
+#define DRIVE(section, object)                                                                     \
+    {section,                                                                                      \
+     "force",                                                                                      \
+     FW_FORM_NUMBERS,                                                                              \
+     .layout = "[x, y]",                                                                           \
+     AT(object, motion.drive.force),                                                               \
+     .standard = "[0, 0]",                                                                         \
+     .unit = "force",                                                                              \
+     .meaning = "on the whole grip, constant"},                                                    \
+        {section,                                                                                  \
+         "amplitude",                                                                              \
+         FW_FORM_NUMBERS,                                                                          \
+         .layout = "[x, y]",                                                                       \
+         .needs = "period",                                                                        \
+         AT(object, motion.drive.amplitude),                                                       \
+         .standard = "[0, 0]",                                                                     \
+         .unit = "force",                                                                          \
+         .meaning = "on top of it, times sin(360 t / period + phase)"},                            \
+        {section,                                                                                  \
+         "period",                                                                                 \
+         FW_FORM_NUMBER,                                                                           \
+         ABOVE_ZERO,                                                                               \
+         AT(object, motion.drive.period),                                                          \
+         .otherwise = "no oscillation",                                                            \
+         .unit = "time",                                                                           \
+         .meaning = "of the oscillation"},                                                         \
+        {section,                                                                                  \
+         "phase",                                                                                  \
+         FW_FORM_ANGLE,                                                                            \
+         .needs = "period",                                                                        \
+         FROM_TO(-360, 360),                                                                       \
+         AT(object, motion.drive.phase),                                                           \
+         .standard = "0",                                                                          \
+         .unit = "degrees",                                                                        \
+         .meaning = "of the oscillation at time 0 of the run"},                                    \
+        {section,                                                                                  \
+         "tether",                                                                                 \
+         FW_FORM_NUMBERS,                                                                          \
+         .layout = "[x, y]",                                                                       \
+         AT_LEAST(0),                                                                              \
+         AT(object, motion.drive.tether),                                                          \
+         .standard = "[0, 0]",                                                                     \
+         .unit = "force/length",                                                                   \
+         .meaning = "a spring to where the grip began, per component"},                            \
+        {section,                                                                                  \
+         "hold",                                                                                   \
+         FW_FORM_WORD,                                                                             \
+         .words = "none|x|y|both",                                                                 \
+         AT(object, motion.hold),                                                                  \
+         .standard = "none",                                                                       \
+         .meaning = "components that follow the path whatever force it takes, or stay at rest "    \
+                    "without one"},                                                                \
+    {                                                                                              \
+        section, "path", FW_FORM_MAPPING, .inside = "path", AT(object, motion.drive.path),         \
+                                          .otherwise = "at rest",                                  \
+                                          .meaning = "of the components that `hold` names"         \
+    }
+
 const fw_section fw_schema_sections[] = {
     {"scenario", "The scenario", "a scenario", "The keys at the beginning of a line."},
     {"material", "`materials.NAME`", "a material", "What a body is made of: one model of a solid."},
@@ -84,6 +143,21 @@ const fw_section fw_schema_sections[] = {
      "The wall is displaced by velocity (t - from) while from <= t <= until, plus amplitude "
      "sin(360 t / period + phase)."},
     {"force", "`forces.NAME`", "a force", "An external force on selected particles of one body."},
+    {"grip", "`grips.NAME`", "a grip",
+     "A rigid block of particles of one body, held together by constraint forces. It does not "
+     "turn; "
+     "it moves by what drives it and what the rest of the body does to it."},
+    {"phase", "`phases.NAME`", "a phase",
+     "A part of the run with parameters of its own, from the end of the phase before. The last one "
+     "ends with the run. What a phase does not say is as without phases."},
+    {"phase-grip", "`phases.NAME.grips.NAME`", "the drive of a grip in a phase",
+     "Takes the place of the grip's own drive during the phase, as a whole."},
+    {"profile", "`profile`", "a profile",
+     "Averages across the scene, in bins of one coordinate, over samples of a phase and over the "
+     "seeds of the study: what `fretwork profile` prints. Movable particles only."},
+    {"study", "`study`", "a study",
+     "More runs of the same scenario, side by side: means and standard errors come from all "
+     "seeds."},
     {"dynamics", "`dynamics`", "a set of dynamics",
      "How movable particles and linear lattices move: m dv/dt = F - m damping v + noise, in steps "
      "of velocity Verlet, or of BAOAB where there is damping. Everything that counts steps (`run`, "
@@ -132,6 +206,14 @@ const fw_key fw_schema_keys[] = {
      .otherwise = "none", .meaning = "walls by name"},
     {"scenario", "forces", FW_FORM_NAMED, .inside = "force", .most = FW_NAMED_MOST, NOT_STORED,
      .otherwise = "none", .meaning = "forces by name; those on the same particle add up"},
+    {"scenario", "grips", FW_FORM_NAMED, .inside = "grip", .most = FW_NAMED_MOST, NOT_STORED,
+     .otherwise = "none", .meaning = "rigid blocks of particles by name"},
+    {"scenario", "phases", FW_FORM_NAMED, .inside = "phase", .most = FW_NAMED_MOST, NOT_STORED,
+     .otherwise = "one phase, the whole run", .meaning = "parts of the run by name, in order"},
+    {"scenario", "profile", FW_FORM_MAPPING, .inside = "profile", NOT_STORED, .otherwise = "none",
+     .meaning = "what is averaged across the scene"},
+    {"scenario", "study", FW_FORM_MAPPING, .inside = "study", NOT_STORED, .otherwise = "one run",
+     .meaning = "replicas over seeds, and a control"},
     {"scenario", "dynamics", FW_FORM_MAPPING, .inside = "dynamics", AT(fw_scenario, dynamics),
      .otherwise = "its defaults", .meaning = "how movable particles and linear lattices move"},
     {"scenario", "run", FW_FORM_MAPPING, .inside = "run", REQUIRED, AT(fw_scenario, run),
@@ -468,6 +550,52 @@ const fw_key fw_schema_keys[] = {
     {"force", "phase", FW_FORM_ANGLE, .needs = "period", FROM_TO(-360, 360),
      AT(fw_scenario_force, phase), .standard = "0", .unit = "degrees", .meaning = "at step 0"},
 
+    /* --- grips, phases, profile, study --- */
+    {"grip", "body", FW_FORM_NAME, REQUIRED, NOT_STORED, .meaning = "one of `bodies`"},
+    {"grip", "sites", SELECTION, .standard = "all", NOT_STORED,
+     .meaning = "which of its particles; each is in one grip at most"},
+    {"grip", "side", FW_FORM_WORD, .words = "left|right|bottom|top", .needs = "layer",
+     AT(fw_scenario_grip, side), .standard = "left",
+     .meaning = "outer face that the layer is measured from"},
+    {"grip", "layer", FW_FORM_NUMBER, .needs = "side", ABOVE_ZERO, AT(fw_scenario_grip, layer),
+     .otherwise = "all the `sites`", .unit = "length",
+     .meaning = "only what is so near to the outermost particles of that side"},
+    DRIVE("grip", fw_scenario_grip),
+    {"phase", "until", FW_FORM_INTEGER, REQUIRED, AT_LEAST(1), AT(fw_scenario_phase, until),
+     .unit = "steps", .meaning = "the step that ends it"},
+    {"phase", "damping", FW_FORM_NUMBER, AT_LEAST(0), AT(fw_scenario_phase, damping),
+     .otherwise = "that of `dynamics`", .unit = "1/time", .meaning = "of movable particles"},
+    {"phase", "temperature", FW_FORM_NUMBER, AT_LEAST(0), AT(fw_scenario_phase, temperature),
+     .otherwise = "that of `dynamics`", .unit = "energy", .meaning = "of movable particles"},
+    {"phase", "grips", FW_FORM_NAMED, .inside = "phase-grip", .most = FW_NAMED_MOST, NOT_STORED,
+     .otherwise = "each as driven by itself", .meaning = "other drives, by name of the grip"},
+    DRIVE("phase-grip", fw_phase_drive),
+    {"profile", "axis", FW_FORM_WORD, .words = "x|y", AT(fw_scenario_profile, axis),
+     .standard = "x", .meaning = "the coordinate that is cut into bins"},
+    {"profile", "phase", FW_FORM_NAME, AT(fw_scenario_profile, phase), .otherwise = "the whole run",
+     .meaning = "during which samples are taken"},
+    {"profile", "every", FW_FORM_INTEGER, REQUIRED, AT_LEAST(1), AT(fw_scenario_profile, every),
+     .unit = "steps", .meaning = "between two samples"},
+    {"profile", "bin", FW_FORM_NUMBER, ABOVE_ZERO, AT(fw_scenario_profile, bin), .standard = "1",
+     .unit = "length", .meaning = "width of a bin; one is centred on the middle"},
+    {"profile", "middle", FW_FORM_NUMBER, AT(fw_scenario_profile, middle), .standard = "0",
+     .unit = "length", .meaning = "where the contact is"},
+    {"profile", "window", FW_FORM_NUMBERS, .layout = "[from, to]", AT(fw_scenario_profile, window),
+     .standard = "[0, 0]", .otherwise = "all", .unit = "length",
+     .meaning = "of the other coordinate: only particles in it count"},
+    {"profile", "contact", FW_FORM_NUMBER, ABOVE_ZERO, AT(fw_scenario_profile, contact),
+     .standard = "1.8", .unit = "length",
+     .meaning = "the contact region is what is nearer to the middle than this"},
+    {"profile", "far", FW_FORM_NUMBERS, .layout = "[from, to]", AT_LEAST(0),
+     AT(fw_scenario_profile, far), .standard = "[6, 9]", .unit = "length",
+     .meaning = "distances from the middle between which a place is far from the contact"},
+    {"study", "seeds", FW_FORM_INTEGER, FROM_TO(1, 1024), AT(fw_scenario_study, seeds),
+     .standard = "1", .meaning = "how many runs, with `run.seed` and the numbers after it"},
+    {"study", "control", FW_FORM_LIST, .items = FW_FORM_TEXT, .least = 1, .most = 64, NOT_STORED,
+     .otherwise = "none",
+     .meaning = "changes, as `--set` has them, that turn the experiment into its control; that is "
+                "run with the same seeds"},
+
     /* --- running and recording --- */
     {"dynamics", "time-step", FW_FORM_NUMBER, ABOVE_ZERO, AT(fw_scenario_dynamics, time_step),
      .standard = "0.005", .unit = "time",
@@ -501,7 +629,8 @@ const fw_key fw_schema_keys[] = {
      .meaning = "of everything random; the same seed gives the same run, to the last bit"},
     {"run", "limit", FW_FORM_NUMBER, ABOVE_ZERO, AT(fw_scenario_run, limit), .standard = "1e6",
      .unit = "length",
-     .meaning = "a particle further than this from where site [0, 0] of the first body began stops the run"},
+     .meaning = "a particle further than this from where site [0, 0] of the first body began stops "
+                "the run"},
     {"run", "reverse-at", FW_FORM_INTEGER, AT_LEAST(1), AT(fw_scenario_run, reverse_at),
      .otherwise = "never", .unit = "steps",
      .meaning =
@@ -517,10 +646,14 @@ const fw_key fw_schema_keys[] = {
     /* --- what is expected, and pictures --- */
     {"expectation", "quantity", FW_FORM_NAME, REQUIRED, AT(fw_expectation, quantity),
      .meaning = "an observable"},
-    {"expectation", "body", FW_FORM_NAME, AT(fw_expectation, body), .otherwise = "the whole scene, or the only body",
-     .meaning = "of which body"},
+    {"expectation", "body", FW_FORM_NAME, AT(fw_expectation, body),
+     .otherwise = "the whole scene, or the only body", .meaning = "of which body"},
     {"expectation", "wall", FW_FORM_NAME, AT(fw_expectation, wall), .otherwise = "the only one",
      .meaning = "of which wall"},
+    {"expectation", "grip", FW_FORM_NAME, AT(fw_expectation, grip), .otherwise = "the only one",
+     .meaning = "of which grip"},
+    {"expectation", "phase", FW_FORM_NAME, AT(fw_expectation, phase), .otherwise = "the whole run",
+     .meaning = "during which phase, in place of `from` and `until`"},
     {"expectation", "analysis", FW_FORM_NAME, AT(fw_expectation, analysis),
      .otherwise = "the only one", .meaning = "of which analysis"},
     {"expectation", "site", FW_FORM_INTEGERS, .layout = "[i, j]", .needs = "body",
@@ -557,12 +690,14 @@ const fw_key fw_schema_keys[] = {
     {"expectation", "note", FW_FORM_TEXT, AT(fw_expectation, note), .otherwise = "none",
      .meaning = "a remark for the table of results"},
 
-    {"picture", "kind", FW_FORM_WORD, .words = "motion|forces|field|series|analysis", REQUIRED,
-     AT(fw_scenario_picture, kind),
-     .meaning = "motion: the bodies at several instants with the path of the centre of mass; "
-                "forces: forces as arrows; field: a field as colour on the particles, several "
-                "instants side by side; series: observables over time; analysis: a map or curves "
-                "of one of `analysis`"},
+    {"picture", "kind", FW_FORM_WORD, .words = "motion|forces|field|series|profile|loop|analysis",
+     REQUIRED, AT(fw_scenario_picture, kind),
+     .meaning =
+         "motion: the bodies at several instants with the path of the centre of mass; "
+         "forces: forces as arrows; field: a field as colour on the particles, several "
+         "instants side by side; series: observables over time; profile: the bodies, coloured "
+         "by a field, above their profile, the control beside them; loop: force along the "
+         "interface against slip; analysis: a map or curves of one of `analysis`"},
     {"picture", "title", FW_FORM_TEXT, AT(fw_scenario_picture, title),
      .otherwise = "the scenario's", .meaning = "written above it"},
     {"picture", "instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024,

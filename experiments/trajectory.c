@@ -46,6 +46,9 @@ double fw_trajectory_size(const fw_trajectory_def *def)
         links += def->bodies[i].link_count;
     }
     for (int i = 0; i < def->observable_count; ++i) components += def->observables[i].components;
+    for (int i = 0; i < def->array_count; ++i)
+        components += (double)def->arrays[i].rows * def->arrays[i].columns /
+                      fmax(1, (double)def->sample_count);
     double tables = 0;
     for (int g = 0; g < def->group_count; ++g)
         for (int n = 0; n < def->groups[g].table_count; ++n)
@@ -310,6 +313,19 @@ fw_status fw_trajectory_write_sample(fw_trajectory *trajectory, int64_t step, do
         values += trajectory->components[i];
     }
     fw_series_end_row(trajectory->samples, step, time);
+    return fw_hdf5_check(trajectory->file, error);
+}
+
+fw_status fw_trajectory_write_array(fw_trajectory *trajectory, const fw_trajectory_array *array,
+                                    const double *values, fw_error *error)
+{
+    char path[FW_NAME_SIZE + 64];
+    snprintf(path, sizeof path, "observables/%s", array->name);
+    const uint64_t first_extent = (uint64_t)(array->rows > 1 ? array->rows : array->columns);
+    fw_dataset dataset = fw_hdf5_find(trajectory->file, path);
+    if (dataset < 0) fw_hdf5_refuse(trajectory->file, path);
+    fw_hdf5_write(trajectory->file, dataset, FW_F64, 0, first_extent, values);
+    fw_hdf5_release(dataset);
     return fw_hdf5_check(trajectory->file, error);
 }
 

@@ -49,6 +49,13 @@ typedef struct fw_observable {
     int components;      /* 1: a scalar; more: a vector */
 } fw_observable;
 
+/* Numbers that belong to the run as a whole and are known at its end, such as a profile: under
+ * observables/NAME, where NAME is "GROUP/ARRAY". NaN until they are written. */
+typedef struct fw_trajectory_array {
+    char name[FW_NAME_SIZE];
+    const char *unit, *meaning;
+    int rows, columns; /* columns 1: a list; rows 1: the columns alone */
+} fw_trajectory_array;
 /* Arrays that belong together, kept under parameters/analysis/NAME. */
 typedef struct fw_table_group {
     const char *name;
@@ -72,6 +79,8 @@ typedef struct fw_trajectory_def {
     int field_count;
     const fw_observable *observables;
     int observable_count;
+    const fw_trajectory_array *arrays;
+    int array_count;
     const fw_table_group *groups;
     int group_count;
     int64_t frame_count;  /* frames that the run will write, at most */
@@ -119,6 +128,10 @@ fw_status fw_trajectory_write_frame(fw_trajectory *trajectory, int64_t step, dou
  * after fw_trajectory_sync. */
 fw_status fw_trajectory_write_sample(fw_trajectory *trajectory, int64_t step, double time,
                                      const double *values, fw_error *error);
+
+/* Writes one of the arrays, rows x columns numbers. */
+fw_status fw_trajectory_write_array(fw_trajectory *trajectory, const fw_trajectory_array *array,
+                                    const double *values, fw_error *error);
 
 int64_t fw_trajectory_frame_count(const fw_trajectory *trajectory);
 int64_t fw_trajectory_sample_count(const fw_trajectory *trajectory);

@@ -6,6 +6,7 @@
 #include "experiments/provenance.h"
 #include "experiments/series.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,7 +67,7 @@ fw_status fw_layout_check(const fw_trajectory_def *def, fw_error *error)
 size_t fw_layout_structure(const fw_trajectory_def *def)
 {
     size_t elements = (size_t)(1 + def->velocity + def->force + def->field_count);
-    size_t objects = 64 + elements + (size_t)def->observable_count;
+    size_t objects = 64 + elements + (size_t)def->observable_count + (size_t)def->array_count;
     for (int g = 0; g < def->group_count; ++g) objects += 1 + (size_t)def->groups[g].table_count;
     size_t bodies = (size_t)def->body_count * FW_NAME_SIZE;
     size_t chunks = elements * (size_t)def->frame_count;
@@ -220,6 +221,39 @@ static void make_parameters(fw_hdf5 *file, const fw_trajectory_def *def, const f
     make_text(file, "parameters/provenance/exit_reason", FW_EXIT_REASON_SIZE, FW_RUN_RUNNING);
 }
 
+/* Arrays of the run as a whole, elements of H5MD that are fixed in time. */
+static void make_arrays(fw_hdf5 *file, const fw_trajectory_def *def)
+{
+    for (int i = 0; i < def->array_count; ++i) {
+        const fw_trajectory_array *array = &def->arrays[i];
+        char path[FW_NAME_SIZE + 64];
+        const size_t group = strcspn(array->name, "/");
+        const size_t count = (size_t)array->rows * (size_t)array->columns;
+        if (i == 0 || strncmp(array->name, def->arrays[i - 1].name, group + 1) != 0) {
+            snprintf(path, sizeof path, "observables/%.*s", (int)group, array->name);
+            fw_hdf5_make_group(file, path);
+        }
+        snprintf(path, sizeof path, "observables/%s", array->name);
+        uint64_t extent[2] = {(uint64_t)array->rows, (uint64_t)array->columns};
+        if (array->rows == 1) extent[0] = extent[1];
+        const int rank = array->rows > 1 && array->columns > 1 ? 2 : 1;
+        double *unknown = fw_array_of_doubles(count);
+        fw_dataset dataset = fw_hdf5_make_array(file, path, FW_F64, rank, extent);
+        if (unknown) {
+            for (size_t n = 0; n < count; ++n) unknown[n] = NAN;
+            fw_hdf5_write(file, dataset, FW_F64, 0, extent[0], unknown);
+        } else {
+            fw_hdf5_give_up(file, "the arrays of a run");
+        }
+        free(unknown);
+        fw_hdf5_attach_text(file, path, "unit", array->unit);
+        fw_hdf5_attach_text(file, path, "meaning", array->meaning);
+        if (array->columns > 1)
+            fw_hdf5_attach_text(file, path, "columns",
+                                "mean, standard error, control, its standard error");
+    }
+}
+
 static void make_tables(fw_hdf5 *file, const fw_trajectory_def *def)
 {
     char path[3 * FW_NAME_SIZE];
@@ -247,6 +281,7 @@ void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def)
     make_particles(file, def);
     make_links(file, def);
     fw_hdf5_make_group(file, "observables");
+    make_arrays(file, def);
     make_parameters(file, def, &now);
     make_tables(file, def);
 }

@@ -168,12 +168,28 @@ static void judge(fw_verdict *verdict)
     }
 }
 
+/* A number that comes out of all runs of a study, with its error. */
+static fw_verdict verdict_of_outcome(const fw_expectation *e, const fw_measurement *measurement,
+                                     int number)
+{
+    const int measure = measurement->component[number];
+    fw_verdict verdict = {.expectation = e, .measured = NAN, .error = NAN};
+    if (measurement->outcome) {
+        verdict.measured = measurement->outcome[measure];
+        verdict.error = measurement->outcome_error[measure];
+    }
+    snprintf(verdict.quantity, sizeof verdict.quantity, "%s", e->quantity.text);
+    judge(&verdict);
+    return verdict;
+}
+
 fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *measurement, int number)
 {
     const fw_expectation *e = &scenario->expectations[number];
+    if (measurement->expected[number] < 0) return verdict_of_outcome(e, measurement, number);
     const fw_probe *probe = &measurement->probes[measurement->expected[number]];
     int component = measurement->component[number];
-    fw_verdict verdict = {.expectation = e};
+    fw_verdict verdict = {.expectation = e, .error = NAN};
     verdict.measured = measure(measurement, e, probe->first + component);
     name_quantity(&verdict, probe, component);
     judge(&verdict);
@@ -200,9 +216,14 @@ int fw_verdict_print(FILE *out, const fw_scenario *scenario, const fw_measuremen
     for (int n = 0; n < scenario->expectation_count; ++n) {
         fw_verdict verdict = fw_verdict_of(scenario, measurement, n);
         const char *source = verdict.expectation->source;
-        fprintf(out, "%-*s  %-*s  %-16.10g  %-7s  %s\n", quantity_width, verdict.quantity,
-                expected_width, verdict.expected, verdict.measured,
-                verdict.holds ? "holds" : "FAILS", source ? source : "");
+        char measured[48];
+        if (isfinite(verdict.error))
+            snprintf(measured, sizeof measured, "%.4g +- %.2g", verdict.measured, verdict.error);
+        else
+            snprintf(measured, sizeof measured, "%.10g", verdict.measured);
+        fprintf(out, "%-*s  %-*s  %-16s  %-7s  %s\n", quantity_width, verdict.quantity,
+                expected_width, verdict.expected, measured, verdict.holds ? "holds" : "FAILS",
+                source ? source : "");
         if (verdict.expectation->note)
             fprintf(out, "%-*s  %s\n", quantity_width, "", verdict.expectation->note);
         failures += !verdict.holds;

@@ -12,7 +12,8 @@ enum { FW_VERDICT_TEXT = 224 };
 typedef struct fw_verdict {
     const fw_expectation *expectation;
     double measured;
-    bool holds;                     /* never, where the measured number is not finite */
+    double error; /* standard error of it over the seeds of a study; NaN: not known */
+    bool holds;   /* never, where the measured number is not finite */
     char quantity[FW_VERDICT_TEXT]; /* "elongation.chain x, maximum" */
     char expected[FW_VERDICT_TEXT]; /* "0.8 +- 1e-10", "< 1e-11" */
 } fw_verdict;

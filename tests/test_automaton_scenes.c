@@ -258,7 +258,7 @@ static void moving_start_has_the_velocity_and_nothing_else(void **state)
 static double measured(const fw_experiment *e, const char *name)
 {
     double out[FW_COMPONENTS_MOST];
-    fw_quantity_find(name)->measure(e, (fw_subject){0, -1, -1, -1}, out);
+    fw_quantity_find(name)->measure(e, (fw_subject){0, -1, -1, -1, -1}, out);
     return out[0];
 }
 

@@ -393,7 +393,8 @@ static void unknown_names_are_told_what_was_meant(void **state)
     assert_refused(plot_one(&(fw_plot_wish){.kind = "filed"}), FW_BAD_INPUT,
                    "no pictures of kind filed; did you mean field?");
     assert_refused(plot_one(&(fw_plot_wish){.kind = "movie"}), FW_BAD_INPUT,
-                   "expected motion, forces, field, strip, series or analysis");
+                   "expected motion, forces, field, strip, series, profile, loop or "
+                   "analysis");
     assert_refused(plot_one(&(fw_plot_wish){.field = "enegry"}), FW_BAD_INPUT,
                    "no field enegry; did you mean energy?");
     assert_refused(plot_one(&(fw_plot_wish){.field = "strain-xx"}), FW_BAD_INPUT,

@@ -91,7 +91,7 @@ static const struct {
     {"title: A sheet in a box", "title: [A, B]", "1:8: title is a list of 2, expected a text"},
     {"kind: motion", "kind: movie",
      "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, series, "
-     "analysis"},
+     "profile, loop, analysis"},
     {"sites: right", "sites: rihgt",
      "14:30: forces.pull.sites is 'rihgt', expected all, a side, [[i, j], ...] or a mapping; did "
      "you mean 'right'?"},
@@ -251,8 +251,8 @@ static const struct {
                       "written without point, exponent or leading zeros"},
     {"steps=3",
      "steps=3: unknown key 'steps', expected a key of a scenario: title, source, figure, about, "
-     "materials, bodies, walls, forces, dynamics, run, record, measure, expect, pictures, "
-     "analysis"},
+     "materials, bodies, walls, forces, grips, phases, profile, study, dynamics, run, record, "
+     "measure, expect, pictures, analysis"},
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
     {"walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}",
      "walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}: walls.floor.surface.coulomb is '-1', "
@@ -277,9 +277,10 @@ static const struct {
      "expected corners that differ in x and in y"},
     {"forces.pull.until=5",
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
-    {"a=b=c", "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, about, "
-              "materials, bodies, walls, forces, dynamics, run, record, measure, expect, pictures, "
-              "analysis"},
+    {"a=b=c",
+     "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, about, "
+     "materials, bodies, walls, forces, grips, phases, profile, study, dynamics, run, record, "
+     "measure, expect, pictures, analysis"},
 };
 
 static char *change(const char *written, const char *instead)

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* phase.c - grips and phases. State: the phase that the scene has the parameters of, kept in the
+ * experiment. Start reading at fw_phase_enter(). */
+#include "experiments/phase.h"
+
+#include "core/linear_lattice.h"
+#include "core/particles.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* --- grips --- */
+
+/* How far out a place lies on that side. */
+static double outward(const fw_solid *solid, int particle, int side)
+{
+    switch (side) {
+    case 0:
+        return -solid->x[particle];
+    case 1:
+        return solid->x[particle];
+    case 2:
+        return -solid->y[particle];
+    default:
+        return solid->y[particle];
+    }
+}
+
+/* Leaves of the selected particles those within the layer. */
+static void keep_layer(const fw_scenario_grip *grip, const fw_solid *solid, int *particles,
+                       int *count)
+{
+    double face = -INFINITY;
+    int kept = 0;
+    for (int n = 0; n < *count; ++n) face = fmax(face, outward(solid, particles[n], grip->side));
+    for (int n = 0; n < *count; ++n)
+        if (outward(solid, particles[n], grip->side) > face - grip->layer)
+            particles[kept++] = particles[n];
+    *count = kept;
+}
+
+static fw_status add_grip(fw_experiment *experiment, const fw_scenario_grip *grip, fw_error *error)
+{
+    const fw_member *member = &experiment->members[grip->body];
+    int *particles, count;
+    FW_TRY(fw_selection_particles(&grip->sites, &member->sites, &particles, &count, error));
+    for (int n = 0; n < count; ++n) particles[n] += member->first;
+    if (grip->layer > 0)
+        keep_layer(grip, fw_experiment_solid(experiment, grip->body), particles, &count);
+    const fw_grip_def def = {.name = grip->name,
+                             .particles = particles,
+                             .particle_count = count,
+                             .drive = grip->motion.drive};
+    fw_status status = fw_scene_add_grip(experiment->scene, member->solid, &def, error);
+    free(particles);
+    if (status != FW_BAD_INPUT) return status;
+    const fw_error inner = *error;
+    return fw_scenario_fail(experiment->scenario, grip->place, error, "%s", inner.sentence);
+}
+
+fw_status fw_grips_add(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    for (int n = 0; n < scenario->grip_count; ++n)
+        FW_TRY(add_grip(experiment, &scenario->grips[n], error));
+    return FW_OK;
+}
+
+/* --- phases --- */
+
+static fw_status set_bath(fw_experiment *experiment, const fw_scenario_phase *phase,
+                          fw_error *error)
+{
+    const fw_scenario_dynamics *dynamics = &experiment->scenario->dynamics;
+    const double damping = phase->damping >= 0 ? phase->damping : dynamics->damping;
+    const double temperature = phase->temperature >= 0 ? phase->temperature : dynamics->temperature;
+    for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b) {
+        fw_solid *solid = fw_scene_body(experiment->scene, b);
+        if (fw_solid_is_particles(solid)) {
+            FW_TRY(fw_particles_set_damping(solid, damping, error));
+            FW_TRY(fw_particles_set_temperature(solid, temperature, error));
+        } else if (fw_solid_is_linear_lattice(solid)) {
+            fw_langevin_controls controls = ((fw_langevin *)solid)->controls;
+            controls.damping = damping;
+            controls.temperature = temperature;
+            fw_langevin_set_controls((fw_langevin *)solid, &controls);
+        }
+    }
+    return FW_OK;
+}
+
+/* The drive of a grip in a phase: the phase's, or its own. */
+static const fw_grip_drive *drive_in(const fw_scenario *scenario, const fw_scenario_phase *phase,
+                                     int grip)
+{
+    for (int n = 0; n < phase->drive_count; ++n)
+        if (phase->drives[n].grip == grip) return &phase->drives[n].motion.drive;
+    return &scenario->grips[grip].motion.drive;
+}
+
+fw_status fw_phase_enter(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    const int64_t step = fw_scene_steps(experiment->scene);
+    if (scenario->phase_count == 0) return FW_OK;
+    int now = 0;
+    while (now < scenario->phase_count - 1 && step >= scenario->phases[now].until) now += 1;
+    if (now == experiment->phase) return FW_OK;
+    const fw_scenario_phase *phase = &scenario->phases[now];
+    FW_TRY(set_bath(experiment, phase, error));
+    for (int n = 0; n < scenario->grip_count; ++n)
+        FW_TRY(fw_grip_set_drive(fw_scene_grip(experiment->scene, n), drive_in(scenario, phase, n),
+                                 error));
+    experiment->phase = now;
+    return FW_OK;
+}
