@@ -7,10 +7,10 @@
 #include "experiments/playback.h"
 #include "tests/program.h"
 
-/* A run of some tenths of a second; a checkpoint every 20 steps. */
+/* A run of some seconds; a checkpoint every 20 steps. */
 #define BOUNCE                                                                                     \
-    "run wall-bounce --quiet --no-plot --set run.steps=6000 --set run.record-every=100 "           \
-    "--set run.measure-every=10 --set run.checkpoint-every=20 --set expect=[] -o "
+    "run wall-bounce --quiet --no-plot --set run.steps=24000 --set run.record-every=400 "           \
+    "--set run.measure-every=40 --set run.checkpoint-every=20 --set expect=[] -o "
 
 static void check_exit_reason(const char *folder, const char *name, const char *words)
 {
@@ -30,7 +30,7 @@ static void interrupt_twice(const char *folder, int signal_number, int code)
     await_file(folder, "part/checkpoint-B", true);
     kill(run.process, signal_number);
     outcome seen = await_program(run);
-    expect_end(&seen, code, "of 6000 steps; `fretwork resume part` goes on from here");
+    expect_end(&seen, code, "of 24000 steps; `fretwork resume part` goes on from here");
     check_exit_reason(folder, "part", "interrupted after");
     run = start_program(folder, "resume part --quiet --no-plot");
     await_file(folder, "part/trajectory.h5.head", false);
