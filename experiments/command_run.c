@@ -43,6 +43,7 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
     const fw_run_options options = {.directory = directory,
                                     .overwrite = arguments->overwrite,
                                     .threads = fw_command_threads(arguments),
+                                    .at_once = arguments->threads,
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};
@@ -93,6 +94,7 @@ fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
     FW_TRY(load_scenario_of(directory, &scenario, error));
     const fw_run_options options = {.directory = directory,
                                     .threads = fw_command_threads(arguments),
+                                    .at_once = arguments->threads,
                                     .name = directory,
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};

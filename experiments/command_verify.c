@@ -75,6 +75,7 @@ static fw_status verify_one(const char *word, const fw_arguments *arguments, tal
     char name[FW_NAME_BYTES + 1];
     FW_TRY(fw_command_load(&scenario, word, arguments, name, error));
     const fw_run_options options = {.threads = fw_command_threads(arguments),
+                                    .at_once = arguments->threads,
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr};
     fw_study *study;

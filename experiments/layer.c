@@ -24,9 +24,9 @@ const fw_quantity fw_layer_quantities[] = {
     [FW_LAYER_MOBILITY_FAR] = {"layer-mobility-far", FW_SCOPE_STUDY, "", "length^2", "the same far from it", NULL, NULL},
     [FW_LAYER_MOBILITY_OVER_FAR] = {"layer-mobility-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL},
     [FW_LAYER_MOBILITY_OVER_CONTROL] = {"layer-mobility-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's", NULL, NULL},
-    [FW_LAYER_WIDTH_ORDER] = {"layer-width-order", FW_SCOPE_STUDY, "", "length", "bins nearer than far in which the order |psi_n| is below .9", NULL, NULL},
-    [FW_LAYER_WIDTH_HALF] = {"layer-width-half", FW_SCOPE_STUDY, "", "length", "bins in which the return force is above the middle of contact and far", NULL, NULL},
-    [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "bins nearer than far in which the return force is above twice that of far", NULL, NULL},
+    [FW_LAYER_WIDTH_ORDER] = {"layer-width-order", FW_SCOPE_STUDY, "", "length", "bins nearer than far in which the order |psi_n| is below .9; of seeds whose bodies have not parted (density at the contact above half of that far from it)", NULL, NULL},
+    [FW_LAYER_WIDTH_HALF] = {"layer-width-half", FW_SCOPE_STUDY, "", "length", "the same, in which the return force is above the middle of contact and far", NULL, NULL},
+    [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "the same, in which the return force is above twice that of far", NULL, NULL},
     [FW_LAYER_TEMPERATURE] = {"layer-temperature", FW_SCOPE_STUDY, "", "energy", "of the contact, relative to its mean motion in each sample", NULL, NULL},
     [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "way of the first grip along the second in the phase before the samples", NULL, NULL},
     [FW_LAYER_FRICTION_FORCE] = {"layer-friction-force", FW_SCOPE_STUDY, "", "force", "mean size of the force along the interface while samples are taken", NULL, NULL},
@@ -66,6 +66,10 @@ static void measure_profile(double *values, const fw_experiment *experiment)
         width_half += force > .5 * (contact + far) ? bin : 0;
         width_double += force > 2 * far ? bin : 0;
     }
+    /* Bodies that have parted have no layer whose width could be told. */
+    const double density = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_DENSITY);
+    if (!(density > .5 * fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_DENSITY)))
+        width_order = width_half = width_double = NAN;
     values[FW_LAYER_CONTACT] = contact;
     values[FW_LAYER_FAR] = far;
     values[FW_LAYER_CONTACT_OVER_FAR] = contact / far;

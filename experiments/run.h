@@ -14,6 +14,7 @@ typedef struct fw_run_options {
     const char *directory; /* of the results; NULL: only measured, nothing is written */
     bool overwrite;        /* an earlier result is replaced, else refused */
     int threads;
+    int at_once;      /* runs of a study side by side; 0: as many as there are processors */
     const char *name; /* for the progress line */
     FILE *progress;   /* NULL: none */
     bool keep_open;   /* the results file is ended by fw_run_finish, not by the last step */

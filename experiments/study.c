@@ -24,7 +24,7 @@ typedef struct fw_replica {
 
 struct fw_study {
     const fw_scenario *scenario;
-    int threads;
+    int at_once;
     int seed_count, run_count; /* seeds of the experiment, then those of the control */
     fw_replica *replicas;      /* the first is the experiment itself */
     char control_folder[FW_PATH_SIZE];
@@ -87,7 +87,7 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     *study = made;
     if (!made) return fw_fail_memory(error, "a study");
     made->scenario = scenario;
-    made->threads = options->threads;
+    made->at_once = options->at_once;
     made->seed_count = (int)scenario->study.seeds;
     made->run_count = made->seed_count * (scenario->study.control_count > 0 ? 2 : 1);
     made->replicas = calloc((size_t)made->run_count, sizeof *made->replicas);
@@ -167,7 +167,7 @@ static void run_replica(fw_replica *replica)
 
 static fw_status run_all(fw_study *study, fw_error *error)
 {
-    const int threads = study->threads > 0 ? study->threads : 1;
+    const int threads = study->at_once > 0 ? study->at_once : omp_get_num_procs();
     if (study->run_count == 1)
         run_replica(&study->replicas[0]);
     else

@@ -255,7 +255,7 @@ static void run_study(fw_scenario *scenario, const char *folder, int threads,
                       void (*look)(const fw_study *, void *), void *data)
 {
     fw_study *study;
-    const fw_run_options options = {.directory = folder, .threads = threads};
+    const fw_run_options options = {.directory = folder, .threads = 1, .at_once = threads};
     assert_fine(fw_study_begin(&study, scenario, &options, &error));
     assert_fine(fw_study_to_end(study, &error));
     look(study, data);
