@@ -177,7 +177,7 @@ static void save(fw_experiment *experiment, copy *c)
             const size_t bytes = array->count * fw_element_size(array->element);
             c->saved[n][a] = malloc(bytes + 1);
             assert_non_null(c->saved[n][a]);
-            memcpy(c->saved[n][a], array->data, bytes);
+            if (bytes > 0) memcpy(c->saved[n][a], array->data, bytes);
         }
 }
 
@@ -188,7 +188,8 @@ static void load(fw_experiment *experiment, copy *c)
     for (int n = 0; n < to.sections; ++n)
         for (int a = 0; a < to.list[n].count; ++a) {
             const fw_array *array = &to.list[n].array[a];
-            memcpy(array->data, c->saved[n][a], array->count * fw_element_size(array->element));
+            if (array->count > 0)
+                memcpy(array->data, c->saved[n][a], array->count * fw_element_size(array->element));
             free(c->saved[n][a]);
         }
     assert_fine(fw_scene_restored(experiment->scene, &error));
