@@ -77,7 +77,7 @@ static void fill_force(const fw_solid *solid, double *values)
 const fw_field fw_particle_fields[] = {
     {"return-force", "length of the net return force on the particle (Eqs 24, 25)",
      fill_return_force},
-    {"force", "length of the net force of all bonds", fill_force},
+    {"bond-force", "length of the net force of all bonds", fill_force},
     {"speed", "length of the velocity", fill_speed},
     {"kinetic-energy", "m v^2/2", fill_kinetic_energy},
     {"potential-energy", "half of the energy of the particle's bonds", fw_particles_pair_energies},

@@ -58,6 +58,24 @@ static const char turns_back[] =
     "measure: [energy, momentum, reaction, return-error, contacts-so-far]\n" ALL RUN
     ", reverse-at: 13}\n";
 
+static const char thermal[] =
+    "title: two crystals and a net in a heat bath over a rough floor\n"
+    "materials:\n"
+    "  grain: {movable-particles: {return-force: {amplitude: 0.4}}}\n"
+    "  other: {movable-particles: {mass: 1.5, return-force: {amplitude: 0.5, axes: lab}}}\n"
+    "  net: {linear-lattice: {k1: 5, k2: 20}}\n"
+    "dynamics: {time-step: 0.02, damping: 0.5, temperature: 0.1}\n"
+    "bodies:\n"
+    "  low: {material: grain, lattice: hexagonal, shape: {rectangle: [5, 3]}, origin: [0, 0.05],"
+    " velocity: [0.8, -0.8]}\n"
+    "  high: {material: other, lattice: hexagonal, angle: 20, shape: {rectangle: [4, 2]},"
+    " origin: [1, 2.9]}\n"
+    "  sieve: {material: net, lattice: hexagonal, shape: {disc: 2}, origin: [12, 2.02],"
+    " velocity: [0, -1]}\n"
+    "walls: {floor: {chain: [[-50, 0], [50, 0]], surface: {coulomb: 0.3}}}\n"
+    "measure: [energy, momentum, reaction, friction-heat, dissipated, contacts-so-far]\n"
+    "record: {velocity: true, force: true, fields: [bond-force]}\n" RUN "}\n";
+
 /* More particles than one thread takes at a time. */
 static const char large[] =
     "title: a large sheet rubs\n"
@@ -251,6 +269,14 @@ static void reversed_time(void **state)
     check_scenario(turns_back, labels, one_thread);
 }
 
+static void particles_in_a_heat_bath(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"friction-heat", "dissipated", "contacts-so-far.floor",
+                                         NULL};
+    check_scenario(thermal, labels, any_threads);
+}
+
 static void large_bodies_with_threads_switched(void **state)
 {
     (void)state;
@@ -282,6 +308,7 @@ int main(void)
         cmocka_unit_test(breaking_links),
         cmocka_unit_test(moving_walls),
         cmocka_unit_test(reversed_time),
+        cmocka_unit_test(particles_in_a_heat_bath),
         cmocka_unit_test(large_bodies_with_threads_switched),
         cmocka_unit_test(half_steps),
         cmocka_unit_test(large_automata_with_threads_switched),
