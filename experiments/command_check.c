@@ -121,6 +121,14 @@ static void print_time(double seconds)
         printf("%.3g days", seconds / 86400);
 }
 
+/* What this very process took to build all of it. */
+static double memory_used(void)
+{
+    struct rusage used = {0};
+    getrusage(RUSAGE_SELF, &used);
+    return 1024 * (double)used.ru_maxrss;
+}
+
 static void print_bodies(const fw_experiment *experiment)
 {
     double particles = 0, links = 0;
@@ -135,17 +143,14 @@ static void print_bodies(const fw_experiment *experiment)
     printf("  %-14s %d\n", "walls", fw_scene_wall_count(experiment->scene));
 }
 
-static void print_sizes(const fw_scenario *scenario, const fw_results_size *size)
+static void print_sizes(const fw_scenario *scenario, const fw_results_size *size, double memory)
 {
-    struct rusage used;
     printf("  %-14s %lld\n", "steps", (long long)scenario->run.steps);
     printf("  %-14s %lld\n", "frames", (long long)size->frames);
     printf("  %-14s %lld of %d numbers\n", "samples", (long long)size->rows, size->row_width);
     print_bytes("results file", size->file, "");
     print_bytes("checkpoints", size->checkpoint, " each, two are kept");
-    /* What this very process took to build all of it. */
-    if (getrusage(RUSAGE_SELF, &used) == 0)
-        print_bytes("memory", 1024 * (double)used.ru_maxrss, ", about");
+    print_bytes("memory", memory, ", about");
 }
 
 /* --- how near a solid is to its limits --- */
@@ -256,16 +261,15 @@ static fw_status check_run(fw_run *run, const char *name, const fw_arguments *ar
     double step;
     int warnings = 0;
     FW_TRY(fw_run_size(run, &size, error));
+    double memory = memory_used();
+    if (arguments->output) FW_TRY(draw_start(experiment, arguments->output, error));
     printf("%s: %s\n", name, experiment->scenario->title);
     print_bodies(experiment);
-    print_sizes(experiment->scenario, &size);
+    print_sizes(experiment->scenario, &size, memory);
     FW_TRY(check_limits(experiment, &warnings, error));
     warnings += fw_caution_walls(stdout, experiment);
+    if (arguments->output) printf("  %-14s %s\n", "picture", arguments->output);
     fflush(stdout);
-    if (arguments->output) {
-        FW_TRY(draw_start(experiment, arguments->output, error));
-        printf("  %-14s %s\n", "picture", arguments->output);
-    }
     /* Last, since it moves what was looked at so far. */
     FW_TRY(fw_run_rehearse(run, REHEARSAL_SECONDS, &step, error));
     printf("  %-14s ", "time");

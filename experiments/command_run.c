@@ -29,6 +29,8 @@ static fw_status tell(const fw_scenario *scenario, const fw_study *study, const 
 static fw_status finish(fw_study *study, const fw_scenario *scenario, const char *directory,
                         bool no_plot, fw_error *error)
 {
+    /* Until here a signal ends the program at once, and whatever it leaves can be resumed. */
+    fw_interrupt_watch();
     FW_TRY(fw_study_to_end(study, error));
     return tell(scenario, study, directory, no_plot, error);
 }
@@ -48,7 +50,6 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};
     fw_study *study;
-    fw_interrupt_watch();
     fw_status status = fw_study_begin(&study, scenario, &options, error);
     if (status == FW_OK) {
         status = finish(study, scenario, directory, arguments->no_plot, error);
@@ -100,7 +101,6 @@ fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
                                     .cautions = stderr};
     fw_study *study;
     char note[FW_SENTENCE_SIZE];
-    fw_interrupt_watch();
     fw_status status = fw_study_resume(&study, scenario, &options, note, error);
     if (status == FW_OK) {
         if (note[0]) fprintf(stderr, "fretwork: %s\n", note);

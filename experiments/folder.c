@@ -6,11 +6,13 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 struct fw_folder {
@@ -67,9 +69,11 @@ fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error
     if (path[0] == '\0') return fw_fail(error, FW_BAD_INPUT, "the results folder has no name");
     make_parents(path);
     bool fresh = mkdir(path, 0777) == 0;
-    if (!fresh && errno != EEXIST)
-        return fw_fail(error, FW_SYSTEM_FAILED, "cannot make the folder %s: %s", path,
-                       strerror(errno));
+    if (!fresh && errno != EEXIST) {
+        bool misnamed = errno == ENOTDIR || errno == ENAMETOOLONG || errno == ELOOP;
+        return fw_fail(error, misnamed ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
+                       "cannot make the folder %s: %s", path, strerror(errno));
+    }
     FW_TRY(fw_folder_open(folder, path, error));
     (*folder)->fresh = fresh;
     if (access(path, W_OK | X_OK) == 0) return FW_OK;
@@ -95,6 +99,14 @@ void fw_folder_abandon(fw_folder *folder)
 bool fw_folder_has(const fw_folder *folder, const char *name)
 {
     return faccessat(folder->descriptor, name, F_OK, 0) == 0;
+}
+
+double fw_folder_room(const fw_folder *folder)
+{
+    struct statvfs facts;
+    /* What is kept for the superuser counts as well: whether it may be had shows soon enough. */
+    if (fstatvfs(folder->descriptor, &facts) < 0 || facts.f_blocks == 0) return INFINITY;
+    return (double)facts.f_bfree * (double)facts.f_frsize;
 }
 
 fw_status fw_folder_path(const fw_folder *folder, const char *name, char *path, fw_error *error)

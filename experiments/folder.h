@@ -26,6 +26,8 @@ void fw_folder_close(fw_folder *folder);
 void fw_folder_abandon(fw_folder *folder);
 
 bool fw_folder_has(const fw_folder *folder, const char *name);
+/* Bytes that are free where it lies; INFINITY where the system does not know. */
+double fw_folder_room(const fw_folder *folder);
 /* "FOLDER/name" into `path` of FW_PATH_SIZE bytes; FW_BAD_INPUT when that is too long. */
 fw_status fw_folder_path(const fw_folder *folder, const char *name, char *path, fw_error *error);
 /* Whether there was anything to remove makes no difference. */

@@ -6,6 +6,7 @@
 
 #include "experiments/checkpoint.h"
 #include "experiments/profile_table.h"
+#include "experiments/spelling.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -78,6 +79,22 @@ static fw_status describe_bodies(fw_recorder *r, fw_error *error)
 }
 
 /* A field by name, from the first body that has it; once. */
+static fw_status refuse_field(const fw_recorder *r, fw_scenario_name name, fw_error *error)
+{
+    fw_guess guess = fw_guess_begin(name.text);
+    for (int b = 0; b < r->experiment->member_count; ++b) {
+        const fw_field *field = fw_experiment_solid(r->experiment, b)->model->fields;
+        for (; field && field->name; ++field) fw_guess_offer(&guess, field->name);
+    }
+    if (guess.best)
+        return fw_scenario_fail(r->experiment->scenario, name.place, error,
+                                "no body has a field %s; did you mean %s?", name.text, guess.best);
+    return fw_scenario_fail(r->experiment->scenario, name.place, error,
+                            "no body has a field %s, expected one of those that `fretwork "
+                            "quantities` lists",
+                            name.text);
+}
+
 static fw_status add_field(fw_recorder *r, fw_trajectory_field *fields, fw_scenario_name name,
                            fw_error *error)
 {
@@ -90,10 +107,7 @@ static fw_status add_field(fw_recorder *r, fw_trajectory_field *fields, fw_scena
         fields[r->def.field_count++] = (fw_trajectory_field){field->name, field->meaning};
         return FW_OK;
     }
-    return fw_scenario_fail(r->experiment->scenario, name.place, error,
-                            "no body has a field %s, expected one of those that `fretwork "
-                            "quantities` lists",
-                            name.text);
+    return refuse_field(r, name, error);
 }
 
 /* Those of `record`, and those that pictures show. */

@@ -173,6 +173,13 @@ static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
             "%s holds a result already; --overwrite replaces it, -o DIR puts the new one "
             "elsewhere",
             def->directory);
+    /* Before it is tried: laying out what will never fit could take hours. */
+    double needed = fw_trajectory_size(def), room = fw_folder_room(folder);
+    if (needed > room)
+        return fw_fail(error, FW_SYSTEM_FAILED,
+                       "no room for %s/" FW_TRAJECTORY_FILE ", which takes %.3g MB: %.3g MB are "
+                       "free",
+                       def->directory, needed / 1e6, room / 1e6);
     /* The size of the structure is a guess; HDF5 tells afterwards whether it was enough. */
     bool cramped = true;
     for (size_t structure = fw_layout_structure(def); cramped; structure *= 2) {

@@ -7,6 +7,7 @@
 
 #include <fcntl.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 extern char **environ;
@@ -126,12 +127,26 @@ static inline bool exists(const char *folder, const char *name)
     return access(path, F_OK) == 0;
 }
 
-/* Waits until a file is there, or is no longer, at most half a minute. */
-static inline void await_file(const char *folder, const char *name, bool there)
+/* Waits until a file is there, at most half a minute. */
+static inline void await_file(const char *folder, const char *name)
 {
-    for (int n = 0; n < 30000 && exists(folder, name) != there; ++n) usleep(1000);
-    if (exists(folder, name) != there)
-        fail_msg("%s/%s did not %s", folder, name, there ? "appear" : "go away");
+    for (int n = 0; n < 30000 && !exists(folder, name); ++n) usleep(1000);
+    if (!exists(folder, name)) fail_msg("%s/%s did not appear", folder, name);
+}
+
+static inline ino_t inode_of(const char *folder, const char *name)
+{
+    char path[512];
+    struct stat facts;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return stat(path, &facts) == 0 ? facts.st_ino : 0;
+}
+
+/* Waits until another file has taken its place, at most half a minute. */
+static inline void await_replacement(const char *folder, const char *name, ino_t before)
+{
+    for (int n = 0; n < 30000 && inode_of(folder, name) == before; ++n) usleep(1000);
+    if (inode_of(folder, name) == before) fail_msg("%s/%s was not replaced", folder, name);
 }
 
 /* All datasets of the results in `found` (one folder or several) are those in `wanted`. */

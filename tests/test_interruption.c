@@ -27,13 +27,14 @@ static void check_exit_reason(const char *folder, const char *name, const char *
 static void interrupt_twice(const char *folder, int signal_number, int code)
 {
     running run = start_program(folder, BOUNCE "part");
-    await_file(folder, "part/checkpoint-B", true);
+    await_file(folder, "part/checkpoint-B");
     kill(run.process, signal_number);
     outcome seen = await_program(run);
     expect_end(&seen, code, "of 24000 steps; `fretwork resume part` goes on from here");
     check_exit_reason(folder, "part", "interrupted after");
+    ino_t before = inode_of(folder, "part/checkpoint-B");
     run = start_program(folder, "resume part --quiet --no-plot");
-    await_file(folder, "part/trajectory.h5.head", false);
+    await_replacement(folder, "part/checkpoint-B", before);
     kill(run.process, signal_number);
     seen = await_program(run);
     expect_end(&seen, code, "interrupted after");
@@ -68,7 +69,7 @@ static void killed_run_goes_on_from_its_last_checkpoint(void **state)
     outcome seen = run_program(folder, BOUNCE "whole");
     expect_end(&seen, 0, "");
     running run = start_program(folder, BOUNCE "part");
-    await_file(folder, "part/checkpoint-B", true);
+    await_file(folder, "part/checkpoint-B");
     /* Nobody else may write here meanwhile. */
     seen = run_program(folder, "resume part --quiet");
     expect_end(&seen, 2, "another run is writing into part");
@@ -126,7 +127,7 @@ static void file_torn_while_it_was_closed_is_mended(void **state)
     make_quick_folder(folder, sizeof folder);
     outcome seen = run_program(folder, BOUNCE "whole");
     running run = start_program(folder, BOUNCE "part");
-    await_file(folder, "part/checkpoint-B", true);
+    await_file(folder, "part/checkpoint-B");
     kill(run.process, SIGTERM);
     seen = await_program(run);
     expect_end(&seen, 143, "interrupted");
