@@ -311,6 +311,8 @@ fw_status fw_checkpoint_load(fw_checkpoint *checkpoint, const fw_checkpoint_sect
         if (slots[broken].present) {
             status = slots[broken].error.status;
             if (error) *error = slots[broken].error;
+            if (error && slots[1 - broken].present)
+                fw_fail_within(error, "none of two checkpoints can be used");
         } else {
             status = fw_fail(error, FW_BAD_INPUT, "there is no checkpoint");
         }
@@ -326,6 +328,11 @@ fw_status fw_checkpoint_load(fw_checkpoint *checkpoint, const fw_checkpoint_sect
         from.newer_error = other->error;
         follow(checkpoint, slots, chosen);
         if (origin) *origin = from;
+    } else if (error) {
+        char path[FW_PATH_SIZE];
+        fw_error ignored;
+        if (fw_folder_path(checkpoint->folder, slot_names[chosen], path, &ignored) == FW_OK)
+            fw_fail_within(error, "%s", path);
     }
     free_slots(slots);
     return status;

@@ -86,11 +86,12 @@ static fw_status refuse_option(const fw_command *command, const char *word, size
 {
     char name[FW_NAME_BYTES + 1];
     snprintf(name, sizeof name, "%.*s", (int)length, word);
-    fw_guess guess = fw_guess_begin(name);
+    /* The dashes, which are always right, say nothing about the word. */
+    fw_guess guess = fw_guess_begin(name + strspn(name, "-"));
     for (const option *o = options; o->letter; ++o)
-        if (takes(command, o)) fw_guess_offer(&guess, o->name);
+        if (takes(command, o)) fw_guess_offer(&guess, o->name + 2);
     if (guess.best)
-        return fw_fail(error, FW_BAD_INPUT, "fretwork %s has no option %s; did you mean %s?",
+        return fw_fail(error, FW_BAD_INPUT, "fretwork %s has no option %s; did you mean --%s?",
                        command->name, name, guess.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "fretwork %s has no option %s, expected one of `fretwork %s --help`",

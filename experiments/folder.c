@@ -17,7 +17,7 @@
 
 struct fw_folder {
     int descriptor;
-    bool fresh; /* made by fw_folder_create */
+    size_t made; /* length of the topmost folder of the path that fw_folder_create made; 0: none */
     char path[];
 };
 
@@ -51,31 +51,51 @@ fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error)
     return fw_fail(error, FW_BAD_INPUT, "another run is writing into %s", path);
 }
 
-/* The folders above the last name of `path`. */
-static void make_parents(const char *path)
+/* Makes every folder on the way to `path` that is missing, and that one; 0 or errno. *made: length
+ * of the topmost one that was made, 0 if none was. */
+static int make_folders(const char *path, size_t *made)
 {
     char above[FW_PATH_SIZE];
-    if (strlen(path) >= sizeof above) return;
+    *made = 0;
+    if (strlen(path) >= sizeof above) return ENAMETOOLONG;
     for (const char *slash = strchr(path + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         memcpy(above, path, (size_t)(slash - path));
         above[slash - path] = '\0';
-        mkdir(above, 0777);
+        if (mkdir(above, 0777) == 0 && *made == 0) *made = (size_t)(slash - path);
+    }
+    if (mkdir(path, 0777) < 0) return errno == EEXIST ? 0 : errno;
+    if (*made == 0) *made = strlen(path);
+    return 0;
+}
+
+/* Those that make_folders made, as far as they are empty. */
+static void remove_folders(const char *path, size_t made)
+{
+    char above[FW_PATH_SIZE];
+    size_t length = strlen(path);
+    if (made == 0 || length >= sizeof above) return;
+    memcpy(above, path, length + 1);
+    for (; length >= made; --length) {
+        if (above[length] != '\0' && above[length] != '/') continue;
+        above[length] = '\0';
+        rmdir(above);
     }
 }
 
 fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error)
 {
+    size_t made;
     *folder = NULL;
     if (path[0] == '\0') return fw_fail(error, FW_BAD_INPUT, "the results folder has no name");
-    make_parents(path);
-    bool fresh = mkdir(path, 0777) == 0;
-    if (!fresh && errno != EEXIST) {
-        bool misnamed = errno == ENOTDIR || errno == ENAMETOOLONG || errno == ELOOP;
+    int reason = make_folders(path, &made);
+    if (reason != 0) {
+        bool misnamed = reason == ENOTDIR || reason == ENAMETOOLONG || reason == ELOOP;
+        remove_folders(path, made);
         return fw_fail(error, misnamed ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
-                       "cannot make the folder %s: %s", path, strerror(errno));
+                       "cannot make the folder %s: %s", path, strerror(reason));
     }
     FW_TRY(fw_folder_open(folder, path, error));
-    (*folder)->fresh = fresh;
+    (*folder)->made = made;
     if (access(path, W_OK | X_OK) == 0) return FW_OK;
     fw_fail(error, FW_SYSTEM_FAILED, "cannot write into the folder %s: %s", path, strerror(errno));
     fw_folder_abandon(*folder);
@@ -92,7 +112,7 @@ void fw_folder_close(fw_folder *folder)
 
 void fw_folder_abandon(fw_folder *folder)
 {
-    if (folder && folder->fresh) rmdir(folder->path);
+    if (folder) remove_folders(folder->path, folder->made);
     fw_folder_close(folder);
 }
 
