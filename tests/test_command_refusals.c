@@ -59,7 +59,7 @@ static const refusal refusals[] = {
     {"run", 2, "expected fretwork run NAME|FILE"},
     {"run bounce.yaml chain", 2, "chain is one word too many, expected fretwork run NAME|FILE"},
     {"run wall-bonce", 2, "there is no experiment 'wall-bonce'; did you mean 'wall-bounce'?"},
-    {"run bounce", 2, "there is no experiment 'bounce', expected one that `fretwork list` shows, or a scenario file"},
+    {"run xylophone", 2, "there is no experiment 'xylophone', expected one that `fretwork list` shows, or a scenario file"},
     {"show wall-bonce", 2, "there is no experiment 'wall-bonce'; did you mean 'wall-bounce'?"},
     {"list all", 2, "all is one word too many, expected fretwork list"},
     {"verify dampng", 2, "there is no experiment 'dampng'; did you mean 'damping'?"},
@@ -124,7 +124,7 @@ static const refusal refusals[] = {
     {"run short.yaml/x", 2, "short.yaml/x: cannot be opened: Not a directory"},
     {"run ./done/trajectory.h5", 2, "./done/trajectory.h5:1:1: a byte that is not UTF-8 text (hexadecimal 89), expected plain text in UTF-8"},
     /* folders and results */
-    {"run bounce.yaml -o done", 2, "done holds a result already, expected another folder or --overwrite"},
+    {"run bounce.yaml -o done", 2, "done holds a result already; --overwrite replaces it, -o DIR puts the new one elsewhere"},
     {"run bounce.yaml -o short.yaml", 2, "cannot open the folder short.yaml: Not a directory"},
     {"run bounce.yaml -o short.yaml/x", 2, "cannot make the folder short.yaml/x: Not a directory"},
     {"run bounce.yaml -o /proc/none/x", 4, "cannot make the folder /proc/none/x: No such file or directory"},
