@@ -130,20 +130,30 @@ fw_vec2 fw_automaton_centre_of_mass(const fw_solid *solid)
                        fw_sym2_apply(fw_sym2_invert(fw_automaton_mass(solid)), moment));
 }
 
-/* The colour that moved last: how far it moved; the other: how far it is about to move. Weighted
- * with m/4 they add up to the momentum exactly. */
+/* The colour that moved last: how far it moved; the other: how far it is about to move, at a = 1:
+ * +-m^-1 (s + F) with s = sum B (neighbour - self) and the load F. So a loaded body that rests has
+ * velocity zero; without a load, weighted with m/4, they add up to the momentum exactly. */
+static fw_vec2 velocity_of(const fw_automaton *body, int colour, int cell)
+{
+    const fw_solid *head = &body->head;
+    const int particle = body->colour[colour].particle[cell];
+    fw_vec2 s = fw_automaton_cell_pull(body, colour, cell);
+    if (head->loaded)
+        s = fw_vec2_add(s, (fw_vec2){head->external_x[particle], head->external_y[particle]});
+    const double sign = colour == fw_automaton_moving(body) ? 1 : -1;
+    return fw_vec2_scale(sign,
+                         fw_sym2_apply(fw_automaton_cell_inverse_mass(body, colour, cell), s));
+}
+
 void fw_automaton_velocities(const fw_solid *solid, double *x, double *y)
 {
     const fw_automaton *body = fw_automaton_of_const(solid);
-    for (int c = 0; c < FW_COLOURS; ++c) {
-        const double sign = c == fw_automaton_moving(body) ? 1 : -1;
+    for (int c = 0; c < FW_COLOURS; ++c)
         for (int n = 0; n < body->colour[c].count; ++n) {
-            const fw_vec2 v = fw_sym2_apply(fw_automaton_cell_inverse_mass(body, c, n),
-                                            fw_automaton_cell_pull(body, c, n));
-            x[body->colour[c].particle[n]] = sign * v.x;
-            y[body->colour[c].particle[n]] = sign * v.y;
+            const fw_vec2 v = velocity_of(body, c, n);
+            x[body->colour[c].particle[n]] = v.x;
+            y[body->colour[c].particle[n]] = v.y;
         }
-    }
 }
 
 void fw_automaton_masses(const fw_solid *solid, double *values)
@@ -171,9 +181,7 @@ static void fill_speed(const fw_solid *solid, double *values)
 {
     const fw_automaton *body = fw_automaton_of_const(solid);
     for (int p = 0; p < solid->count; ++p) {
-        const int c = body->white[p], n = body->cell[p];
-        const fw_vec2 v = fw_sym2_apply(fw_automaton_cell_inverse_mass(body, c, n),
-                                        fw_automaton_cell_pull(body, c, n));
+        const fw_vec2 v = velocity_of(body, body->white[p], body->cell[p]);
         values[p] = hypot(v.x, v.y);
     }
 }

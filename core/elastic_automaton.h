@@ -46,11 +46,12 @@ typedef struct fw_elastic_automaton_def {
     double break_at;
     /* The start, per site or NULL for zero: displaced by u and moving at V. */
     const fw_vec2 *displacement, *velocity;
-    /* false: in a strained lattice white rests at an offset from black, and u is corrected for it,
-     *     w = u + V/2 - (P d/dx + Q d/dy) u / 2    (and shifted as a whole: momentum sum m V / 4;
-     * V is half its own velocity, half that of its neighbours),
-     * so that strain alone brings no spurious velocity. true: both colours are displaced by u just
-     * as it is given, as in the paper's Figs 3 and 5; that also gives the body momentum. */
+    /* false: black is displaced by u, and white lies where its black neighbours ask for,
+     *     w = m^-1 1/2 sum B b + V/2    (V half its own velocity, half that of its neighbours),
+     * so that a body without V is exactly at rest and one with V has the momentum sum m V / 4. (In
+     * a smooth field that is w = b + V/2 - (P d/dx + Q d/dy) b / 2.) u of white cells is not looked
+     * at. true: both colours are displaced by u just as it is given, as in the paper's Figs 3 and
+     * 5; that also gives the body momentum. */
     bool displaced_as_given;
 } fw_elastic_automaton_def;
 

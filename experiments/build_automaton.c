@@ -123,6 +123,33 @@ static fw_status fill_start(const fw_scenario *scenario, int number, const fw_si
     return FW_OK;
 }
 
+/* White cells of a body that starts at rest lie where their black neighbours ask for: one that is
+ * displaced alone would lose its displacement. */
+static fw_status refuse_lone_white(const fw_scenario *scenario, int number, const fw_sites *sites,
+                                   const fw_vec2 *displacement, fw_error *error)
+{
+    const fw_scenario_body *body = &scenario->bodies[number];
+    const int black = scenario->materials[body->material].automaton.black;
+    for (int p = 0; p < sites->count; ++p) {
+        const fw_site site = sites->site[p];
+        const bool displaced = displacement[p].x != 0 || displacement[p].y != 0;
+        if (!displaced || ((site.i + site.j) & 1) == black) continue;
+        bool alone = true;
+        for (int d = 0; d < FW_DIRECTIONS; ++d) {
+            const int next = fw_sites_find(sites, fw_site_neighbour(site, d));
+            if (next >= 0) alone &= displacement[next].x == 0 && displacement[next].y == 0;
+        }
+        if (alone)
+            return fw_fail(
+                error, FW_BAD_INPUT,
+                "site [%d, %d] is displaced and its neighbours are not, but it is white, "
+                "and white cells start where their black neighbours ask for; expected "
+                "'displaced-as-given: true', or the other colour",
+                site.i, site.j);
+    }
+    return FW_OK;
+}
+
 fw_status fw_build_automaton(const fw_scenario *scenario, int number, const fw_sites *sites,
                              fw_solid **solid, fw_error *error)
 {
@@ -135,10 +162,13 @@ fw_status fw_build_automaton(const fw_scenario *scenario, int number, const fw_s
         displacement && velocity
             ? fill_start(scenario, number, sites, displacement, velocity, &modes, error)
             : fw_fail_memory(error, "the starting state of a body");
+    const bool as_given = body->displaced_as_given || modes;
+    if (status == FW_OK && !as_given)
+        status = refuse_lone_white(scenario, number, sites, displacement, error);
     if (status == FW_OK) {
         def.displacement = body->displacement.count > 0 ? displacement : NULL;
         def.velocity = velocity;
-        def.displaced_as_given = body->displaced_as_given || modes;
+        def.displaced_as_given = as_given;
         status = fw_elastic_automaton_create(solid, &def, error);
     }
     free(displacement);

@@ -103,7 +103,8 @@ const fw_section fw_schema_sections[] = {
      "about the place that its neighbours ask for. One step is a black and a white half-step and "
      "takes one unit of time. Waves run at c1 (transverse) and (c1^2 + c2^2)^(1/2) (longitudinal) "
      "spacings per step; c1^2 + c2^2 must not exceed 2. A boundary rule that is unstable for a "
-     "body, by the spectral radius of the body's own update, is refused."},
+     "body, by the spectral radius of the body's own update, is refused. If one body of a scenario "
+     "is an automaton, all must be: it moves in half-steps."},
     {"body", "`bodies.NAME`", "a body",
      "Particles on the sites of a lattice, all of one material."},
     {"shape", "`bodies.NAME.shape`", "a shape",
@@ -388,8 +389,8 @@ const fw_key fw_schema_keys[] = {
      AT(fw_scenario_body, displaced_as_given), .standard = "false",
      .meaning =
          "elastic automaton: black and white are displaced just as `displacement` says, as in "
-         "the paper, which in general sets the body moving; without it white lies where "
-         "strain alone brings no velocity"},
+         "the paper, which in general sets the body moving; without it white lies where its "
+         "black neighbours ask for, and the body is at rest"},
     {"body", "rest-mass", FW_FORM_LIST, .items = FW_FORM_MAPPING, .inside = "mass-change",
      .most = 4096, NOT_STORED, .otherwise = "the material's",
      .meaning = "of single sites (lattice Boltzmann)"},

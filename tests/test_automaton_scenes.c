@@ -139,6 +139,8 @@ static const struct {
      "bodies.b has 'rest-mass', which only lattice Boltzmann bodies have"},
     {HEAD "{chopard: true}" BODY ", displaced-as-given: true" TAIL,
      "bodies.b has 'displaced-as-given' but no 'displacement'"},
+    {HEAD "{chopard: true}" BODY ", displacement: [{sites: [[2, 1]], by: [0.1, 0]}]" TAIL,
+     "t.yaml:5:3: body b: site [2, 1] is displaced and its neighbours are not, but it is white"},
     {HEAD "{chopard: true}" BODY ", velocities: [{mode: {wave-vector: [1, 0], branch: slow, "
           "amplitude: 1}}]" TAIL,
      "bodies.b.velocities has a 'mode', which only a 'displacement' of an elastic automaton can"},
@@ -344,6 +346,20 @@ static void displacement_as_given_moves_the_body(void **state)
     }
 }
 
+static void displaced_body_starts_at_rest(void **state)
+{
+    (void)state;
+    fw_scenario *s =
+        read_right(HEAD "{c1: 0.9, c2: 0.5}}\nbodies:\n  b: {material: m, shape: {disc: "
+                        "5}, displacement: [{random: 0.2}]" TAIL);
+    fw_experiment *e = build_right(s);
+    assert_true(fw_solid_energies(fw_experiment_solid(e, 0)).elastic > 0.1);
+    assert_below(fw_solid_energies(fw_experiment_solid(e, 0)).kinetic, 1e-28);
+    assert_close(measured(e, "mean-velocity"), 0, 1e-16);
+    fw_experiment_destroy(e);
+    fw_scenario_destroy(s);
+}
+
 /* --- bonds --- */
 
 static void torn_bar_counts_its_bonds(void **state)
@@ -480,6 +496,7 @@ int main(void)
         cmocka_unit_test(chopards_modes_are_longitudinal_and_transverse),
         cmocka_unit_test(waves_that_cannot_be_told_apart_are_no_numbers),
         cmocka_unit_test(displacement_as_given_moves_the_body),
+        cmocka_unit_test(displaced_body_starts_at_rest),
         cmocka_unit_test(torn_bar_counts_its_bonds),
         cmocka_unit_test(tables_read_back_as_they_were_computed),
         cmocka_unit_test(threads_do_not_change_an_analysis),
