@@ -9,7 +9,7 @@
 
 /* A run of some seconds; a checkpoint every 20 steps. */
 #define BOUNCE                                                                                     \
-    "run wall-bounce --quiet --no-plot --set run.steps=24000 --set run.record-every=400 "           \
+    "run wall-bounce --quiet --no-plot --set run.steps=24000 --set run.record-every=400 "          \
     "--set run.measure-every=40 --set run.checkpoint-every=20 --set expect=[] -o "
 
 static void check_exit_reason(const char *folder, const char *name, const char *words)
@@ -156,6 +156,57 @@ static void diverged_run_keeps_its_checkpoint_and_is_not_finished(void **state)
     remove_folder(folder);
 }
 
+/* Two seeds and their controls beside each other. */
+static const char rubbing[] =
+    "title: two crystals rub\n"
+    "materials: {grain: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}}\n"
+    "dynamics: {time-step: 0.005, damping: 0.4, temperature: 0.01}\n"
+    "bodies:\n"
+    "  left: {material: grain, lattice: hexagonal, shape: {rectangle: [6, 8]}, origin: [-6, 0]}\n"
+    "  right: {material: grain, lattice: hexagonal, shape: {rectangle: [6, 8]}, origin: [0.5, 0]}\n"
+    "grips:\n"
+    "  left: {body: left, side: left, layer: 1.2, force: [9, 0], tether: [0, 2]}\n"
+    "  right: {body: right, side: right, layer: 1.2, force: [-9, 0], tether: [0, 2]}\n"
+    "phases:\n"
+    "  settle: {until: 1000, damping: 1}\n"
+    "  sample: {until: 6000, grips: {left: {force: [9, 0], amplitude: [0, 9], period: 5}}}\n"
+    "run: {steps: 6000, record-every: 50, measure-every: 10, checkpoint-every: 100}\n"
+    "profile: {axis: x, phase: sample, every: 20, bin: 0.9, far: [2, 4]}\n"
+    "study: {seeds: 2, control: ['phases.sample.grips.left.amplitude=[0, 0]']}\n";
+
+static void study_that_is_interrupted_comes_to_the_same_outcome(void **state)
+{
+    char folder[64], path[128];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    snprintf(path, sizeof path, "%s/rubbing.yaml", folder);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(rubbing, file);
+    fclose(file);
+    outcome seen = run_program(folder, "run rubbing.yaml -q --no-plot -o whole");
+    expect_end(&seen, 0, "");
+    running run = start_program(folder, "run rubbing.yaml -q --no-plot --threads 2 -o part");
+    for (int n = 0; n < 3; ++n) {
+        await_file(folder, "part/checkpoint-B");
+        ino_t before = inode_of(folder, "part/checkpoint-B");
+        await_replacement(folder, "part/checkpoint-B", before);
+        kill(run.process, n == 2 ? SIGKILL : SIGTERM);
+        seen = await_program(run);
+        if (n < 2) expect_end(&seen, 143, "`fretwork resume");
+        run = start_program(folder, n == 1 ? "resume part -q --no-plot --threads 2"
+                                           : "resume part -q --no-plot");
+    }
+    seen = await_program(run);
+    expect_end(&seen, 0, "");
+    expect_same_results(folder, "whole", "part");
+    expect_same_results(folder, "whole/control", "part/control");
+    shell(folder, "cmp whole/profile.csv part/profile.csv");
+    seen = run_program(folder, "resume part -q");
+    expect_end(&seen, 2, "part: the run is finished");
+    remove_folder(folder);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -163,6 +214,7 @@ int main(void)
         cmocka_unit_test(killed_run_goes_on_from_its_last_checkpoint),
         cmocka_unit_test(run_without_a_checkpoint_begins_again),
         cmocka_unit_test(file_torn_while_it_was_closed_is_mended),
+        cmocka_unit_test(study_that_is_interrupted_comes_to_the_same_outcome),
         cmocka_unit_test(diverged_run_keeps_its_checkpoint_and_is_not_finished),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -76,6 +76,26 @@ static const char thermal[] =
     "measure: [energy, momentum, reaction, friction-heat, dissipated, contacts-so-far]\n"
     "record: {velocity: true, force: true, fields: [bond-force]}\n" RUN "}\n";
 
+static const char phased[] =
+    "title: grips rub two crystals in three phases\n"
+    "materials: {grain: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}}\n"
+    "dynamics: {time-step: 0.01, damping: 0.4, temperature: 0.01}\n"
+    "bodies:\n"
+    "  left: {material: grain, lattice: hexagonal, shape: {rectangle: [4, 6]}, origin: [-4, 0]}\n"
+    "  right: {material: grain, lattice: hexagonal, shape: {rectangle: [4, 6]}, origin: [0.5, "
+    "0.3]}\n"
+    "grips:\n"
+    "  left: {body: left, side: left, layer: 1.2, force: [9, 0], tether: [0, 2]}\n"
+    "  right: {body: right, side: right, layer: 1.2, hold: x, path: {velocity: [-0.5, 0]}}\n"
+    "phases:\n"
+    "  settle: {until: 6, damping: 1}\n"
+    "  drive: {until: 14, temperature: 0.2, grips: {left: {force: [9, 3], amplitude: [0, 9],"
+    " period: 0.05}}}\n"
+    "  sample: {until: 24, grips: {right: {hold: both, path: {velocity: [0, -0.5]}}}}\n"
+    "profile: {axis: x, phase: sample, every: 3, bin: 0.9, far: [2, 4]}\n"
+    "measure: [energy, momentum, slip, grip-work, grip-way, noise-heat, contact-return-force]\n"
+    "record: {velocity: true, force: true, fields: [return-force]}\n" RUN "}\n";
+
 /* More particles than one thread takes at a time. */
 static const char large[] =
     "title: a large sheet rubs\n"
@@ -277,6 +297,14 @@ static void particles_in_a_heat_bath(void **state)
     check_scenario(thermal, labels, any_threads);
 }
 
+static void phases_of_grips_and_their_profile(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"grip-work.left", "grip-way.right", "noise-heat",
+                                         "contact-return-force", NULL};
+    check_scenario(phased, labels, any_threads);
+}
+
 static void large_bodies_with_threads_switched(void **state)
 {
     (void)state;
@@ -309,6 +337,7 @@ int main(void)
         cmocka_unit_test(moving_walls),
         cmocka_unit_test(reversed_time),
         cmocka_unit_test(particles_in_a_heat_bath),
+        cmocka_unit_test(phases_of_grips_and_their_profile),
         cmocka_unit_test(large_bodies_with_threads_switched),
         cmocka_unit_test(half_steps),
         cmocka_unit_test(large_automata_with_threads_switched),
