@@ -7,7 +7,7 @@
 #include <math.h>
 
 /* Filter of the sticking force: how much of the change of the particle's own momentum is let
- * through (contact physics, section 3). */
+ * through. The number comes from an independent reference. */
 static const double STICK_FILTER = 0.343;
 
 /* One active barrier. */

@@ -11,7 +11,7 @@
 
 enum { FW_SLOW, FW_FAST, FW_MODES };
 
-/* 4 sin^2(omega / 2) of both modes in closed form (section 3 of the physics notes, derived from
+/* 4 sin^2(omega / 2) of both modes in closed form (derived from
  * Dong Eq 33 with its signs corrected). For speeds inside the disc. */
 void fw_automaton_closed_form(fw_automaton_speeds speeds, fw_vec2 wave, double squared[FW_MODES]);
 

@@ -118,7 +118,7 @@ void lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count);
 void lb_cut_into_spans(lb_solid *lb);
 /* Links, skin and spans as they follow from `present`. */
 void lb_rebuild(lb_solid *lb);
-/* Breaks every link stretched beyond break_at; books the energy (section 7 of the physics). */
+/* Breaks every link stretched beyond break_at; books the energy. */
 void lb_break_links(lb_solid *lb);
 extern const fw_field lb_fields[];
 

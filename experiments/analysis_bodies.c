@@ -33,7 +33,7 @@ fw_status fw_analysis_body(fw_analysis *analysis, const fw_scenario *scenario, f
 
 /* --- the twin --- */
 
-/* With black to move next, f_(i+2) = w - b on black and 0 on white (section 8 of the physics) is
+/* With black to move next, f_(i+2) = w - b on black and 0 on white is
  * the LB start of displacements u = (b, w) and velocities (-2 b, 2 w). */
 static fw_status make_twin(fw_solid **twin, const fw_scenario *scenario, int number,
                            const fw_sites *sites, const fw_solid *automaton, fw_error *error)
