@@ -4,6 +4,9 @@
 #include "experiments/member.h"
 #include "experiments/quantity.h"
 
+#include "core/linear_lattice.h"
+#include "core/particles.h"
+
 #include <math.h>
 
 static const fw_lattice *lattice_of(const fw_experiment *experiment, int body)
@@ -91,9 +94,38 @@ static void poisson_ratio(const fw_experiment *experiment, fw_subject subject, d
 
 /* --- waves --- */
 
-/* A body that starts at rest with a plane wave u = A cos(q . r) moves as u cos(omega t), each part
- * with its own omega, wherever news of its sides has not come yet. Here at site [0, 0], where r =
- * 0: omega = arccos(u/A)/t, for as long as omega t < pi. NaN without such a start. */
+/* Of an oscillator that starts at rest, what is left of its displacement after `time`:
+ *     e^{-g t/2} [cos W t + (g/2W) sin W t],   W^2 = omega^2 - g^2/4, */
+static double left_after(double omega, double damping, double time)
+{
+    const double rate = 0.5 * damping, square = omega * omega - rate * rate;
+    const double w = sqrt(fabs(square));
+    if (square > 0) return exp(-rate * time) * (cos(w * time) + rate / w * sin(w * time));
+    return exp(-rate * time) * (1 + rate * time);
+}
+
+/* Its frequency, from that. Within the first half oscillation it falls with omega. NaN where no
+ * frequency fits. */
+static double frequency_of(double left, double damping, double time)
+{
+    const double most = acos(-1) / time;
+    double low = 0.5 * damping, high = sqrt(most * most + low * low);
+    if (damping == 0) return acos(left) / time;
+    if (!(left < left_after(low, damping, time) && left > left_after(high, damping, time)))
+        return NAN;
+    for (int round = 0; round < 60; ++round) {
+        const double middle = 0.5 * (low + high);
+        if (left_after(middle, damping, time) > left)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+/* A body that starts at rest with a plane wave u = A cos(q . r) oscillates in its middle like that,
+ * each part of u with its own frequency, until news of its sides arrives. Here at site [0, 0],
+ * where r = 0. NaN without such a start, or after half an oscillation. */
 static void wave_speed(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const fw_scenario_body *body = &experiment->scenario->bodies[subject.body];
@@ -113,8 +145,14 @@ static void wave_speed(const fw_experiment *experiment, fw_subject subject, doub
     const fw_vec2 u =
         fw_vec2_subtract(position_of(experiment, subject.body, middle), body->lattice.origin);
     const fw_vec2 along = fw_vec2_scale(1 / length, q), across = fw_vec2_turn(along);
-    out[0] = acos(fw_vec2_dot(u, along) / fw_vec2_dot(amplitude, along)) / (time * length);
-    out[1] = acos(fw_vec2_dot(u, across) / fw_vec2_dot(amplitude, across)) / (time * length);
+    const fw_solid *solid = fw_experiment_solid(experiment, subject.body);
+    const bool damped = fw_solid_is_particles(solid) || fw_solid_is_linear_lattice(solid);
+    const double damping = damped ? experiment->scenario->dynamics.damping : 0;
+    const fw_vec2 parts[2] = {along, across};
+    for (int c = 0; c < 2; ++c)
+        out[c] = frequency_of(fw_vec2_dot(u, parts[c]) / fw_vec2_dot(amplitude, parts[c]), damping,
+                              time) /
+                 length;
 }
 
 /* Density times speed squared: lambda + 2 mu along, mu across. */
