@@ -145,6 +145,10 @@ static void print_bodies(const fw_experiment *experiment)
 
 static void print_sizes(const fw_scenario *scenario, const fw_results_size *size, double memory)
 {
+    if (scenario->study.seeds > 1 || scenario->study.control_count > 0)
+        printf("  %-14s %lld seeds%s; what follows is of one run\n", "study",
+               (long long)scenario->study.seeds,
+               scenario->study.control_count > 0 ? ", each with its control" : "");
     printf("  %-14s %lld\n", "steps", (long long)scenario->run.steps);
     printf("  %-14s %lld\n", "frames", (long long)size->frames);
     printf("  %-14s %lld of %d numbers\n", "samples", (long long)size->rows, size->row_width);

@@ -34,6 +34,7 @@ static void write_verdict(fw_json *json, const fw_verdict *verdict)
     fw_json_number(json, "below", bounds && e->has_below ? e->below : NAN);
     fw_json_number(json, "measured", verdict->measured);
     if (isfinite(verdict->error)) fw_json_number(json, "error", verdict->error);
+    if (verdict->seeds > 1) fw_json_integer(json, "seeds", verdict->seeds);
     fw_json_flag(json, "holds", verdict->holds);
     fw_json_text(json, "source", e->source);
     fw_json_text(json, "note", e->note);

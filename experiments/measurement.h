@@ -29,6 +29,9 @@ typedef struct fw_measurement {
     /* What came out of the study, by fw_layer_measure: means and their errors. NULL before its end.
      */
     const double *outcome, *outcome_error;
+    /* Of all seeds of the study, itself the first. NULL before its end, and of a single run. */
+    const struct fw_measurement *const *seeds;
+    int seed_count;
 } fw_measurement;
 
 /* Resolves all names. FW_BAD_INPUT at the place of a name that means nothing, or of an expectation

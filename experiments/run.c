@@ -252,6 +252,12 @@ void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcom
     run->measurement->outcome_error = outcome_error;
 }
 
+void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count)
+{
+    run->measurement->seeds = seeds;
+    run->measurement->seed_count = count;
+}
+
 void fw_run_destroy(fw_run *run)
 {
     if (!run) return;

@@ -42,6 +42,8 @@ fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, cons
 fw_status fw_run_finish(fw_run *run, fw_error *error);
 /* For expectations of a study's outcome; both are observed. */
 void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error);
+/* For all other expectations: what all seeds measured; observed. */
+void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count);
 
 void fw_run_destroy(fw_run *run);
 

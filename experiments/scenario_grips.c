@@ -175,12 +175,12 @@ fw_status fw_scenario_read_study(fw_scenario *scenario, fw_error *error)
     const fw_node *node = fw_scenario_part(scenario, "study", &count);
     if (!node) return FW_OK;
     FW_TRY(fw_schema_fill(scenario->document, "study", node, study, error));
-    if (!profile)
-        return fw_scenario_fail(scenario, node->key_place, error,
-                                "a study averages a profile over its runs, and there is no "
-                                "'profile'");
     const fw_node *control = fw_node_find(node, "control");
     if (!control) return FW_OK;
+    if (!profile)
+        return fw_scenario_fail(scenario, control->key_place, error,
+                                "a control stands beside the profile of the experiment, and there "
+                                "is no 'profile'");
     study->control_place = control->place;
     FW_TRY(fw_scenario_allocate(scenario, (size_t)control->count, sizeof *study->control,
                                 &study->control, error));

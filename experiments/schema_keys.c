@@ -158,7 +158,8 @@ const fw_section fw_schema_sections[] = {
      "seeds of the study: what `fretwork profile` prints. Movable particles only."},
     {"study", "`study`", "a study",
      "More runs of the same scenario, side by side: means and standard errors come from all "
-     "seeds."},
+     "seeds, and what is expected is held against the mean. `summary.csv` in the results has the "
+     "numbers of each seed."},
     {"dynamics", "`dynamics`", "a set of dynamics",
      "How movable particles and linear lattices move: m dv/dt = F - m damping v + noise, in steps "
      "of velocity Verlet, or of BAOAB where there is damping. Everything that counts steps (`run`, "

@@ -6,6 +6,7 @@
 
 #include "core/averages.h"
 #include "experiments/folder.h"
+#include "experiments/summary.h"
 
 #include <math.h>
 #include <omp.h>
@@ -28,6 +29,7 @@ struct fw_study {
     int seed_count, run_count; /* seeds of the experiment, then those of the control */
     fw_replica *replicas;      /* the first is the experiment itself */
     char control_folder[FW_PATH_SIZE];
+    const fw_measurement **measurements; /* per seed of the experiment */
     fw_profile_table *table;
     double outcome[FW_LAYER_MEASURES], outcome_error[FW_LAYER_MEASURES];
 };
@@ -91,7 +93,8 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     made->seed_count = (int)scenario->study.seeds;
     made->run_count = made->seed_count * (scenario->study.control_count > 0 ? 2 : 1);
     made->replicas = calloc((size_t)made->run_count, sizeof *made->replicas);
-    if (!made->replicas) return fw_fail_memory(error, "a study");
+    made->measurements = calloc((size_t)made->seed_count, sizeof *made->measurements);
+    if (!made->replicas || !made->measurements) return fw_fail_memory(error, "a study");
     made->replicas[0].scenario = scenario;
     made->replicas[0].options = *options;
     made->replicas[0].options.keep_open = scenario->profile.every != 0;
@@ -151,6 +154,7 @@ void fw_study_destroy(fw_study *study)
         fw_scenario_destroy(study->replicas[n].own);
     }
     free(study->replicas);
+    free(study->measurements);
     fw_profile_table_destroy(study->table);
     free(study);
 }
@@ -237,6 +241,20 @@ static fw_status average_layer(fw_study *study, double *values, double (*layers)
     return FW_OK;
 }
 
+/* What is expected of a quantity is expected of its mean over the seeds. */
+static fw_status compare_seeds(fw_study *study, fw_error *error)
+{
+    const char *directory = study->replicas[0].options.directory;
+    char path[FW_PATH_SIZE + sizeof FW_SUMMARY_FILE];
+    if (study->seed_count == 1) return FW_OK;
+    for (int n = 0; n < study->seed_count; ++n)
+        study->measurements[n] = fw_run_measurement(study->replicas[n].run);
+    fw_run_set_seeds(study->replicas[0].run, study->measurements, study->seed_count);
+    if (!directory) return FW_OK;
+    snprintf(path, sizeof path, "%s/%s", directory, FW_SUMMARY_FILE);
+    return fw_summary_write(path, study->scenario, study->measurements[0], error);
+}
+
 static fw_status evaluate(fw_study *study, fw_error *error)
 {
     const fw_profile *profile = experiment_of(study, 0)->profile;
@@ -281,9 +299,9 @@ static fw_status write(fw_study *study, fw_error *error)
 fw_status fw_study_to_end(fw_study *study, fw_error *error)
 {
     FW_TRY(run_all(study, error));
-    if (study->scenario->profile.every == 0) return FW_OK;
-    FW_TRY(evaluate(study, error));
-    return write(study, error);
+    if (study->scenario->profile.every != 0) FW_TRY(evaluate(study, error));
+    FW_TRY(compare_seeds(study, error));
+    return study->scenario->profile.every != 0 ? write(study, error) : FW_OK;
 }
 
 const fw_measurement *fw_study_measurement(const fw_study *study)

@@ -2,6 +2,8 @@
 /* verdict.c - statistics of a series, and the table of expectations. Keeps no state. */
 #include "experiments/verdict.h"
 
+#include "core/averages.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -179,20 +181,94 @@ static fw_verdict verdict_of_outcome(const fw_expectation *e, const fw_measureme
         verdict.error = measurement->outcome_error[measure];
     }
     snprintf(verdict.quantity, sizeof verdict.quantity, "%s", e->quantity.text);
-    judge(&verdict);
     return verdict;
+}
+
+/* The number that one run shows. */
+static double value_in(const fw_measurement *measurement, const fw_expectation *e, int number)
+{
+    const fw_probe *probe = &measurement->probes[measurement->expected[number]];
+    return measure(measurement, e, probe->first + measurement->component[number]);
+}
+
+/* Of a mean over time: from the blocks of its series. NaN of anything else, or without memory. */
+static double error_in_time(const fw_measurement *m, const fw_expectation *e, int number)
+{
+    const int column = m->probes[m->expected[number]].first + m->component[number];
+    fw_average average = {.error = NAN};
+    size_t count = 0;
+    if (e->has_at || e->take != FW_TAKE_MEAN) return NAN;
+    double *values = fw_array_of_doubles((size_t)m->count);
+    for (int64_t row = 0; values && row < m->count; ++row)
+        if (m->steps[row] >= e->from && m->steps[row] <= e->until)
+            values[count++] = m->values[row * m->width + column];
+    if (count < 2 || fw_average_of_series(&average, values, count, NULL) != FW_OK)
+        average.error = NAN;
+    free(values);
+    return average.error;
+}
+
+double fw_verdict_of_seed(const fw_scenario *scenario, const fw_measurement *measurement,
+                          int number, int seed)
+{
+    const fw_measurement *of = measurement->seeds ? measurement->seeds[seed] : measurement;
+    return value_in(of, &scenario->expectations[number], number);
+}
+
+/* Mean over the seeds, and the error that follows from their spread. */
+static void average_seeds(fw_verdict *verdict, const fw_measurement *measurement, int number)
+{
+    const int count = measurement->seed_count;
+    double sum = 0, squares = 0;
+    for (int n = 0; n < count; ++n)
+        sum += value_in(measurement->seeds[n], verdict->expectation, number);
+    verdict->measured = sum / count;
+    for (int n = 0; n < count; ++n) {
+        const double off =
+            value_in(measurement->seeds[n], verdict->expectation, number) - verdict->measured;
+        squares += off * off;
+    }
+    verdict->error = sqrt(squares / ((double)count * (count - 1)));
+    verdict->seeds = count;
+}
+
+/* With as many digits as the first two of its error, where that is known. */
+static void write_found(fw_verdict *verdict)
+{
+    char *end = verdict->found;
+    size_t room = sizeof verdict->found;
+    int length;
+    if (verdict->error > 0 && isfinite(verdict->error)) {
+        const double size = fmax(fabs(verdict->measured), verdict->error);
+        int digits = 2 + (int)(floor(log10(size)) - floor(log10(verdict->error)));
+        digits = digits > 12 ? 12 : digits;
+        length = snprintf(end, room, "%#.*g +- %.2g", digits, verdict->measured, verdict->error);
+    } else {
+        length = snprintf(end, room, "%.10g", verdict->measured);
+    }
+    if (verdict->seeds > 1)
+        snprintf(end + length, room - (size_t)length, " (%d seeds)", verdict->seeds);
 }
 
 fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *measurement, int number)
 {
     const fw_expectation *e = &scenario->expectations[number];
-    if (measurement->expected[number] < 0) return verdict_of_outcome(e, measurement, number);
-    const fw_probe *probe = &measurement->probes[measurement->expected[number]];
-    int component = measurement->component[number];
-    fw_verdict verdict = {.expectation = e, .error = NAN};
-    verdict.measured = measure(measurement, e, probe->first + component);
-    name_quantity(&verdict, probe, component);
+    fw_verdict verdict = {.expectation = e, .error = NAN, .seeds = 1};
+    if (measurement->expected[number] < 0) {
+        verdict = verdict_of_outcome(e, measurement, number);
+        verdict.seeds = (int)scenario->study.seeds;
+    } else {
+        const fw_probe *probe = &measurement->probes[measurement->expected[number]];
+        if (measurement->seeds) {
+            average_seeds(&verdict, measurement, number);
+        } else {
+            verdict.measured = value_in(measurement, e, number);
+            verdict.error = error_in_time(measurement, e, number);
+        }
+        name_quantity(&verdict, probe, measurement->component[number]);
+    }
     judge(&verdict);
+    write_found(&verdict);
     return verdict;
 }
 
@@ -204,26 +280,22 @@ static int longer(int width, const char *text)
 
 int fw_verdict_print(FILE *out, const fw_scenario *scenario, const fw_measurement *measurement)
 {
-    int failures = 0, quantity_width = 8, expected_width = 8;
+    int failures = 0, quantity_width = 8, expected_width = 8, found_width = 16;
     if (scenario->expectation_count == 0) return 0;
     for (int n = 0; n < scenario->expectation_count; ++n) {
         fw_verdict verdict = fw_verdict_of(scenario, measurement, n);
         quantity_width = longer(quantity_width, verdict.quantity);
         expected_width = longer(expected_width, verdict.expected);
+        found_width = longer(found_width, verdict.found);
     }
-    fprintf(out, "%-*s  %-*s  %-16s  %-7s  %s\n", quantity_width, "quantity", expected_width,
-            "expected", "measured", "verdict", "source");
+    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", quantity_width, "quantity", expected_width,
+            "expected", found_width, "measured", "verdict", "source");
     for (int n = 0; n < scenario->expectation_count; ++n) {
         fw_verdict verdict = fw_verdict_of(scenario, measurement, n);
         const char *source = verdict.expectation->source;
-        char measured[48];
-        if (isfinite(verdict.error))
-            snprintf(measured, sizeof measured, "%.4g +- %.2g", verdict.measured, verdict.error);
-        else
-            snprintf(measured, sizeof measured, "%.10g", verdict.measured);
-        fprintf(out, "%-*s  %-*s  %-16s  %-7s  %s\n", quantity_width, verdict.quantity,
-                expected_width, verdict.expected, measured, verdict.holds ? "holds" : "FAILS",
-                source ? source : "");
+        fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", quantity_width, verdict.quantity,
+                expected_width, verdict.expected, found_width, verdict.found,
+                verdict.holds ? "holds" : "FAILS", source ? source : "");
         if (verdict.expectation->note)
             fprintf(out, "%-*s  %s\n", quantity_width, "", verdict.expectation->note);
         failures += !verdict.holds;
