@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_plot.c - pictures of a result: words of the command line into a wish. */
+#include "experiments/column.h"
 #include "experiments/command.h"
 #include "experiments/number.h"
 #include "experiments/plot.h"
@@ -11,41 +12,10 @@ enum { ITEMS_MOST = 1024 };
 
 /* A wish and the memory of its lists. */
 typedef struct plot_lists {
-    char *text; /* copy of the names, cut at commas */
-    const char *names[ITEMS_MOST];
+    char *text; /* that the names lie in */
+    const char **names;
     int64_t steps[ITEMS_MOST];
 } plot_lists;
-
-/* Length of the item at the head of a list; a site as in "position.sheet[0,3]" is part of it. */
-static size_t item_length(const char *text)
-{
-    size_t length = 0;
-    for (bool site = false; text[length] && (text[length] != ',' || site); ++length) {
-        if (text[length] == '[') site = true;
-        if (text[length] == ']') site = false;
-    }
-    return length;
-}
-
-static fw_status read_names(const char *text, plot_lists *lists, int *count, fw_error *error)
-{
-    *count = 0;
-    if (!text) return FW_OK;
-    lists->text = strdup(text);
-    if (!lists->text) return fw_fail_memory(error, "the names of observables");
-    for (char *item = lists->text;;) {
-        size_t length = item_length(item);
-        bool last = item[length] == '\0';
-        if (length == 0 || *count == ITEMS_MOST)
-            return fw_fail(error, FW_BAD_INPUT,
-                           "--observable %s, expected up to %d names with commas between them",
-                           text, ITEMS_MOST);
-        item[length] = '\0';
-        lists->names[(*count)++] = item;
-        if (last) return FW_OK;
-        item += length + 1;
-    }
-}
 
 static fw_status read_steps(const char *text, plot_lists *lists, int *count, fw_error *error)
 {
@@ -78,11 +48,13 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
                          .kind = a->kind,
                          .field = a->field,
                          .logarithmic = a->logarithmic,
-                         .observables = lists->names,
                          .steps = lists->steps};
-    fw_status status = read_names(a->observable, lists, &wish.observable_count, error);
+    fw_status status = fw_column_names_read(a->observable, &lists->text, &lists->names,
+                                            &wish.observable_count, error);
+    wish.observables = lists->names;
     if (status == FW_OK) status = read_steps(a->at, lists, &wish.step_count, error);
     if (status == FW_OK) status = fw_plot_one(directory, &wish, stdout, error);
+    free(lists->names);
     free(lists->text);
     free(lists);
     return status;

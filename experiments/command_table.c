@@ -65,6 +65,7 @@ static void write_text(FILE *out, const char *text)
 
 static void write_head(const table *t, FILE *out)
 {
+    char name[FW_COLUMN_NAME];
     fputs("# ", out);
     for (const char *c = t->playback->title; *c; ++c) fputc(*c == '\n' ? ' ' : *c, out);
     fputs("\n# units: steps,time", out);
@@ -75,7 +76,8 @@ static void write_head(const table *t, FILE *out)
     fputs("\nstep,time", out);
     for (int n = 0; n < t->count; ++n) {
         fputc(',', out);
-        write_text(out, t->columns[n].name);
+        fw_column_name(t->playback, &t->columns[n], name);
+        write_text(out, name);
     }
     fputc('\n', out);
 }
@@ -113,9 +115,15 @@ fw_status fw_command_table(const fw_arguments *arguments, fw_error *error)
 {
     const char *directory = arguments->words[0];
     table t = {0};
+    char *text;
+    const char **names;
+    int count;
     FW_TRY(fw_playback_open(&t.playback, directory, error));
-    fw_status status =
-        fw_columns_find(t.playback, directory, arguments->observable, &t.columns, &t.count, error);
+    fw_status status = fw_column_names_read(arguments->observable, &text, &names, &count, error);
+    if (status == FW_OK)
+        status = fw_columns_find(t.playback, directory, names, count, &t.columns, &t.count, error);
+    free(names);
+    free(text);
     if (status == FW_OK) status = read_values(&t, error);
     if (status == FW_OK && arguments->output)
         status = save(&t, arguments->output, error);

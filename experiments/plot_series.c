@@ -4,8 +4,7 @@
  * pure numbers have nothing in common and get one each. Start reading at fw_plot_series_find(). */
 #include "experiments/plot_parts.h"
 
-#include "experiments/quantity.h"
-#include "experiments/spelling.h"
+#include "experiments/column.h"
 
 #include "core/array.h"
 
@@ -18,7 +17,8 @@ enum { CURVES_MOST = 256 };
 /* One component of an observable. */
 typedef struct fw_plot_curve {
     int observable, component;
-    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE], part[16]; /* "momentum", "sheet", "x" */
+    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE]; /* "momentum", "sheet" */
+    char part[FW_COLUMN_PART];                          /* "x" */
     const char *unit;
     int panel;
     double *values; /* of all samples */
@@ -40,28 +40,6 @@ static void split_label(const char *label, char quantity[FW_NAME_SIZE], char sub
     snprintf(subject, FW_NAME_SIZE, "%s", label[length] ? label + length + 1 : "");
 }
 
-static bool is_called(const char *name, size_t length, const char *label, const char *quantity)
-{
-    return (strlen(label) == length && memcmp(label, name, length) == 0) ||
-           (strlen(quantity) == length && memcmp(quantity, name, length) == 0);
-}
-
-/* Does the name mean this observable? "elongation", "elongation.nine", and either with ".x" behind
- * it. *component: that one, or -1: all. */
-static bool is_meant(const char *name, const fw_playback_observable *observable, int *component)
-{
-    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE];
-    split_label(observable->name, quantity, subject);
-    *component = -1;
-    if (is_called(name, strlen(name), observable->name, quantity)) return true;
-    const fw_quantity *known = fw_quantity_find(quantity);
-    const char *dot = strrchr(name, '.');
-    if (!known || !dot || !is_called(name, (size_t)(dot - name), observable->name, quantity))
-        return false;
-    *component = fw_quantity_find_component(known, dot + 1);
-    return *component >= 0 && *component < observable->components;
-}
-
 /* Where there is one body, or one wall, its name says nothing new. */
 static void drop_only_subject(const fw_scenario *scenario, char *subject)
 {
@@ -71,68 +49,31 @@ static void drop_only_subject(const fw_scenario *scenario, char *subject)
         subject[0] = '\0';
 }
 
-static fw_status add_curve(series *s, int observable, int component, fw_error *error)
+static void add_curve(series *s, const fw_column *column)
 {
-    const fw_playback_observable *of = &s->result->playback->observables[observable];
-    for (int n = 0; n < s->curve_count; ++n)
-        if (s->curves[n].observable == observable && s->curves[n].component == component)
-            return FW_OK;
-    if (s->curve_count == CURVES_MOST)
-        return fw_fail(error, FW_BAD_INPUT,
-                       "%s: more than %d curves in one picture, expected fewer observables",
-                       s->result->directory, CURVES_MOST);
+    const fw_playback_observable *of = &s->result->playback->observables[column->observable];
     curve *added = &s->curves[s->curve_count++];
-    *added = (curve){.observable = observable, .component = component, .unit = of->unit};
+    *added =
+        (curve){.observable = column->observable, .component = column->component, .unit = of->unit};
     split_label(of->name, added->quantity, added->subject);
     drop_only_subject(s->result->scenario, added->subject);
-    const fw_quantity *known = fw_quantity_find(added->quantity);
-    if (of->components == 1) return FW_OK;
-    if (known && fw_quantity_component_count(known) == of->components)
-        fw_quantity_component_name(known, component, added->part);
-    else
-        snprintf(added->part, sizeof added->part, "%d", component + 1);
-    return FW_OK;
-}
-
-static fw_status refuse_observable(const series *s, const char *name, fw_error *error)
-{
-    const fw_playback *playback = s->result->playback;
-    const char *directory = s->result->directory;
-    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE], known[512] = "";
-    if (fw_quantity_find(name))
-        return fw_fail(error, FW_BAD_INPUT,
-                       "%s: %s was not measured; to have it, name it under measure and run again",
-                       directory, name);
-    fw_guess guess = fw_guess_begin(name);
-    for (int n = 0; n < playback->observable_count; ++n) {
-        const char *label = playback->observables[n].name;
-        split_label(label, quantity, subject);
-        fw_guess_offer(&guess, label);
-        size_t used = strlen(known);
-        snprintf(known + used, sizeof known - used, "%s%s", n > 0 ? ", " : "", label);
-    }
-    if (guess.best)
-        return fw_fail(error, FW_BAD_INPUT, "%s has no observable %s; did you mean %s?", directory,
-                       name, guess.best);
-    return fw_fail(error, FW_BAD_INPUT, "%s has no observable %s, expected one of %s", directory,
-                   name, known);
+    memcpy(added->part, column->part, sizeof added->part);
 }
 
 static fw_status gather_curves(series *s, const fw_plot_picture *picture, fw_error *error)
 {
-    const fw_playback *playback = s->result->playback;
-    for (int n = 0; n < picture->observable_count; ++n) {
-        bool found = false;
-        for (int o = 0; o < playback->observable_count; ++o) {
-            int component, components = playback->observables[o].components;
-            if (!is_meant(picture->observables[n], &playback->observables[o], &component)) continue;
-            found = true;
-            for (int c = 0; c < components; ++c)
-                if (component < 0 || component == c) FW_TRY(add_curve(s, o, c, error));
-        }
-        if (!found) return refuse_observable(s, picture->observables[n], error);
-    }
-    return FW_OK;
+    fw_column *columns;
+    int count;
+    fw_status status =
+        fw_columns_find(s->result->playback, s->result->directory, picture->observables,
+                        picture->observable_count, &columns, &count, error);
+    if (status == FW_OK && count > CURVES_MOST)
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s: %d curves in one picture, expected at most %d: fewer observables",
+                         s->result->directory, count, CURVES_MOST);
+    for (int n = 0; status == FW_OK && n < count; ++n) add_curve(s, &columns[n]);
+    free(columns);
+    return status;
 }
 
 /* --- numbers --- */

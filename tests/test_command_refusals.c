@@ -143,7 +143,7 @@ static const refusal refusals[] = {
     {"table nothing", 2, "cannot open nothing: No such file or directory"},
     {"table foreign", 2, "foreign/trajectory.h5 is not a whole HDF5 file"},
     {"table done --observable enrgy", 2, "done has no observable enrgy; did you mean energy?"},
-    {"table done --observable energy,", 2, "--observable has an empty name, expected names parted by commas"},
+    {"table done --observable energy,", 2, "--observable energy,, expected names with commas between them"},
     {"table done --observable friction-heat", 2, "done: friction-heat was not measured; to have it, name it under measure and run again"},
     {"table done -o nowhere/x.csv", 4, "cannot write 'nowhere/x.csv' *"},
     {"plot nothing", 2, "cannot open nothing: No such file or directory"},
