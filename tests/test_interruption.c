@@ -80,7 +80,8 @@ static void killed_run_goes_on_from_its_last_checkpoint(void **state)
     assert_int_equal(seen.signal, SIGKILL);
     /* The newer checkpoint is damaged: the older one serves, and that is said. */
     shell(folder, "cp -r part hurt; newer=$(ls -t hurt/checkpoint-? | head -n 1); "
-                  "dd if=/dev/zero of=$newer bs=1 count=1 seek=1000 conv=notrunc status=none");
+                  "printf 'these are not numbers' | "
+                  "dd of=$newer bs=1 seek=1000 conv=notrunc status=none");
     seen = run_program(folder, "resume part --quiet --no-plot");
     expect_end(&seen, 0, "");
     seen = run_program(folder, "resume hurt --quiet --no-plot");
