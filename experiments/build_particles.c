@@ -23,6 +23,19 @@ static fw_langevin_controls controls_of(const fw_scenario *scenario)
                                   .temperature = scenario->dynamics.temperature};
 }
 
+/* A time step beyond the limit is at fault itself, where it was written. */
+static fw_status fail_solid(const fw_scenario *scenario, int body, double limit, fw_status status,
+                            fw_error *error)
+{
+    const fw_place place = scenario->dynamics.time_step_place;
+    const bool written = place.line > 0 || place.setting > 0;
+    if (status != FW_BAD_INPUT || !written || scenario->dynamics.time_step < limit)
+        return fw_build_fail(scenario, body, status, error);
+    const fw_error inner = *error;
+    return fw_scenario_fail(scenario, place, error, "body %s: %s", scenario->bodies[body].name,
+                            inner.sentence);
+}
+
 /* --- where particles are, and how they move --- */
 
 static fw_status place(const fw_scenario *scenario, int number, const fw_sites *sites,
@@ -167,8 +180,8 @@ static fw_status create(fw_gathering *gathering, fw_solid **solid, fw_error *err
     def.seed = (uint64_t)scenario->run.seed;
     def.overlap_energy = scenario->dynamics.overlap_energy;
     def.bond_radius = scenario->dynamics.bond_radius;
-    FW_TRY(fw_build_fail(scenario, body_at_fault(gathering, &def),
-                         fw_particles_create(solid, &def, error), error));
+    FW_TRY(fail_solid(scenario, body_at_fault(gathering, &def), fw_particles_time_step_limit(&def),
+                      fw_particles_create(solid, &def, error), error));
     for (int g = 0; g < def.group_count; ++g) {
         const int b = gathering->body[g];
         FW_TRY(add_motion(scenario, b, &gathering->members[b].sites, (fw_langevin *)*solid,
@@ -218,7 +231,8 @@ static fw_status create_linear(const fw_scenario *scenario, int number, const fw
     def.compensated = material->compensated;
     def.controls = controls_of(scenario);
     def.seed = seed_of_body(scenario, number);
-    FW_TRY(fw_build_fail(scenario, number, fw_linear_lattice_create(solid, &def, error), error));
+    FW_TRY(fail_solid(scenario, number, fw_linear_lattice_time_step_limit(def.k1, def.k2, def.mass),
+                      fw_linear_lattice_create(solid, &def, error), error));
     return add_motion(scenario, number, sites, (fw_langevin *)*solid, 0, room, error);
 }
 

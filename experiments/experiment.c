@@ -127,6 +127,26 @@ static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, f
                             where.y);
 }
 
+/* The scene speaks of solids; of bodies that share one it could not say which is meant. */
+static fw_status refuse_walls(const fw_experiment *experiment, int number, fw_error *error)
+{
+    const fw_member *member = &experiment->members[number];
+    if (member->count == fw_experiment_solid(experiment, number)->count) return FW_OK;
+    for (int w = 0; w < fw_scene_wall_count(experiment->scene); ++w) {
+        double depth;
+        const int l = fw_overlap_find_behind(experiment, number, w, &depth);
+        if (l < 0) continue;
+        const fw_vec2 at =
+            fw_solid_position(fw_experiment_solid(experiment, number), member->first + l);
+        return fw_scenario_fail(
+            experiment->scenario, experiment->scenario->bodies[number].place, error,
+            "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
+            "its surface, expected all particles on the free side",
+            member->name, fw_wall_name(fw_scene_wall(experiment->scene, w)), l, at.x, at.y, depth);
+    }
+    return FW_OK;
+}
+
 static fw_status place_of_failure(const fw_scenario *scenario, fw_place place, fw_status status,
                                   fw_error *error)
 {
@@ -216,6 +236,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
         FW_TRY(place_of_failure(scenario, wall->place,
                                 fw_scene_add_wall(experiment->scene, &wall->def, error), error));
     }
+    for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
     FW_TRY(fw_grips_add(experiment, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};

@@ -82,3 +82,18 @@ fw_status fw_overlap_find(const fw_experiment *experiment, int a, int b, bool *f
     free(points);
     return FW_OK;
 }
+
+int fw_overlap_find_behind(const fw_experiment *experiment, int body, int wall, double *depth)
+{
+    static const double on_surface = 1e-14;
+    const fw_member *member = &experiment->members[body];
+    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    const fw_wall *of = fw_scene_wall(experiment->scene, wall);
+    const fw_vec2 place = fw_wall_displacement(of, 0);
+    for (int l = 0; l < member->count; ++l) {
+        const fw_vec2 at = fw_solid_position(solid, member->first + l);
+        *depth = fw_wall_depth(of, fw_vec2_subtract(at, place));
+        if (*depth > on_surface * (1 + fabs(at.x) + fabs(at.y))) return l;
+    }
+    return -1;
+}

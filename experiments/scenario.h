@@ -267,6 +267,7 @@ typedef struct fw_scenario_dynamics {
     double strength_across; /* of the potential between particles of different bodies */
     double bond_radius;
     double overlap_energy;
+    fw_place time_step_place; /* line 0: not given */
 } fw_scenario_dynamics;
 
 typedef struct fw_scenario_run {

@@ -3,8 +3,6 @@
  * placed, and the dynamics that all of them share. Keeps no state. */
 #include "experiments/scenario_parts.h"
 
-#include <math.h>
-
 /* The sentence of a part of the solid, at the place where its cause was written. */
 static fw_status pass_on(const fw_scenario *scenario, fw_place place, const fw_error *inner,
                          fw_error *error)
@@ -38,7 +36,14 @@ static fw_status read_return_force(const fw_scenario *scenario, const fw_node *n
         return FW_OK;
     }
     const fw_node *symmetry = fw_node_find(node, "symmetry"), *angle = fw_node_find(node, "angle");
-    force->fold = (int)fmin((double)particles->symmetry, 1000);
+    if (particles->symmetry % 2 != 0)
+        return fw_scenario_fail(
+            scenario, symmetry->place, error,
+            "the symmetry is %lld, expected an even number (6 for hexagonal "
+            "bodies, 4 for square ones): with an odd one the two particles of a "
+            "bond would not pull equally",
+            (long long)particles->symmetry);
+    force->fold = (int)particles->symmetry;
     force->distance = particles->potential.distance;
     force->cut = fw_smooth_cut_over(force->cut.inner, force->cut.outer);
     particles->own_angle = angle != NULL;
@@ -48,12 +53,8 @@ static fw_status read_return_force(const fw_scenario *scenario, const fw_node *n
                                 "find theirs by themselves; expected 'axes: lab' or no angle");
     fw_error inner;
     if (fw_return_force_check(force, &inner) == FW_OK) return FW_OK;
-    const bool of_symmetry = force->fold % 2 != 0 || force->fold > 24;
     const fw_node *reach = fw_node_find(node, "reach");
-    const fw_place place = of_symmetry && symmetry ? symmetry->place
-                           : reach                 ? reach->place
-                                                   : node->key_place;
-    return pass_on(scenario, place, &inner, error);
+    return pass_on(scenario, reach ? reach->place : node->key_place, &inner, error);
 }
 
 fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,
@@ -101,7 +102,7 @@ static bool same_potential(const fw_pair_potential *a, const fw_pair_potential *
            a->cut.outer == b->cut.outer;
 }
 
-fw_status fw_scenario_check_dynamics(const fw_scenario *scenario, fw_error *error)
+fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error)
 {
     const fw_scenario_material *first = NULL;
     bool moves = false;
@@ -118,6 +119,8 @@ fw_status fw_scenario_check_dynamics(const fw_scenario *scenario, fw_error *erro
     }
     int count;
     const fw_node *dynamics = fw_scenario_part(scenario, "dynamics", &count);
+    const fw_node *time_step = dynamics ? fw_node_find(dynamics, "time-step") : NULL;
+    if (time_step) scenario->dynamics.time_step_place = time_step->place;
     if (moves && scenario->run.reverse_at > 0 && scenario->dynamics.damping > 0)
         return fw_scenario_fail(
             scenario, fw_node_find(dynamics, "damping")->place, error,

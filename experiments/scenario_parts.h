@@ -26,7 +26,7 @@ fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,
                                      fw_scenario_particles *particles, fw_error *error);
 /* Dynamics, and that bodies that share it go together. */
-fw_status fw_scenario_check_dynamics(const fw_scenario *scenario, fw_error *error);
+fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error);
 /* A random placement from the mapping under `placed`. */
 fw_status fw_scenario_read_placed(const fw_scenario *scenario, const fw_node *node,
                                   fw_scenario_body *body, fw_error *error);

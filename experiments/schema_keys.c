@@ -282,7 +282,7 @@ const fw_key fw_schema_keys[] = {
     {"morse", "cut", FW_FORM_NUMBERS, .layout = "[from, to]", AT_LEAST(0),
      AT(fw_pair_potential, cut), .standard = "[1.4, 1.7]", .unit = "length",
      .meaning = "where it is led to zero"},
-    {"return-force", "symmetry", FW_FORM_INTEGER, AT_LEAST(1), AT(fw_scenario_particles, symmetry),
+    {"return-force", "symmetry", FW_FORM_INTEGER, FROM_TO(2, 24), AT(fw_scenario_particles, symmetry),
      .standard = "6",
      .meaning =
          "n: how many axes there are around; even, 6 for hexagonal bodies, 4 for square ones"},
