@@ -76,6 +76,20 @@ static const char thermal[] =
     "measure: [energy, momentum, reaction, friction-heat, dissipated, contacts-so-far]\n"
     "record: {velocity: true, force: true, fields: [bond-force]}\n" RUN "}\n";
 
+static const char soft[] =
+    "title: a hot gas is squeezed by soft walls that breathe\n"
+    "materials: {gas: {movable-particles: {return-force: {amplitude: 0.5, axes: surface}}}}\n"
+    "dynamics: {time-step: 0.01, damping: 0.8, temperature: 0.6}\n"
+    "bodies: {gas: {material: gas, shape: {placed: {count: 40, box: [0.02, 0.02, 9.98, 9.98],"
+    " min-distance: 0.9}}, temperature: 2}}\n"
+    "walls:\n"
+    "  box: {box: [0, 0, 10, 10], surface: {penalty: 40},"
+    " path: {amplitude: [0.4, 0.3], period: 0.2}}\n"
+    "  ball: {circle: [5, 5, 0.2], side: outside, surface: {penalty: 60}}\n"
+    "measure: [energy, momentum, wall-energy, wall-work, noise-heat, local-order, "
+    "contacts-so-far]\n"
+    "record: {velocity: true, force: true, fields: [local-order]}\n" RUN "}\n";
+
 static const char phased[] =
     "title: grips rub two crystals in three phases\n"
     "materials: {grain: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}}\n"
@@ -305,6 +319,13 @@ static void phases_of_grips_and_their_profile(void **state)
     check_scenario(phased, labels, any_threads);
 }
 
+static void soft_walls_and_noise(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"wall-energy", "noise-heat", "contacts-so-far.box", NULL};
+    check_scenario(soft, labels, any_threads);
+}
+
 static void large_bodies_with_threads_switched(void **state)
 {
     (void)state;
@@ -338,6 +359,7 @@ int main(void)
         cmocka_unit_test(reversed_time),
         cmocka_unit_test(particles_in_a_heat_bath),
         cmocka_unit_test(phases_of_grips_and_their_profile),
+        cmocka_unit_test(soft_walls_and_noise),
         cmocka_unit_test(large_bodies_with_threads_switched),
         cmocka_unit_test(half_steps),
         cmocka_unit_test(large_automata_with_threads_switched),
