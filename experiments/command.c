@@ -51,7 +51,8 @@ static const option options[] = {
     {'q', "--quiet", "-q", NULL, "no progress"},
     {'w', "--overwrite", NULL, NULL, "replaces an earlier result in the folder"},
     {'n', "--no-plot", NULL, NULL, "draws no pictures"},
-    {'k', "--kind", NULL, "KIND", "motion, forces, field, strip, series, profile, loop or analysis"},
+    {'k', "--kind", NULL, "KIND",
+     "motion, forces, field, strip, series, profile, loop or analysis"},
     {'f', "--field", NULL, "NAME", "field that is drawn as colour, or printed"},
     {'b', "--observable", NULL, "NAME[,NAME]", "observables that are drawn or written over time"},
     {'a', "--at", NULL, "STEP[,STEP]",
@@ -199,6 +200,11 @@ static fw_status read_option(fw_arguments *arguments, const fw_command *command,
     if (!value)
         return fw_fail(error, FW_BAD_INPUT, "%s comes last, expected %s behind it", o->name,
                        o->value);
+    /* Of two folders or seeds one would be lost without a word. */
+    if (o->letter != 's' && strchr(arguments->given, o->letter))
+        return fw_fail(error, FW_BAD_INPUT, "%s is given a second time, as %s", o->name, value);
+    size_t given = strlen(arguments->given);
+    if (given < sizeof arguments->given - 1) arguments->given[given] = o->letter;
     return store(arguments, o, value, error);
 }
 

@@ -17,8 +17,9 @@ typedef struct fw_arguments {
     const char *settings[FW_SETTINGS_MOST]; /* of --set and --seed, in order */
     const char *output;                     /* -o; NULL: not given */
     const char *field, *picture, *observable, *at, *kind, *json, *axis;
-    char seed[48]; /* the setting that --seed stands for */
-    int threads;   /* 0: not given */
+    char seed[48];  /* the setting that --seed stands for */
+    char given[32]; /* letters of the options that had a value */
+    int threads;    /* 0: not given */
     bool quiet, overwrite, no_plot, logarithmic, help;
 } fw_arguments;
 

@@ -69,6 +69,8 @@ static const refusal refusals[] = {
     {"run bounce.yaml --threads", 2, "--threads comes last, expected N behind it"},
     {"run bounce.yaml --seed x", 2, "--set run.seed=x: run.seed is 'x', expected a whole number of at least 0"},
     {"run bounce.yaml --seed -1", 2, "--set run.seed=-1: run.seed is '-1', expected a whole number of at least 0"},
+    {"run bounce.yaml -o one -o two", 2, "--output is given a second time, as two"},
+    {"run bounce.yaml --seed 1 --seed=2", 2, "--seed is given a second time, as 2"},
     {"run bounce.yaml --quiet=yes", 2, "--quiet takes no value, but has yes"},
     {"run bounce.yaml -x", 2, "fretwork run has no option -x, expected one of `fretwork run --help`"},
     {"run bounce.yaml -o ''", 2, "the results folder has no name"},
