@@ -400,6 +400,7 @@ static void mistakes_get_their_sentences(void **state)
             strncmp(error.sentence, refusals[n].sentence, strlen(refusals[n].sentence)) != 0)
             fail_msg("%s\n  found    %s\n  expected %s", refusals[n].text, error.sentence,
                      refusals[n].sentence);
+        fw_experiment_destroy(e);
         fw_scenario_destroy(s);
     }
 }
