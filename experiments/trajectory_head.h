@@ -4,8 +4,9 @@
  *
  * Cutting is the one moment in which structure changes, in several writes; and a run that is
  * resumed wants its room back. So the head of the file, which holds all structure and no data, is
- * put aside first, under a name that says that a cut is going on, and afterwards under another that
- * says that it is done. Putting it back gives exactly the file that was laid out at creation. */
+ * put aside first, under a name that says that structure is changing, and afterwards under another
+ * that says that it is settled. Putting it back gives exactly the file that was laid out at
+ * creation; while that goes on the first name is back, and HDF5 refuses to open the file. */
 #ifndef FW_TRAJECTORY_HEAD_H
 #define FW_TRAJECTORY_HEAD_H
 
@@ -18,10 +19,12 @@
 fw_status fw_head_save(const fw_folder *folder, uint64_t head, uint64_t whole, fw_error *error);
 /* The cut is done. The copy is kept for a file that may be resumed. */
 fw_status fw_head_settle(const fw_folder *folder, bool keep, fw_error *error);
-/* Whether a cut goes on, or its process was killed in it: the file may be unreadable. */
+/* Whether structure is changing, or a process was killed in changing it: the file may be
+ * unreadable. */
 bool fw_head_is_torn(const fw_folder *folder);
-/* Gives the results file its structure and length back, if there is a copy. May be repeated until
- * fw_head_remove. FW_SYSTEM_FAILED when there is no room; the file is then as it was. */
+/* Gives the results file its structure and length back, if there is a copy; it counts as torn until
+ * fw_head_remove, and until then this may be repeated. FW_SYSTEM_FAILED when there is no room; the
+ * file is then as it was. */
 fw_status fw_head_restore(const fw_folder *folder, fw_error *error);
 /* Forgets the copy, once rows are to be written again. */
 fw_status fw_head_remove(const fw_folder *folder, fw_error *error);

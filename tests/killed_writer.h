@@ -47,6 +47,22 @@ static void write_until_killed(const char *folder)
     }
 }
 
+/* Cuts its file and puts the room for more rows back, over and over: hardly anything else. */
+static void cut_until_killed(const char *folder)
+{
+    fw_trajectory_def def = run_def(folder);
+    fw_trajectory *trajectory;
+    if (fw_trajectory_create(&trajectory, &def, &error) != FW_OK) _exit(3);
+    write_with_checkpoints(trajectory, INTERRUPTED_AT);
+    for (;;) {
+        if (fw_trajectory_finish(trajectory, "interrupted", &error) != FW_OK) _exit(4);
+        fw_trajectory_destroy(trajectory);
+        if (fw_trajectory_reopen(&trajectory, &def, run_frames_at(INTERRUPTED_AT), INTERRUPTED_AT,
+                                 &error) != FW_OK)
+            _exit(5);
+    }
+}
+
 typedef struct casualties {
     int unborn, torn, running, interrupted, finished; /* in which state the file was found */
     int64_t frames;                                   /* committed in all of them */
@@ -72,6 +88,11 @@ static void bury(const char *folder, const char *graves, int number, casualties 
     snprintf(command, sizeof command, "%s/trajectory.h5.cutting", folder);
     bool torn = access(command, F_OK) == 0;
     bool finished = false;
+    if (born) {
+        snprintf(command, sizeof command, "cp %s/trajectory.h5 %s/%s-%d.h5", folder, graves,
+                 torn ? "torn" : "killed", number);
+        assert_int_equal(system(command), 0);
+    }
     if (born && !torn) {
         fw_playback *playback;
         assert_fine(fw_playback_open(&playback, folder, &error));
@@ -82,9 +103,6 @@ static void bury(const char *folder, const char *graves, int number, casualties 
         count->frames += playback->frame_count;
         samples = last_checkpoint(playback->frame_count, playback->sample_count);
         fw_playback_close(playback);
-        snprintf(command, sizeof command, "cp %s/trajectory.h5 %s/killed-%d.h5", folder, graves,
-                 number);
-        assert_int_equal(system(command), 0);
     }
     count->unborn += !born;
     count->torn += torn;
@@ -106,13 +124,17 @@ static void bury(const char *folder, const char *graves, int number, casualties 
     assert_int_equal(system(command), 0);
 }
 
-/* Committed rows of killed files are right, and resumed runs are the run that was never killed. */
+/* Committed rows of killed files are right, those of torn ones right or refused, and resumed runs
+ * are the run that was never killed. */
 static void check_graves(const char *graves)
 {
     char arguments[256];
     snprintf(arguments, sizeof arguments, "rows %s/killed-*.h5", graves);
     int status = run_python("trajectory.py", arguments);
     if (status > 0) fail_msg("a committed row is wrong: trajectory.py %s", arguments);
+    snprintf(arguments, sizeof arguments, "guarded %s/torn-*.h5", graves);
+    if (status == 0) status = run_python("trajectory.py", arguments);
+    if (status > 0) fail_msg("a torn file is misread: trajectory.py %s", arguments);
     snprintf(arguments, sizeof arguments, "same %s/whole/trajectory.h5 %s/resumed-*.h5", graves,
              graves);
     if (status == 0) status = run_python("trajectory.py", arguments);
@@ -122,8 +144,8 @@ static void check_graves(const char *graves)
     assert_int_equal(system(arguments), 0);
 }
 
-/* Kills so many writers; `seed` chooses the moments. */
-static casualties kill_writers(int writers, uint64_t seed)
+/* Kills so many writers of a kind; `seed` chooses the moments. */
+static casualties kill_writers(void (*write)(const char *folder), int writers, uint64_t seed)
 {
     casualties count = {0};
     char graves[64], whole[128];
@@ -141,7 +163,7 @@ static casualties kill_writers(int writers, uint64_t seed)
         make_folder(folder, sizeof folder);
         pid_t writer = fork();
         assert_true(writer >= 0);
-        if (writer == 0) write_until_killed(folder);
+        if (writer == 0) write(folder);
         seed = seed * 6364136223846793005u + 1442695040888963407u;
         usleep((useconds_t)((seed >> 33) % LONGEST_LIFE));
         kill(writer, SIGKILL);

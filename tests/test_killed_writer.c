@@ -9,12 +9,20 @@
 static void killed_run_loses_no_committed_frame(void **state)
 {
     (void)state;
-    casualties count = kill_writers(30, 1);
+    casualties count = kill_writers(write_until_killed, 30, 1);
     assert_true(count.running > 5 && count.frames > 50);
+}
+
+static void file_that_is_cut_is_never_misread(void **state)
+{
+    (void)state;
+    casualties count = kill_writers(cut_until_killed, 30, 3);
+    assert_true(count.torn > 3);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(killed_run_loses_no_committed_frame)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(killed_run_loses_no_committed_frame),
+                                       cmocka_unit_test(file_that_is_cut_is_never_misread)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
