@@ -52,7 +52,7 @@ static const option options[] = {
     {'w', "--overwrite", NULL, NULL, "replaces an earlier result in the folder"},
     {'n', "--no-plot", NULL, NULL, "draws no pictures"},
     {'k', "--kind", NULL, "KIND",
-     "motion, forces, field, strip, series, profile, loop or analysis"},
+     "motion, forces, field, strip, series, profile, loop or analysis; sweep of a sweep"},
     {'f', "--field", NULL, "NAME", "field that is drawn as colour, or printed"},
     {'b', "--observable", NULL, "NAME[,NAME]", "observables that are drawn or written over time"},
     {'a', "--at", NULL, "STEP[,STEP]",

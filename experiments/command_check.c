@@ -5,7 +5,7 @@
 #include "experiments/caution.h"
 #include "experiments/command.h"
 #include "experiments/figure.h"
-#include "experiments/run.h"
+#include "experiments/sweep.h"
 
 #include "core/lb_solid.h"
 #include "core/linear_lattice.h"
@@ -143,12 +143,30 @@ static void print_bodies(const fw_experiment *experiment)
     printf("  %-14s %d\n", "walls", fw_scene_wall_count(experiment->scene));
 }
 
-static void print_sizes(const fw_scenario *scenario, const fw_results_size *size, double memory)
+static int64_t run_count(const fw_scenario *scenario)
 {
-    if (scenario->study.seeds > 1 || scenario->study.control_count > 0)
+    return scenario->study.seeds * (scenario->study.control_count > 0 ? 2 : 1);
+}
+
+static void print_study(const fw_scenario *scenario)
+{
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    if (sweep->value_count > 0) {
+        char first[FW_CASE_NAME], last[FW_CASE_NAME];
+        fw_scenario_case_name(scenario, 0, first);
+        fw_scenario_case_name(scenario, sweep->value_count - 1, last);
+        if (sweep->is_case) fw_scenario_case_name(scenario, sweep->number, first);
+        printf("  %-14s %d cases, %s to %s; what follows is of %s\n", "sweep", sweep->value_count,
+               first, last, first);
+    }
+    if (run_count(scenario) > 1)
         printf("  %-14s %lld seeds%s; what follows is of one run\n", "study",
                (long long)scenario->study.seeds,
                scenario->study.control_count > 0 ? ", each with its control" : "");
+}
+
+static void print_sizes(const fw_scenario *scenario, const fw_results_size *size, double memory)
+{
     printf("  %-14s %lld\n", "steps", (long long)scenario->run.steps);
     printf("  %-14s %lld\n", "frames", (long long)size->frames);
     printf("  %-14s %lld of %d numbers\n", "samples", (long long)size->rows, size->row_width);
@@ -257,8 +275,15 @@ static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw
 
 /* --- all of it --- */
 
-static fw_status check_run(fw_run *run, const char *name, const fw_arguments *arguments,
-                           fw_error *error)
+/* What is checked: a scenario, or a sweep by its first case. */
+typedef struct check_plan {
+    const fw_scenario *scenario;
+    int64_t run_count;
+    double step_count; /* of all runs together */
+} check_plan;
+
+static fw_status check_run(fw_run *run, const char *name, const check_plan *plan,
+                           const fw_arguments *arguments, fw_error *error)
 {
     const fw_experiment *experiment = fw_run_experiment(run);
     fw_results_size size;
@@ -269,6 +294,7 @@ static fw_status check_run(fw_run *run, const char *name, const fw_arguments *ar
     if (arguments->output) FW_TRY(draw_start(experiment, arguments->output, error));
     printf("%s: %s\n", name, experiment->scenario->title);
     print_bodies(experiment);
+    print_study(plan->scenario);
     print_sizes(experiment->scenario, &size, memory);
     FW_TRY(check_limits(experiment, &warnings, error));
     warnings += fw_caution_walls(stdout, experiment);
@@ -280,6 +306,12 @@ static fw_status check_run(fw_run *run, const char *name, const fw_arguments *ar
     print_time(step * (double)experiment->scenario->run.steps);
     printf(", about, with %d thread%s (%.3g ms a step), beside what writing takes\n",
            fw_command_threads(arguments), fw_command_threads(arguments) > 1 ? "s" : "", 1e3 * step);
+    if (plan->run_count > 1) {
+        printf("  %-14s ", "in all");
+        print_time(step * plan->step_count);
+        printf(", about, for the %lld runs, shared by as many processors as run them\n",
+               (long long)plan->run_count);
+    }
     if (warnings > 0)
         printf("%s can be run, with %d warning%s\n", name, warnings, warnings > 1 ? "s" : "");
     else
@@ -287,18 +319,49 @@ static fw_status check_run(fw_run *run, const char *name, const fw_arguments *ar
     return FW_OK;
 }
 
+static fw_status check_scenario(const fw_scenario *scenario, const char *name,
+                                const check_plan *plan, const fw_arguments *arguments,
+                                fw_error *error)
+{
+    const fw_run_options options = {.threads = fw_command_threads(arguments), .name = name};
+    fw_run *run;
+    FW_TRY(fw_run_begin(&run, scenario, &options, error));
+    const fw_status status = check_run(run, name, plan, arguments, error);
+    fw_run_destroy(run);
+    return status;
+}
+
+static void count_runs(check_plan *plan, const fw_scenario *scenario)
+{
+    plan->run_count += run_count(scenario);
+    plan->step_count += (double)run_count(scenario) * (double)scenario->run.steps;
+}
+
+static fw_status check_sweep(const fw_scenario *scenario, const char *name,
+                             const fw_arguments *arguments, fw_error *error)
+{
+    const fw_run_options options = {.threads = fw_command_threads(arguments), .name = name};
+    check_plan plan = {.scenario = scenario};
+    fw_sweep *sweep;
+    FW_TRY(fw_sweep_begin(&sweep, scenario, &options, error));
+    for (int n = 0; n < fw_sweep_case_count(sweep); ++n)
+        count_runs(&plan, fw_sweep_scenario(sweep, n));
+    const fw_status status =
+        check_scenario(fw_sweep_scenario(sweep, 0), name, &plan, arguments, error);
+    fw_sweep_destroy(sweep);
+    return status;
+}
+
 fw_status fw_command_check(const fw_arguments *arguments, fw_error *error)
 {
     fw_scenario *scenario;
     char name[FW_NAME_BYTES + 1];
     FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
-    const fw_run_options options = {.threads = fw_command_threads(arguments), .name = name};
-    fw_run *run;
-    fw_status status = fw_run_begin(&run, scenario, &options, error);
-    if (status == FW_OK) {
-        status = check_run(run, name, arguments, error);
-        fw_run_destroy(run);
-    }
+    check_plan plan = {.scenario = scenario};
+    count_runs(&plan, scenario);
+    const fw_status status = fw_scenario_is_sweep(scenario)
+                                 ? check_sweep(scenario, name, arguments, error)
+                                 : check_scenario(scenario, name, &plan, arguments, error);
     fw_scenario_destroy(scenario);
     return status;
 }

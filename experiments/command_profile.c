@@ -3,6 +3,7 @@
 #include "experiments/command.h"
 #include "experiments/profile_table.h"
 #include "experiments/spelling.h"
+#include "experiments/sweep.h"
 
 #include <string.h>
 
@@ -59,6 +60,7 @@ static fw_status print_profile(fw_playback *playback, const fw_arguments *argume
 fw_status fw_command_profile(const fw_arguments *arguments, fw_error *error)
 {
     fw_playback *playback;
+    FW_TRY(fw_sweep_refuse(arguments->words[0], error));
     FW_TRY(fw_playback_open(&playback, arguments->words[0], error));
     const fw_status status = print_profile(playback, arguments, error);
     fw_playback_close(playback);

@@ -6,33 +6,73 @@
 #include "experiments/plot.h"
 #include "experiments/provenance.h"
 #include "experiments/study.h"
+#include "experiments/sweep.h"
 #include "experiments/verdict.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 /* What comes after the last step: pictures, the table, and where everything lies. */
-static fw_status tell(const fw_scenario *scenario, const fw_study *study, const char *directory,
-                      bool no_plot, fw_error *error)
+static fw_status tell(const fw_scenario *scenario, const fw_verdicts *verdicts,
+                      const char *directory, bool no_plot, fw_error *error)
 {
     printf("%s\n", scenario->title);
-    int failures = fw_verdict_print(stdout, scenario, fw_study_measurement(study));
-    printf("results: %s/%s\n", directory, FW_TRAJECTORY_FILE);
-    if (fw_study_table(study))
-        printf("profile: %s/%s; `fretwork profile %s` prints it\n", directory, FW_PROFILE_FILE,
-               directory);
+    fw_verdicts_print(stdout, verdicts);
+    if (fw_scenario_is_sweep(scenario)) {
+        char name[FW_CASE_NAME];
+        fw_scenario_case_name(scenario, 0, name);
+        printf("results: %s/%s, and of each case, such as %s/%s\n", directory, FW_SWEEP_FILE,
+               directory, name);
+    } else {
+        printf("results: %s/%s\n", directory, FW_TRAJECTORY_FILE);
+        if (scenario->profile.every != 0)
+            printf("profile: %s/%s; `fretwork profile %s` prints it\n", directory, FW_PROFILE_FILE,
+                   directory);
+    }
     fflush(stdout);
     if (!no_plot) FW_TRY(fw_plot_all(directory, stdout, error));
-    return failures > 0 ? FW_EXPECTATION_FAILED : FW_OK;
+    return fw_verdicts_failed(verdicts) > 0 ? FW_EXPECTATION_FAILED : FW_OK;
 }
 
 static fw_status finish(fw_study *study, const fw_scenario *scenario, const char *directory,
                         bool no_plot, fw_error *error)
 {
+    fw_verdicts verdicts;
     /* Until here a signal ends the program at once, and whatever it leaves can be resumed. */
     fw_interrupt_watch();
     FW_TRY(fw_study_to_end(study, error));
-    return tell(scenario, study, directory, no_plot, error);
+    FW_TRY(fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error));
+    const fw_status status = tell(scenario, &verdicts, directory, no_plot, error);
+    fw_verdicts_clear(&verdicts);
+    return status;
+}
+
+static fw_status finish_sweep(fw_sweep *sweep, const fw_scenario *scenario, const char *directory,
+                              bool no_plot, fw_error *error)
+{
+    fw_interrupt_watch();
+    FW_TRY(fw_sweep_to_end(sweep, error));
+    return tell(scenario, fw_sweep_verdicts(sweep), directory, no_plot, error);
+}
+
+static fw_status run(const fw_scenario *scenario, const fw_run_options *options, bool no_plot,
+                     fw_error *error)
+{
+    fw_study *study;
+    FW_TRY(fw_study_begin(&study, scenario, options, error));
+    const fw_status status = finish(study, scenario, options->directory, no_plot, error);
+    fw_study_destroy(study);
+    return status;
+}
+
+static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *options, bool no_plot,
+                           fw_error *error)
+{
+    fw_sweep *sweep;
+    FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
+    const fw_status status = finish_sweep(sweep, scenario, options->directory, no_plot, error);
+    fw_sweep_destroy(sweep);
+    return status;
 }
 
 fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
@@ -49,25 +89,11 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};
-    fw_study *study;
-    fw_status status = fw_study_begin(&study, scenario, &options, error);
-    if (status == FW_OK) {
-        status = finish(study, scenario, directory, arguments->no_plot, error);
-        fw_study_destroy(study);
-    }
+    const fw_status status = fw_scenario_is_sweep(scenario)
+                                 ? run_sweep(scenario, &options, arguments->no_plot, error)
+                                 : run(scenario, &options, arguments->no_plot, error);
     fw_scenario_destroy(scenario);
     return status;
-}
-
-/* Results are the same to the last bit only within one build. */
-static void compare_revisions(const fw_playback *playback, const char *directory)
-{
-    fw_provenance now = fw_provenance_now();
-    if (strcmp(playback->revision, now.revision) == 0) return;
-    fprintf(stderr,
-            "fretwork: %s was begun by revision %s and goes on with %s; results of two revisions "
-            "may differ in the last digits\n",
-            directory, playback->revision, now.revision);
 }
 
 /* The scenario of a result, as it was run. */
@@ -83,30 +109,53 @@ static fw_status load_scenario_of(const char *directory, fw_scenario **scenario,
     else
         status = fw_scenario_read(scenario, directory, playback->scenario,
                                   strlen(playback->scenario), NULL, 0, error);
-    if (status == FW_OK) compare_revisions(playback, directory);
+    if (status == FW_OK) fw_provenance_compare(stderr, playback->revision, directory);
     fw_playback_close(playback);
+    return status;
+}
+
+static fw_status go_on(const char *directory, const fw_run_options *options, bool no_plot,
+                       fw_error *error)
+{
+    fw_scenario *scenario;
+    fw_study *study;
+    char note[FW_SENTENCE_SIZE];
+    FW_TRY(load_scenario_of(directory, &scenario, error));
+    fw_status status = fw_study_resume(&study, scenario, options, note, error);
+    if (status == FW_OK) {
+        if (note[0]) fprintf(stderr, "fretwork: %s\n", note);
+        status = finish(study, scenario, directory, no_plot, error);
+        fw_study_destroy(study);
+    }
+    fw_scenario_destroy(scenario);
+    return status;
+}
+
+static fw_status go_on_with_sweep(const char *directory, const fw_run_options *options,
+                                  bool no_plot, fw_error *error)
+{
+    fw_scenario *scenario;
+    fw_sweep *sweep;
+    FW_TRY(fw_sweep_load(&scenario, directory, error));
+    fw_status status = fw_sweep_resume(&sweep, scenario, options, error);
+    if (status == FW_OK) {
+        status = finish_sweep(sweep, scenario, directory, no_plot, error);
+        fw_sweep_destroy(sweep);
+    }
+    fw_scenario_destroy(scenario);
     return status;
 }
 
 fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
 {
     const char *directory = arguments->words[0];
-    fw_scenario *scenario;
-    FW_TRY(load_scenario_of(directory, &scenario, error));
     const fw_run_options options = {.directory = directory,
                                     .threads = fw_command_threads(arguments),
                                     .at_once = arguments->threads,
                                     .name = directory,
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};
-    fw_study *study;
-    char note[FW_SENTENCE_SIZE];
-    fw_status status = fw_study_resume(&study, scenario, &options, note, error);
-    if (status == FW_OK) {
-        if (note[0]) fprintf(stderr, "fretwork: %s\n", note);
-        status = finish(study, scenario, directory, arguments->no_plot, error);
-        fw_study_destroy(study);
-    }
-    fw_scenario_destroy(scenario);
-    return status;
+    return fw_sweep_is_in(directory)
+               ? go_on_with_sweep(directory, &options, arguments->no_plot, error)
+               : go_on(directory, &options, arguments->no_plot, error);
 }

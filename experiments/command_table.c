@@ -4,7 +4,8 @@
  * the digits that give the same doubles back. Start reading at fw_command_table(). */
 #include "experiments/column.h"
 #include "experiments/command.h"
-#include "experiments/whole_file.h"
+#include "experiments/csv.h"
+#include "experiments/sweep.h"
 
 #include "core/array.h"
 
@@ -48,21 +49,6 @@ static fw_status read_values(table *t, fw_error *error)
     return FW_OK;
 }
 
-/* In quotes where the text could be taken for several values (RFC 4180). */
-static void write_text(FILE *out, const char *text)
-{
-    if (!strpbrk(text, ",\"\r\n")) {
-        fputs(text, out);
-        return;
-    }
-    fputc('"', out);
-    for (; *text; ++text) {
-        if (*text == '"') fputc('"', out);
-        fputc(*text, out);
-    }
-    fputc('"', out);
-}
-
 static void write_head(const table *t, FILE *out)
 {
     char name[FW_COLUMN_NAME];
@@ -71,19 +57,20 @@ static void write_head(const table *t, FILE *out)
     fputs("\n# units: steps,time", out);
     for (int n = 0; n < t->count; ++n) {
         fputc(',', out);
-        write_text(out, t->playback->observables[t->columns[n].observable].unit);
+        fw_csv_write_text(out, t->playback->observables[t->columns[n].observable].unit);
     }
     fputs("\nstep,time", out);
     for (int n = 0; n < t->count; ++n) {
         fputc(',', out);
         fw_column_name(t->playback, &t->columns[n], name);
-        write_text(out, name);
+        fw_csv_write_text(out, name);
     }
     fputc('\n', out);
 }
 
-static void write_table(const table *t, FILE *out)
+static void write_table(FILE *out, const void *object)
 {
+    const table *t = object;
     write_head(t, out);
     for (int64_t row = 0; row < t->playback->sample_count; ++row) {
         fprintf(out, "%lld,%.17g", (long long)t->steps[row], t->times[row]);
@@ -96,21 +83,6 @@ static void write_table(const table *t, FILE *out)
     }
 }
 
-static fw_status save(const table *t, const char *name, fw_error *error)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *memory = open_memstream(&text, &size);
-    fw_status status = FW_OK;
-    if (memory) write_table(t, memory);
-    if (!memory || fclose(memory) != 0)
-        status = fw_fail_memory(error, "a table");
-    else
-        status = fw_whole_file_write(name, text, size, error);
-    free(text);
-    return status;
-}
-
 fw_status fw_command_table(const fw_arguments *arguments, fw_error *error)
 {
     const char *directory = arguments->words[0];
@@ -118,6 +90,7 @@ fw_status fw_command_table(const fw_arguments *arguments, fw_error *error)
     char *text;
     const char **names;
     int count;
+    FW_TRY(fw_sweep_refuse(directory, error));
     FW_TRY(fw_playback_open(&t.playback, directory, error));
     fw_status status = fw_column_names_read(arguments->observable, &text, &names, &count, error);
     if (status == FW_OK)
@@ -126,9 +99,9 @@ fw_status fw_command_table(const fw_arguments *arguments, fw_error *error)
     free(text);
     if (status == FW_OK) status = read_values(&t, error);
     if (status == FW_OK && arguments->output)
-        status = save(&t, arguments->output, error);
+        status = fw_csv_save(arguments->output, write_table, &t, error);
     else if (status == FW_OK)
-        write_table(&t, stdout);
+        write_table(stdout, &t);
     release(&t);
     return status;
 }

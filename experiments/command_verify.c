@@ -7,7 +7,7 @@
 #include "experiments/progress.h"
 #include "experiments/provenance.h"
 #include "experiments/study.h"
-#include "experiments/verdict.h"
+#include "experiments/sweep.h"
 #include "experiments/whole_file.h"
 
 #include <math.h>
@@ -23,13 +23,14 @@ typedef struct tally {
 static void write_verdict(fw_json *json, const fw_verdict *verdict)
 {
     const fw_expectation *e = verdict->expectation;
-    const bool bounds = e->kind == FW_VERDICT_BOUNDS;
+    const bool bounds = e->kind == FW_VERDICT_BOUNDS, trend = fw_expectation_is_trend(e);
     double tolerance = e->kind == FW_VERDICT_RELATIVE ? e->within * fabs(e->value) : e->within;
     fw_json_begin(json, NULL, '{');
+    if (verdict->in) fw_json_text(json, "case", verdict->in);
     fw_json_text(json, "quantity", verdict->quantity);
     fw_json_text(json, "expected", verdict->expected);
-    fw_json_number(json, "value", bounds ? NAN : e->value);
-    fw_json_number(json, "tolerance", bounds ? NAN : tolerance);
+    fw_json_number(json, "value", bounds || trend ? NAN : e->value);
+    fw_json_number(json, "tolerance", bounds || trend ? NAN : tolerance);
     fw_json_number(json, "above", bounds && e->has_above ? e->above : NAN);
     fw_json_number(json, "below", bounds && e->has_below ? e->below : NAN);
     fw_json_number(json, "measured", verdict->measured);
@@ -41,13 +42,12 @@ static void write_verdict(fw_json *json, const fw_verdict *verdict)
     fw_json_end(json, '}');
 }
 
-static void judge(tally *sum, const char *name, const fw_scenario *scenario, const fw_study *study,
-                  double seconds)
+static void judge(tally *sum, const char *name, const fw_scenario *scenario,
+                  const fw_verdicts *verdicts, double seconds)
 {
-    const fw_measurement *measurement = fw_study_measurement(study);
     if (sum->table) {
         fprintf(sum->table, "%s: %s (%.1f s)\n", name, scenario->title, seconds);
-        fw_verdict_print(sum->table, scenario, measurement);
+        fw_verdicts_print(sum->table, verdicts);
         fprintf(sum->table, "\n");
         fflush(sum->table);
     }
@@ -58,15 +58,44 @@ static void judge(tally *sum, const char *name, const fw_scenario *scenario, con
     fw_json_text(json, "source", scenario->source);
     fw_json_number(json, "seconds", seconds);
     fw_json_begin(json, "expectations", '[');
-    for (int n = 0; n < scenario->expectation_count; ++n) {
-        fw_verdict verdict = fw_verdict_of(scenario, measurement, n);
-        write_verdict(json, &verdict);
-        sum->failures += !verdict.holds;
-    }
+    for (int n = 0; n < verdicts->count; ++n)
+        if (verdicts->item[n].asked) write_verdict(json, &verdicts->item[n]);
     fw_json_end(json, ']');
     fw_json_end(json, '}');
-    sum->expectations += scenario->expectation_count;
+    sum->failures += fw_verdicts_failed(verdicts);
+    sum->expectations += fw_verdicts_asked(verdicts);
     sum->experiments += 1;
+}
+
+static fw_status verify_study(const fw_scenario *scenario, const fw_run_options *options,
+                              tally *sum, fw_error *error)
+{
+    const double started = fw_progress_clock();
+    fw_study *study;
+    fw_verdicts verdicts = {0};
+    FW_TRY(fw_study_begin(&study, scenario, options, error));
+    fw_status status = fw_study_to_end(study, error);
+    if (status == FW_OK)
+        status = fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error);
+    if (status == FW_OK)
+        judge(sum, options->name, scenario, &verdicts, fw_progress_clock() - started);
+    fw_verdicts_clear(&verdicts);
+    fw_study_destroy(study);
+    return status;
+}
+
+static fw_status verify_sweep(const fw_scenario *scenario, const fw_run_options *options,
+                              tally *sum, fw_error *error)
+{
+    const double started = fw_progress_clock();
+    fw_sweep *sweep;
+    FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
+    const fw_status status = fw_sweep_to_end(sweep, error);
+    if (status == FW_OK)
+        judge(sum, options->name, scenario, fw_sweep_verdicts(sweep),
+              fw_progress_clock() - started);
+    fw_sweep_destroy(sweep);
+    return status;
 }
 
 static fw_status verify_one(const char *word, const fw_arguments *arguments, tally *sum,
@@ -79,15 +108,10 @@ static fw_status verify_one(const char *word, const fw_arguments *arguments, tal
                                     .at_once = arguments->threads,
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr};
-    fw_study *study;
-    double started = fw_progress_clock();
-    fw_status status = fw_study_begin(&study, scenario, &options, error);
-    if (status == FW_OK) {
-        status = fw_study_to_end(study, error);
-        if (status == FW_OK) judge(sum, name, scenario, study, fw_progress_clock() - started);
-        fw_study_destroy(study);
-    }
-    if (status == FW_DIVERGED) status = fw_fail_within(error, "%s", name);
+    const fw_status status = fw_scenario_is_sweep(scenario)
+                                 ? verify_sweep(scenario, &options, sum, error)
+                                 : verify_study(scenario, &options, sum, error);
+    if (status == FW_DIVERGED) fw_fail_within(error, "%s", name);
     fw_scenario_destroy(scenario);
     return status;
 }

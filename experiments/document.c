@@ -165,6 +165,56 @@ fw_status fw_document_parse_value(fw_document *document, const char *given, cons
     return fw_document_read(document, fresh->number, text, strlen(text), value, error);
 }
 
+/* --- copies --- */
+
+/* No deeper than FW_DOCUMENT_DEPTH. NULL without memory. */
+static fw_node *clone_node(fw_document *document, const fw_node *node)
+{
+    fw_node *clone = fw_document_allocate(document, 1, sizeof *clone);
+    if (!clone) return NULL;
+    *clone = (fw_node){.kind = node->kind,
+                       .place = node->place,
+                       .key_place = node->key_place,
+                       .length = node->length,
+                       .quoted = node->quoted};
+    if (node->key) clone->key = fw_document_copy(document, node->key, strlen(node->key));
+    if (node->text) clone->text = fw_document_copy(document, node->text, node->length);
+    if ((node->key && !clone->key) || (node->text && !clone->text)) return NULL;
+    for (const fw_node *child = node->first; child; child = child->next) {
+        fw_node *copy = clone_node(document, child);
+        if (!copy) return NULL;
+        fw_node_append(clone, copy);
+    }
+    return clone;
+}
+
+static bool clone_options(fw_document *document, const option *options)
+{
+    option **end = &document->options;
+    for (const option *given = options; given; given = given->next) {
+        option *copy = fw_document_allocate(document, 1, sizeof *copy);
+        if (!copy) return false;
+        copy->number = given->number;
+        copy->text = fw_document_copy(document, given->text, strlen(given->text));
+        *end = copy;
+        end = &copy->next;
+        if (!copy->text) return false;
+    }
+    return true;
+}
+
+fw_status fw_document_clone(fw_document **clone, const fw_document *document, fw_error *error)
+{
+    FW_TRY(create_empty(clone, document->file, error));
+    (*clone)->root = clone_node(*clone, document->root);
+    if ((*clone)->root && clone_options(*clone, document->options)) return FW_OK;
+    fw_document_destroy(*clone);
+    *clone = NULL;
+    return fw_document_fail_memory(document, error);
+}
+
+/* --- nodes --- */
+
 fw_node *fw_document_root(const fw_document *document)
 {
     return document->root;
@@ -192,4 +242,16 @@ void fw_node_append(fw_node *parent, fw_node *child)
         parent->first = child;
     parent->last = child;
     parent->count += 1;
+}
+
+void fw_node_remove(fw_node *parent, const fw_node *child)
+{
+    fw_node *before = NULL;
+    for (fw_node *at = parent->first; at != child; at = at->next) before = at;
+    if (before)
+        before->next = child->next;
+    else
+        parent->first = child->next;
+    if (parent->last == child) parent->last = before;
+    parent->count -= 1;
 }

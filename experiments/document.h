@@ -55,6 +55,8 @@ fw_status fw_document_parse(fw_document **document, const char *file, const char
 /* The same for a file on disk. FW_BAD_INPUT also where it cannot be read. */
 fw_status fw_document_load(fw_document **document, const char *path, fw_error *error);
 void fw_document_destroy(fw_document *document);
+/* The same tree with the same places, to be changed by itself. FW_SYSTEM_FAILED without memory. */
+fw_status fw_document_clone(fw_document **clone, const fw_document *document, fw_error *error);
 
 /* Reads the value that a --set option gives; sentences about it will name `option`. The node is
  * the document's, but not yet in its tree. */
@@ -68,6 +70,9 @@ const char *fw_document_file(const fw_document *document);
 fw_node *fw_node_find(const fw_node *mapping, const char *key);
 /* Makes `child`, which has no parent yet, the last one. */
 void fw_node_append(fw_node *parent, fw_node *child);
+
+/* Takes `child`, which is one of them, out of the children of `parent`. */
+void fw_node_remove(fw_node *parent, const fw_node *child);
 
 /* Zeroed memory that lives as long as the document; NULL when there is none. */
 void *fw_document_allocate(fw_document *document, size_t count, size_t size);

@@ -348,6 +348,22 @@ static fw_status add_expected(request *r, int number)
     return r->measurement->expected[number] < 0 ? FW_SYSTEM_FAILED : FW_OK;
 }
 
+/* A sweep compares what is expected, and the measures of a layer. */
+static fw_status check_compared(request *r, fw_scenario_name name)
+{
+    const fw_scenario *scenario = r->experiment->scenario;
+    const fw_quantity *quantity;
+    FW_TRY(find_quantity(r, name, &quantity));
+    if (quantity->scope == FW_SCOPE_STUDY && scenario->profile.every != 0) return FW_OK;
+    for (int n = 0; n < scenario->expectation_count; ++n)
+        if (strcmp(scenario->expectations[n].quantity.text, name.text) == 0) return FW_OK;
+    return fw_scenario_fail(scenario, name.place, r->error,
+                            "a picture of a sweep draws %s, which the sweep does not compare: "
+                            "expected a quantity of 'expect'%s",
+                            name.text,
+                            scenario->profile.every != 0 ? ", or a measure of the layer" : "");
+}
+
 static bool is_measured(const request *r, const fw_quantity *quantity)
 {
     for (int n = 0; n < r->measurement->probe_count; ++n)
@@ -372,9 +388,13 @@ static fw_status add_all(request *r)
     for (int n = 0; scenario->profile.every != 0 && profile_set[n]; ++n)
         FW_TRY(add_everywhere(r, fw_quantity_find(profile_set[n]), (fw_place){0}));
     for (int n = 0; n < scenario->expectation_count; ++n) FW_TRY(add_expected(r, n));
-    for (int p = 0; p < scenario->picture_count; ++p)
-        for (int n = 0; n < scenario->pictures[p].observables.count; ++n)
-            FW_TRY(add_drawn(r, scenario->pictures[p].observables.item[n]));
+    for (int p = 0; p < scenario->picture_count; ++p) {
+        const fw_scenario_picture *picture = &scenario->pictures[p];
+        for (int n = 0; n < picture->observables.count; ++n)
+            FW_TRY(picture->kind == FW_PICTURE_SWEEP
+                       ? check_compared(r, picture->observables.item[n])
+                       : add_drawn(r, picture->observables.item[n]));
+    }
     return FW_OK;
 }
 

@@ -29,6 +29,7 @@ typedef struct fw_measurement {
     /* What came out of the study, by fw_layer_measure: means and their errors. NULL before its end.
      */
     const double *outcome, *outcome_error;
+    const double *outcome_of_seeds; /* the same numbers of each seed, one seed after the other */
     /* Of all seeds of the study, itself the first. NULL before its end, and of a single run. */
     const struct fw_measurement *const *seeds;
     int seed_count;

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <locale.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -105,4 +106,16 @@ fw_number_fault fw_integer_read(const char *text, size_t length, int64_t *value)
     if (!negative && __builtin_sub_overflow((int64_t)0, read, &read)) return FW_NUMBER_TOO_LARGE;
     *value = read;
     return FW_NUMBER_FINE;
+}
+
+void fw_number_write(char text[FW_NUMBER_TEXT], double value)
+{
+    if (value == trunc(value) && fabs(value) < 1e15) {
+        snprintf(text, FW_NUMBER_TEXT, "%.0f", value == 0 ? 0 : value);
+        return;
+    }
+    for (int digits = 1; digits <= 17; ++digits) {
+        snprintf(text, FW_NUMBER_TEXT, "%.*g", digits, value);
+        if (strtod(text, NULL) == value) return;
+    }
 }

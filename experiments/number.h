@@ -22,4 +22,9 @@ fw_number_fault fw_number_read(const char *text, size_t length, double *value);
 /* 0, 12, -7: whole numbers, without point, exponent or leading zeros. */
 fw_number_fault fw_integer_read(const char *text, size_t length, int64_t *value);
 
+/* The shortest text that reads back to the same number; whole numbers without an exponent, so that
+ * they read as whole ones. */
+enum { FW_NUMBER_TEXT = 32 };
+void fw_number_write(char text[FW_NUMBER_TEXT], double value);
+
 #endif

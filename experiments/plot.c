@@ -6,7 +6,9 @@
 
 #include "experiments/folder.h"
 #include "experiments/plot_parts.h"
+#include "experiments/plot_sweep.h"
 #include "experiments/spelling.h"
+#include "experiments/sweep.h"
 
 #include "core/array.h"
 
@@ -78,6 +80,12 @@ static fw_status refuse_name(const char *directory, const char *what, const char
 
 /* --- the scenario's pictures, kinds and fields by name --- */
 
+/* A sweep is drawn from all of its cases, in its own folder. */
+static bool is_drawn(const fw_scenario_picture *picture)
+{
+    return picture->kind != FW_PICTURE_SWEEP;
+}
+
 static fw_status find_picture(const fw_plot_result *result, const char *name,
                               const fw_scenario_picture **picture, fw_error *error)
 {
@@ -86,9 +94,10 @@ static fw_status find_picture(const fw_plot_result *result, const char *name,
     char known[512] = "";
     for (int n = 0; n < scenario->picture_count; ++n) {
         *picture = &scenario->pictures[n];
+        if (!is_drawn(*picture)) continue;
         if (strcmp((*picture)->name, name) == 0) return FW_OK;
         fw_guess_offer(&guess, (*picture)->name);
-        append(known, sizeof known, "%s%s", n > 0 ? ", " : "", (*picture)->name);
+        append(known, sizeof known, "%s%s", known[0] ? ", " : "", (*picture)->name);
     }
     return refuse_name(result->directory, "picture", name, guess, known, error);
 }
@@ -108,7 +117,7 @@ static fw_status find_kind(const char *name, fw_plot_kind *kind, fw_error *error
                        guess.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "no pictures of kind %s, expected motion, forces, field, strip, series, "
-                   "profile, loop or analysis",
+                   "profile, loop or analysis, or sweep in the folder of one",
                    name);
 }
 
@@ -248,6 +257,7 @@ static fw_plot_kind kind_of(const fw_scenario_picture *own)
     case FW_PICTURE_ANALYSIS:
         return FW_PLOT_ANALYSIS;
     case FW_PICTURE_SERIES:
+    case FW_PICTURE_SWEEP: /* not drawn here, see is_drawn() */
         break;
     }
     return FW_PLOT_SERIES;
@@ -269,8 +279,9 @@ static fw_status decide_kind(draft *d, const fw_plot_wish *wish, fw_error *error
     } else if (!wish->picture && wish->field) {
         *kind = FW_PLOT_FIELD;
     } else {
-        if (!d->own && d->result->scenario->picture_count > 0)
-            d->own = &d->result->scenario->pictures[0];
+        const fw_scenario *scenario = d->result->scenario;
+        for (int n = 0; n < scenario->picture_count && !d->own; ++n)
+            if (is_drawn(&scenario->pictures[n])) d->own = &scenario->pictures[n];
         *kind = d->own ? kind_of(d->own) : FW_PLOT_MOTION;
     }
     d->name = d->own ? d->own->name : kinds[*kind].name;
@@ -405,6 +416,7 @@ static fw_status draw_picture(const fw_plot_result *result, const fw_plot_wish *
 fw_status fw_plot_one(const char *directory, const fw_plot_wish *wish, FILE *out, fw_error *error)
 {
     fw_plot_result result;
+    if (fw_sweep_is_in(directory)) return fw_plot_sweep_one(directory, wish, out, error);
     fw_status status = fw_plot_result_open(&result, directory, error);
     if (status == FW_OK) status = draw_picture(&result, wish, out, error);
     fw_plot_result_close(&result);
@@ -414,16 +426,20 @@ fw_status fw_plot_one(const char *directory, const fw_plot_wish *wish, FILE *out
 fw_status fw_plot_all(const char *directory, FILE *out, fw_error *error)
 {
     fw_plot_result result;
+    if (fw_sweep_is_in(directory)) return fw_plot_sweep_all(directory, out, error);
     fw_status status = fw_plot_result_open(&result, directory, error);
-    int count = status == FW_OK ? result.scenario->picture_count : -1;
-    if (count == 0) status = draw_picture(&result, &(fw_plot_wish){0}, out, error);
+    const int count = status == FW_OK ? result.scenario->picture_count : 0;
+    bool drawn = status != FW_OK;
     for (int n = 0; n < count; ++n) {
         fw_error own = {0};
         const fw_plot_wish wish = {.picture = result.scenario->pictures[n].name};
-        fw_status drawn = draw_picture(&result, &wish, out, &own);
-        if (status == FW_OK && drawn != FW_OK) *error = own;
-        if (status == FW_OK) status = drawn;
+        if (!is_drawn(&result.scenario->pictures[n])) continue;
+        const fw_status done = draw_picture(&result, &wish, out, &own);
+        drawn = true;
+        if (status == FW_OK && done != FW_OK) *error = own;
+        if (status == FW_OK) status = done;
     }
+    if (!drawn) status = draw_picture(&result, &(fw_plot_wish){0}, out, error);
     fw_plot_result_close(&result);
     return status;
 }

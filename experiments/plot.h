@@ -13,9 +13,9 @@
 typedef struct fw_plot_wish {
     const char *file;    /* ends in .png, .svg or .pdf; NULL: NAME.png in the results folder */
     const char *picture; /* one of the scenario's, or NULL */
-    const char
-        *kind; /* "motion", "forces", "field", "strip", "series", "profile", "loop", or NULL */
-    const char *field; /* whose values are colours; NULL: the picture's own, or the first */
+    const char *kind;    /* "motion", "forces", "field", "strip", "series", "profile", "loop",
+                         "analysis", "sweep",    or NULL */
+    const char *field;   /* whose values are colours; NULL: the picture's own, or the first */
     const char *const *observables; /* of a series: "energy", "elongation.chain", "momentum.x" */
     int observable_count;           /* 0: the picture's own, or the energies */
     const int64_t *steps;           /* that are drawn; of a series, its first and its last */

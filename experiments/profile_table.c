@@ -2,7 +2,8 @@
 /* profile_table.c - the outcome of a study on its way to files and people. Keeps no state. */
 #include "experiments/profile_table.h"
 
-#include <errno.h>
+#include "experiments/csv.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -112,8 +113,9 @@ fw_status fw_profile_table_read(fw_profile_table **table, fw_playback *playback,
 
 /* --- CSV --- */
 
-static void write_csv(const fw_profile_table *table, FILE *out)
+static void write_csv(FILE *out, const void *object)
 {
+    const fw_profile_table *table = object;
     fprintf(out, "%c_from,%c_until", table->axis, table->axis);
     for (int c = 0; c < FW_PROFILE_COLUMNS; ++c) {
         const char *name = fw_profile_columns[c].name;
@@ -133,12 +135,7 @@ static void write_csv(const fw_profile_table *table, FILE *out)
 
 fw_status fw_profile_table_write(const fw_profile_table *table, const char *path, fw_error *error)
 {
-    FILE *out = fopen(path, "w");
-    if (!out) return fw_fail(error, FW_SYSTEM_FAILED, "%s: %s", path, strerror(errno));
-    write_csv(table, out);
-    const bool failed = ferror(out) != 0;
-    if (fclose(out) == 0 && !failed) return FW_OK;
-    return fw_fail(error, FW_SYSTEM_FAILED, "%s: %s", path, strerror(errno));
+    return fw_csv_save(path, write_csv, table, error);
 }
 
 /* --- for people --- */

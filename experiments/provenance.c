@@ -50,3 +50,14 @@ void fw_provenance_author(char *text, size_t size)
     }
     snprintf(text, size, "%s", name);
 }
+
+/* Results are the same to the last bit only within one build. */
+void fw_provenance_compare(FILE *out, const char *revision, const char *directory)
+{
+    const fw_provenance now = fw_provenance_now();
+    if (strcmp(revision, now.revision) == 0) return;
+    fprintf(out,
+            "fretwork: %s was begun by revision %s and goes on with %s; results of two revisions "
+            "may differ in the last digits\n",
+            directory, revision, now.revision);
+}

@@ -4,6 +4,7 @@
 #define FW_PROVENANCE_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 enum { FW_PROVENANCE_SIZE = 256 };
 
@@ -20,6 +21,9 @@ typedef struct fw_provenance {
 
 /* Everything about this program, this machine and this moment. */
 fw_provenance fw_provenance_now(void);
+
+/* Says a line on `out` where results in a folder were begun by another revision than this one. */
+void fw_provenance_compare(FILE *out, const char *revision, const char *directory);
 
 /* The time in UTC, "2024-05-01T12:00:00Z". */
 void fw_provenance_time(char *text, size_t size);

@@ -246,8 +246,10 @@ fw_status fw_run_finish(fw_run *run, fw_error *error)
     return status;
 }
 
-void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error)
+void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
+                        const double *outcome_of_seeds)
 {
+    run->measurement->outcome_of_seeds = outcome_of_seeds;
     run->measurement->outcome = outcome;
     run->measurement->outcome_error = outcome_error;
 }

@@ -40,8 +40,9 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error);
 fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,
                              fw_error *error);
 fw_status fw_run_finish(fw_run *run, fw_error *error);
-/* For expectations of a study's outcome; both are observed. */
-void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error);
+/* For expectations of a study's outcome; all are observed. */
+void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
+                        const double *outcome_of_seeds);
 /* For all other expectations: what all seeds measured; observed. */
 void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count);
 

@@ -4,6 +4,7 @@
  * Start reading at build(). */
 #include "experiments/scenario.h"
 
+#include "experiments/number.h"
 #include "experiments/scenario_parts.h"
 #include "experiments/settings.h"
 #include "experiments/spelling.h"
@@ -111,6 +112,7 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     fw_document *document = scenario->document;
     FW_TRY(fw_settings_apply(document, settings, setting_count, error));
     FW_TRY(fw_schema_check(document, "scenario", error));
+    FW_TRY(fw_scenario_read_sweep(scenario, error));
     FW_TRY(fw_schema_fill(document, "scenario", fw_document_root(document), scenario, error));
     FW_TRY(refuse_lines(scenario, "title", error));
     FW_TRY(refuse_lines(scenario, "figure", error));
@@ -165,6 +167,24 @@ fw_status fw_scenario_load(fw_scenario **scenario, const char *path, const char 
     fw_document *document;
     FW_TRY(fw_document_load(&document, path, error));
     return create(scenario, document, settings, setting_count, error);
+}
+
+bool fw_scenario_is_sweep(const fw_scenario *scenario)
+{
+    return scenario->study.sweep.value_count > 0 && !scenario->study.sweep.is_case;
+}
+
+fw_status fw_scenario_read_case(fw_scenario **made, const fw_scenario *sweep, int number,
+                                fw_error *error)
+{
+    char setting[FW_NUMBER_TEXT + 32] = "study.sweep.case=";
+    const char *const settings[] = {setting};
+    fw_document *document;
+    *made = NULL;
+    fw_number_write(setting + strlen(setting), sweep->study.sweep.values[number]);
+    FW_TRY(fw_document_clone(&document, sweep->document, error));
+    const fw_status status = create(made, document, settings, 1, error);
+    return fw_scenario_fail_case(sweep, number, status, error);
 }
 
 void fw_scenario_destroy(fw_scenario *scenario)

@@ -251,8 +251,22 @@ typedef struct fw_scenario_profile {
     double far[2];    /* distances from the middle */
 } fw_scenario_profile;
 
+/* The study once for each of several values of a parameter; no values: once. */
+typedef struct fw_scenario_sweep {
+    fw_place place;
+    fw_scenario_name parameter; /* a name of the user's own */
+    const char *unit;           /* NULL: none given */
+    int value_count;
+    double *values; /* all different */
+    int setting_count;
+    const char **settings; /* changes that make a case, as --set has them, with the parameter */
+    bool is_case;          /* one value has been set already: */
+    int number;            /* which */
+} fw_scenario_sweep;
+
 /* More runs of the same scenario. */
 typedef struct fw_scenario_study {
+    fw_scenario_sweep sweep;
     int64_t seeds; /* run.seed and the following ones */
     int control_count;
     const char **control; /* changes that make the control run, as --set has them */
@@ -304,7 +318,9 @@ typedef enum fw_take {
 typedef enum fw_verdict_kind {
     FW_VERDICT_VALUE,
     FW_VERDICT_RELATIVE,
-    FW_VERDICT_BOUNDS
+    FW_VERDICT_BOUNDS,
+    FW_VERDICT_RISES, /* from each value of a sweep to the next */
+    FW_VERDICT_FALLS
 } fw_verdict_kind;
 
 typedef struct fw_expectation {
@@ -326,6 +342,7 @@ typedef struct fw_expectation {
     fw_take take;           /* otherwise this of the series ... */
     int64_t from, until;    /* ... over the steps from <= step <= until */
     fw_scenario_name phase; /* that gives these; text NULL: none given */
+    int when;               /* number of the only case of a sweep that it speaks of; -1: all */
     fw_verdict_kind kind;
     double value, within; /* within: absolute, or relative to |value| */
     bool has_below, has_above;
@@ -334,6 +351,11 @@ typedef struct fw_expectation {
     const char *note;   /* NULL: none given */
 } fw_expectation;
 
+static inline bool fw_expectation_is_trend(const fw_expectation *expectation)
+{
+    return expectation->kind == FW_VERDICT_RISES || expectation->kind == FW_VERDICT_FALLS;
+}
+
 typedef enum fw_picture_kind {
     FW_PICTURE_MOTION,  /* the bodies at several instants, with the path of the centre of mass */
     FW_PICTURE_FORCES,  /* forces as arrows */
@@ -341,7 +363,8 @@ typedef enum fw_picture_kind {
     FW_PICTURE_SERIES,  /* observables over time */
     FW_PICTURE_PROFILE, /* the bodies above their profile, the control beside it */
     FW_PICTURE_LOOP,    /* tangential force against slip */
-    FW_PICTURE_ANALYSIS
+    FW_PICTURE_ANALYSIS,
+    FW_PICTURE_SWEEP /* quantities against the parameter of a sweep */
 } fw_picture_kind;
 
 typedef struct fw_scenario_picture {
@@ -430,6 +453,20 @@ fw_status fw_scenario_read(fw_scenario **scenario, const char *file, const char 
 fw_status fw_scenario_load(fw_scenario **scenario, const char *path, const char *const *settings,
                            int setting_count, fw_error *error);
 void fw_scenario_destroy(fw_scenario *scenario);
+
+/* Is it a sweep as a whole, which is not run itself but case by case? */
+bool fw_scenario_is_sweep(const fw_scenario *scenario);
+/* One case of a sweep: a scenario of its own, that says which case it is. Sentences about it begin
+ * with the place of the sweep. */
+fw_status fw_scenario_read_case(fw_scenario **made, const fw_scenario *sweep, int number,
+                                fw_error *error);
+/* "A=2.5": what sentences and folders call the case. */
+enum { FW_CASE_NAME = FW_NAME_BYTES + 32 };
+void fw_scenario_case_name(const fw_scenario *scenario, int number, char name[FW_CASE_NAME]);
+/* FW_BAD_INPUT of a case: its sentence goes behind the place of the sweep. Returns the status, and
+ * changes nothing of others. */
+fw_status fw_scenario_fail_case(const fw_scenario *sweep, int number, fw_status status,
+                                fw_error *error);
 
 /* FW_BAD_INPUT with the sentence after the place where the fault was written. */
 fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error *error,

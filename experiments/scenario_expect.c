@@ -64,6 +64,28 @@ static fw_status check_steps(const fw_scenario *scenario, const fw_node *node,
     return FW_OK;
 }
 
+/* How it changes over a sweep, in place of a value. */
+static fw_status read_trend(const fw_scenario *scenario, const fw_node *node, const fw_node *trend,
+                            fw_expectation *e, fw_error *error)
+{
+    static const char *const others[] = {"value", "below", "above", "when", NULL};
+    for (int n = 0; others[n]; ++n) {
+        const fw_node *other = fw_node_find(node, others[n]);
+        if (other)
+            return fw_scenario_fail(scenario, other->key_place, error,
+                                    "the expectation of '%s' has both 'trend' and '%s', expected "
+                                    "one of them",
+                                    e->quantity.text, others[n]);
+    }
+    if (scenario->study.sweep.value_count < 2)
+        return fw_scenario_fail(scenario, trend->key_place, error,
+                                "the expectation of '%s' has a 'trend', but the study has no "
+                                "'sweep' of two values or more",
+                                e->quantity.text);
+    e->kind = fw_node_word(trend, "rises|falls") == 0 ? FW_VERDICT_RISES : FW_VERDICT_FALLS;
+    return FW_OK;
+}
+
 static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
                               fw_error *error)
 {
@@ -71,7 +93,9 @@ static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, 
     const fw_node *within = fw_node_find(node, "within");
     const fw_node *relative = fw_node_find(node, "within-relative");
     const fw_node *below = fw_node_find(node, "below"), *above = fw_node_find(node, "above");
+    const fw_node *trend = fw_node_find(node, "trend");
     const char *quantity = e->quantity.text;
+    if (trend) return read_trend(scenario, node, trend, e, error);
     e->has_below = below != NULL;
     e->has_above = above != NULL;
     if (value && (below || above))
@@ -82,7 +106,7 @@ static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, 
     if (!value && !below && !above)
         return fw_scenario_fail(scenario, node->place, error,
                                 "the expectation of '%s' expects nothing: it needs 'value' with "
-                                "'within', or 'below', or 'above'",
+                                "'within', or 'below', or 'above', or 'trend'",
                                 quantity);
     if (below && above && e->above >= e->below)
         return fw_scenario_fail(scenario, above->place, error,
@@ -113,6 +137,9 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
     FW_TRY(fw_schema_fill(scenario->document, "expectation", node, e, error));
     e->has_at = fw_node_find(node, "at") != NULL;
     e->has_site = fw_node_find(node, "site") != NULL;
+    const fw_node *when = fw_node_find(node, "when");
+    e->when = -1;
+    if (when) FW_TRY(fw_scenario_find_value(scenario, when, &e->when, error));
     e->body_index = e->wall_index = e->grip_index = e->analysis_index = -1;
     int count;
     const fw_node *body = fw_node_find(node, "body"), *wall = fw_node_find(node, "wall");
@@ -163,15 +190,16 @@ static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
         FORCES = 1 << FW_PICTURE_FORCES,
         FIELD = 1 << FW_PICTURE_FIELD,
         SERIES = 1 << FW_PICTURE_SERIES,
-        ANALYSIS = 1 << FW_PICTURE_ANALYSIS
+        ANALYSIS = 1 << FW_PICTURE_ANALYSIS,
+        SWEEP = 1 << FW_PICTURE_SWEEP
     };
     static const struct {
         const char *key;
         unsigned kinds; /* that draw it */
-    } keys[] = {{"observables", SERIES},
+    } keys[] = {{"observables", SERIES | SWEEP},
                 {"from", SERIES},
                 {"until", SERIES},
-                {"logarithmic", SERIES},
+                {"logarithmic", SERIES | SWEEP},
                 {"instants", MOTION | FORCES | FIELD},
                 {"field", MOTION | FORCES | FIELD},
                 {"analysis", ANALYSIS}};
@@ -184,6 +212,10 @@ static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
                                     "draw",
                                     node->key, stray->key, kind->text);
     }
+    if (picture->kind == FW_PICTURE_SWEEP && scenario->study.sweep.value_count == 0)
+        return fw_scenario_fail(scenario, kind->place, error,
+                                "pictures.%s is of kind 'sweep', but the study has no 'sweep'",
+                                node->key);
     const fw_node *until = fw_node_find(node, "until"), *from = fw_node_find(node, "from");
     if (picture->from >= scenario->run.steps && from && scenario->run.steps > 0)
         return fw_scenario_fail(scenario, from->place, error,

@@ -16,6 +16,11 @@ fw_status fw_scenario_read_grips(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_phases(fw_scenario *scenario, fw_error *error);
 /* Profile and study; after the phases. */
 fw_status fw_scenario_read_study(fw_scenario *scenario, fw_error *error);
+/* The sweep, and the settings of the case that the scenario is: before everything else. */
+fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error);
+/* Number of the value of the sweep that is written there, which must be one. */
+fw_status fw_scenario_find_value(const fw_scenario *scenario, const fw_node *node, int *number,
+                                 fw_error *error);
 /* Index of the phase of that name. */
 fw_status fw_scenario_find_phase(const fw_scenario *scenario, const fw_node *name, int *phase,
                                  fw_error *error);

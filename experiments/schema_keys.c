@@ -160,6 +160,11 @@ const fw_section fw_schema_sections[] = {
      "More runs of the same scenario, side by side: means and standard errors come from all "
      "seeds, and what is expected is held against the mean. `summary.csv` in the results has the "
      "numbers of each seed."},
+    {"sweep", "`study.sweep`", "a sweep",
+     "One study after the other, each with its results in `DIR/PARAMETER=VALUE`, and "
+     "`DIR/sweep.csv` "
+     "with means and standard errors of what is expected and of the layer's measures against the "
+     "parameter."},
     {"dynamics", "`dynamics`", "a set of dynamics",
      "How movable particles and linear lattices move: m dv/dt = F - m damping v + noise, in steps "
      "of velocity Verlet, or of BAOAB where there is damping. Everything that counts steps (`run`, "
@@ -169,7 +174,7 @@ const fw_section fw_schema_sections[] = {
      "What the results file holds of each particle, beside its position."},
     {"expectation", "Items of `expect`", "an expectation",
      "A number that the run must show, or it ends with exit code 1. Either `value` with `within` "
-     "or `within-relative`, or `below`, `above` or both."},
+     "or `within-relative`, or `below`, `above` or both, or the `trend` of a sweep."},
     {"analysis", "`analysis.NAME`", "an analysis",
      "What is computed without running: numbers that `expect` can speak of, and arrays in the "
      "results file under parameters/analysis/NAME."},
@@ -282,8 +287,8 @@ const fw_key fw_schema_keys[] = {
     {"morse", "cut", FW_FORM_NUMBERS, .layout = "[from, to]", AT_LEAST(0),
      AT(fw_pair_potential, cut), .standard = "[1.4, 1.7]", .unit = "length",
      .meaning = "where it is led to zero"},
-    {"return-force", "symmetry", FW_FORM_INTEGER, FROM_TO(2, 24), AT(fw_scenario_particles, symmetry),
-     .standard = "6",
+    {"return-force", "symmetry", FW_FORM_INTEGER, FROM_TO(2, 24),
+     AT(fw_scenario_particles, symmetry), .standard = "6",
      .meaning =
          "n: how many axes there are around; even, 6 for hexagonal bodies, 4 for square ones"},
     {"return-force", "amplitude", FW_FORM_NUMBER, REQUIRED, AT_LEAST(0),
@@ -597,6 +602,20 @@ const fw_key fw_schema_keys[] = {
      .otherwise = "none",
      .meaning = "changes, as `--set` has them, that turn the experiment into its control; that is "
                 "run with the same seeds"},
+    {"study", "sweep", FW_FORM_MAPPING, .inside = "sweep", NOT_STORED, .otherwise = "none",
+     .meaning = "the whole study once for each of several values"},
+    {"sweep", "parameter", FW_FORM_NAME, REQUIRED, AT(fw_scenario_sweep, parameter),
+     .meaning = "a name of your own for what is varied"},
+    {"sweep", "unit", FW_FORM_TEXT, AT(fw_scenario_sweep, unit), .otherwise = "none",
+     .meaning = "of the parameter, for the axis of pictures"},
+    {"sweep", "values", FW_FORM_LIST, .items = FW_FORM_NUMBER, .least = 1, .most = 1024, REQUIRED,
+     NOT_STORED, .meaning = "of the parameter, all different, in the order in which they are run"},
+    {"sweep", "set", FW_FORM_LIST, .items = FW_FORM_TEXT, .least = 1, .most = 64, NOT_STORED,
+     .otherwise = "required without `case`",
+     .meaning = "changes, as `--set` has them; in their values the parameter, or a number times it "
+                "as `24*A`, stands for its value"},
+    {"sweep", "case", FW_FORM_NUMBER, NOT_STORED, .otherwise = "all of them",
+     .meaning = "the only value to be run, as a study by itself"},
 
     /* --- running and recording --- */
     {"dynamics", "time-step", FW_FORM_NUMBER, ABOVE_ZERO, AT(fw_scenario_dynamics, time_step),
@@ -677,6 +696,8 @@ const fw_key fw_schema_keys[] = {
     {"expectation", "until", FW_FORM_INTEGER, AT_LEAST(0), AT(fw_expectation, until),
      .standard = "9223372036854775807", .otherwise = "the end", .unit = "steps",
      .meaning = "last step that `take` looks at"},
+    {"expectation", "when", FW_FORM_NUMBER, NOT_STORED, .otherwise = "every case of a sweep",
+     .meaning = "the value of a sweep's parameter for which it is expected"},
     {"expectation", "value", FW_FORM_NUMBER, AT(fw_expectation, value), .otherwise = "only bounds",
      .meaning = "what it should be"},
     {"expectation", "within", FW_FORM_NUMBER, .needs = "value", AT_LEAST(0), NOT_STORED,
@@ -687,19 +708,25 @@ const fw_key fw_schema_keys[] = {
      .meaning = "it must be smaller"},
     {"expectation", "above", FW_FORM_NUMBER, AT(fw_expectation, above), .otherwise = "no bound",
      .meaning = "it must be larger"},
+    {"expectation", "trend", FW_FORM_WORD, .words = "rises|falls", NOT_STORED, .otherwise = "none",
+     .meaning = "over a sweep: from each value to the next larger one its mean rises (falls) by "
+                "more than the standard error of the difference"},
     {"expectation", "source", FW_FORM_TEXT, AT(fw_expectation, source), .otherwise = "none",
      .meaning = "where the expected number comes from"},
     {"expectation", "note", FW_FORM_TEXT, AT(fw_expectation, note), .otherwise = "none",
      .meaning = "a remark for the table of results"},
 
-    {"picture", "kind", FW_FORM_WORD, .words = "motion|forces|field|series|profile|loop|analysis",
-     REQUIRED, AT(fw_scenario_picture, kind),
+    {"picture", "kind", FW_FORM_WORD,
+     .words = "motion|forces|field|series|profile|loop|analysis|sweep", REQUIRED,
+     AT(fw_scenario_picture, kind),
      .meaning =
          "motion: the bodies at several instants with the path of the centre of mass; "
          "forces: forces as arrows; field: a field as colour on the particles, several "
          "instants side by side; series: observables over time; profile: the bodies, coloured "
          "by a field, above their profile, the control beside them; loop: force along the "
-         "interface against slip; analysis: a map or curves of one of `analysis`"},
+         "interface against slip; analysis: a map or curves of one of `analysis`; sweep: "
+         "quantities "
+         "against the parameter of a sweep"},
     {"picture", "title", FW_FORM_TEXT, AT(fw_scenario_picture, title),
      .otherwise = "the scenario's", .meaning = "written above it"},
     {"picture", "instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024,
@@ -710,9 +737,12 @@ const fw_key fw_schema_keys[] = {
      .meaning = "field of the solid that is drawn as colour; it is recorded without being "
                 "named in `record`"},
     {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_PATH, .most = 64,
-     AT(fw_scenario_picture, observables), .otherwise = "the energies",
-     .meaning = "curves of a series: a quantity, as `elongation`, of one body or wall, as "
-                "`elongation.chain`, or one component, as `elongation.x`, `elongation.chain.x`"},
+     AT(fw_scenario_picture, observables),
+     .otherwise = "the energies; of a sweep, what is expected",
+     .meaning =
+         "curves of a series: a quantity, as `elongation`, of one body or wall, as "
+         "`elongation.chain`, or one component, as `elongation.x`, `elongation.chain.x`; of a "
+         "sweep: quantities of `expect`, or measures of the layer"},
     {"picture", "from", FW_FORM_INTEGER, AT_LEAST(0), AT(fw_scenario_picture, from),
      .standard = "0", .unit = "steps", .meaning = "first step of a series"},
     {"picture", "until", FW_FORM_INTEGER, AT_LEAST(1), AT(fw_scenario_picture, until),

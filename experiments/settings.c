@@ -54,24 +54,12 @@ static fw_status add(step *s, const char *key, fw_node **child)
     return FW_OK;
 }
 
-static void remove_child(fw_node *mapping, const fw_node *child)
-{
-    fw_node *before = NULL;
-    for (fw_node *at = mapping->first; at != child; at = at->next) before = at;
-    if (before)
-        before->next = child->next;
-    else
-        mapping->first = child->next;
-    if (mapping->last == child) mapping->last = before;
-    mapping->count -= 1;
-}
-
 static void remove_other_alternatives(fw_node *mapping, const fw_key *chosen)
 {
     for (const fw_key *key = fw_schema_keys; key->section; ++key) {
         if (key == chosen || !key->alternative || strcmp(key->section, chosen->section)) continue;
         const fw_node *other = fw_node_find(mapping, key->name);
-        if (other) remove_child(mapping, other);
+        if (other) fw_node_remove(mapping, other);
     }
 }
 

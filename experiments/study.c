@@ -5,6 +5,7 @@
 #include "experiments/study.h"
 
 #include "core/averages.h"
+#include "experiments/csv.h"
 #include "experiments/folder.h"
 #include "experiments/summary.h"
 
@@ -31,6 +32,7 @@ struct fw_study {
     char control_folder[FW_PATH_SIZE];
     const fw_measurement **measurements; /* per seed of the experiment */
     fw_profile_table *table;
+    double (*layers)[FW_LAYER_MEASURES]; /* of each run */
     double outcome[FW_LAYER_MEASURES], outcome_error[FW_LAYER_MEASURES];
 };
 
@@ -97,7 +99,8 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     if (!made->replicas || !made->measurements) return fw_fail_memory(error, "a study");
     made->replicas[0].scenario = scenario;
     made->replicas[0].options = *options;
-    made->replicas[0].options.keep_open = scenario->profile.every != 0;
+    /* The results are finished when the whole study is. */
+    made->replicas[0].options.keep_open = true;
     for (int n = 1; n < made->run_count; ++n) FW_TRY(make_replica(made, n, options, error));
     return FW_OK;
 }
@@ -155,6 +158,7 @@ void fw_study_destroy(fw_study *study)
     }
     free(study->replicas);
     free(study->measurements);
+    free(study->layers);
     fw_profile_table_destroy(study->table);
     free(study);
 }
@@ -221,9 +225,9 @@ static void average_columns(fw_study *study, double *values)
         }
 }
 
-static fw_status average_layer(fw_study *study, double *values, double (*layers)[FW_LAYER_MEASURES],
-                               fw_error *error)
+static fw_status average_layer(fw_study *study, double *values, fw_error *error)
 {
+    double(*layers)[FW_LAYER_MEASURES] = study->layers;
     const int seeds = study->seed_count;
     for (int n = 0; n < study->run_count; ++n)
         FW_TRY(fw_layer_of(layers[n], experiment_of(study, n),
@@ -242,17 +246,12 @@ static fw_status average_layer(fw_study *study, double *values, double (*layers)
 }
 
 /* What is expected of a quantity is expected of its mean over the seeds. */
-static fw_status compare_seeds(fw_study *study, fw_error *error)
+static void compare_seeds(fw_study *study)
 {
-    const char *directory = study->replicas[0].options.directory;
-    char path[FW_PATH_SIZE + sizeof FW_SUMMARY_FILE];
-    if (study->seed_count == 1) return FW_OK;
+    if (study->seed_count == 1) return;
     for (int n = 0; n < study->seed_count; ++n)
         study->measurements[n] = fw_run_measurement(study->replicas[n].run);
     fw_run_set_seeds(study->replicas[0].run, study->measurements, study->seed_count);
-    if (!directory) return FW_OK;
-    snprintf(path, sizeof path, "%s/%s", directory, FW_SUMMARY_FILE);
-    return fw_summary_write(path, study->scenario, study->measurements[0], error);
 }
 
 static fw_status evaluate(fw_study *study, fw_error *error)
@@ -263,45 +262,77 @@ static fw_status evaluate(fw_study *study, fw_error *error)
                                    error));
     for (int b = 0; b <= bins; ++b) study->table->edges[b] = fw_profile_edge(profile, b);
     double *values = calloc((size_t)study->run_count, sizeof *values);
-    double(*layers)[FW_LAYER_MEASURES] = calloc((size_t)study->run_count, sizeof *layers);
-    fw_status status = values && layers ? FW_OK : fw_fail_memory(error, "the outcome of a study");
+    study->layers = calloc((size_t)study->run_count, sizeof *study->layers);
+    fw_status status =
+        values && study->layers ? FW_OK : fw_fail_memory(error, "the outcome of a study");
     if (status == FW_OK) {
         average_columns(study, values);
-        status = average_layer(study, values, layers, error);
+        status = average_layer(study, values, error);
     }
     free(values);
-    free(layers);
     if (status == FW_OK)
-        fw_run_set_outcome(study->replicas[0].run, study->outcome, study->outcome_error);
+        fw_run_set_outcome(study->replicas[0].run, study->outcome, study->outcome_error,
+                           study->layers[0]);
     return status;
 }
 
-static fw_status write(fw_study *study, fw_error *error)
+/* --- files --- */
+
+static void write_layers(FILE *out, const void *object)
 {
-    fw_run *run = study->replicas[0].run;
-    const char *directory = study->replicas[0].options.directory;
+    const fw_study *study = object;
+    fputs("seed,run", out);
+    for (int m = 0; m < FW_LAYER_MEASURES; ++m) fprintf(out, ",%s", fw_layer_quantities[m].name);
+    fputc('\n', out);
+    for (int n = 0; n < study->run_count; ++n) {
+        const bool control = n >= study->seed_count;
+        fprintf(out, "%lld,%s", (long long)study->replicas[n].scenario->run.seed,
+                control ? "control" : "experiment");
+        for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
+            fputc(',', out);
+            fw_csv_write_number(out, study->layers[n][m]);
+        }
+        fputc('\n', out);
+    }
+}
+
+static fw_status write_profile(fw_study *study, const char *directory, fw_error *error)
+{
     fw_trajectory_array *arrays;
     int count;
-    if (!directory) return FW_OK;
     FW_TRY(fw_profile_table_arrays(&arrays, &count, study->table->bin_count, error));
     fw_status status = FW_OK;
     for (int n = 0; n < count && status == FW_OK; ++n)
-        status =
-            fw_run_write_array(run, &arrays[n], fw_profile_table_values(study->table, n), error);
+        status = fw_run_write_array(study->replicas[0].run, &arrays[n],
+                                    fw_profile_table_values(study->table, n), error);
     free(arrays);
     FW_TRY(status);
     char path[FW_PATH_SIZE + sizeof FW_PROFILE_FILE];
     snprintf(path, sizeof path, "%s/%s", directory, FW_PROFILE_FILE);
     FW_TRY(fw_profile_table_write(study->table, path, error));
-    return fw_run_finish(run, error);
+    snprintf(path, sizeof path, "%s/%s", directory, FW_LAYER_FILE);
+    return fw_csv_save(path, write_layers, study, error);
+}
+
+/* Of several seeds, and of a case, which a sweep that goes on reads back. */
+static fw_status write_summary(const fw_study *study, const char *directory, fw_error *error)
+{
+    char path[FW_PATH_SIZE + sizeof FW_SUMMARY_FILE];
+    if (study->seed_count == 1 && !study->scenario->study.sweep.is_case) return FW_OK;
+    snprintf(path, sizeof path, "%s/%s", directory, FW_SUMMARY_FILE);
+    return fw_summary_write(path, study->scenario, fw_study_measurement(study), error);
 }
 
 fw_status fw_study_to_end(fw_study *study, fw_error *error)
 {
+    const char *directory = study->replicas[0].options.directory;
     FW_TRY(run_all(study, error));
     if (study->scenario->profile.every != 0) FW_TRY(evaluate(study, error));
-    FW_TRY(compare_seeds(study, error));
-    return study->scenario->profile.every != 0 ? write(study, error) : FW_OK;
+    compare_seeds(study);
+    if (!directory) return FW_OK;
+    if (study->table) FW_TRY(write_profile(study, directory, error));
+    FW_TRY(write_summary(study, directory, error));
+    return fw_run_finish(study->replicas[0].run, error);
 }
 
 const fw_measurement *fw_study_measurement(const fw_study *study)

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* study.h - a scenario run as a whole: the experiment itself, its replicas over seeds, and the
  * control of each, side by side. Only the experiment with the scenario's own seed, and its control,
- * leave results on disk (the control in DIR/control); of the others remains what the profile and
- * summary.csv say: what each seed showed of what is expected. No result depends on how many run at
- * a time. */
+ * leave results on disk (the control in DIR/control); of the others remains what the profile,
+ * layer.csv and summary.csv say: what each seed showed of the layer, and of what is expected. No
+ * result depends on how many run at a time. */
 #ifndef FW_STUDY_H
 #define FW_STUDY_H
 
@@ -12,6 +12,7 @@
 
 #define FW_CONTROL_FOLDER "control"
 #define FW_PROFILE_FILE   "profile.csv"
+#define FW_LAYER_FILE     "layer.csv"
 
 typedef struct fw_study fw_study;
 

@@ -4,14 +4,16 @@
 #ifndef FW_SUMMARY_H
 #define FW_SUMMARY_H
 
-#include "experiments/measurement.h"
+#include "experiments/verdict.h"
 
 #define FW_SUMMARY_FILE "summary.csv"
 
-/* One row per expectation that each seed answers by itself: quantity, expected, mean over the
- * seeds, its standard error, verdict, and the number of each seed. FW_SYSTEM_FAILED where the file
- * cannot be written. */
+/* One row per expectation: quantity, expected, mean over the seeds, its standard error, verdict,
+ * and the number of each seed. FW_SYSTEM_FAILED where the file cannot be written. */
 fw_status fw_summary_write(const char *path, const fw_scenario *scenario,
                            const fw_measurement *measurement, fw_error *error);
+/* The verdicts again, of the same scenario. FW_BAD_INPUT: it is not such a file. */
+fw_status fw_summary_read(const char *path, const fw_scenario *scenario, fw_verdicts *verdicts,
+                          fw_error *error);
 
 #endif

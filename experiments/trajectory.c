@@ -154,25 +154,47 @@ static fw_status lay_out(fw_trajectory *trajectory, const fw_trajectory_def *def
     return fw_hdf5_check(trajectory->file, error);
 }
 
-/* The fresh file becomes the result. What belongs to an earlier one goes first: with the new file
- * it would make no sense. */
+bool fw_trajectory_is_in(const fw_folder *folder)
+{
+    return fw_folder_has(folder, FW_TRAJECTORY_FILE) || fw_folder_has(folder, FW_SWEEP_SCENARIO);
+}
+
+fw_status fw_trajectory_refuse(const char *directory, fw_error *error)
+{
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s holds a result already; --overwrite replaces it, -o DIR puts the new one "
+                   "elsewhere",
+                   directory);
+}
+
+/* What belongs to an earlier result: beside a new one it would make no sense. */
+static fw_status forget(const fw_folder *folder, fw_error *error)
+{
+    static const char *const files[] = {"checkpoint-A", "checkpoint-B", FW_SWEEP_FILE,
+                                        FW_SWEEP_SCENARIO};
+    for (size_t n = 0; n < sizeof files / sizeof files[0]; ++n)
+        FW_TRY(fw_folder_remove(folder, files[n], error));
+    return fw_head_remove(folder, error);
+}
+
+fw_status fw_trajectory_discard(const fw_folder *folder, fw_error *error)
+{
+    FW_TRY(fw_folder_remove(folder, FW_TRAJECTORY_FILE, error));
+    return forget(folder, error);
+}
+
+/* The fresh file becomes the result. */
 static fw_status publish(const fw_folder *folder, fw_error *error)
 {
-    FW_TRY(fw_folder_remove(folder, "checkpoint-A", error));
-    FW_TRY(fw_folder_remove(folder, "checkpoint-B", error));
-    FW_TRY(fw_head_remove(folder, error));
+    FW_TRY(forget(folder, error));
     return fw_folder_replace(folder, FRESH_FILE, FW_TRAJECTORY_FILE, error);
 }
 
 static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
                            const fw_trajectory_def *def, fw_error *error)
 {
-    if (fw_folder_has(folder, FW_TRAJECTORY_FILE) && !def->overwrite)
-        return fw_fail(
-            error, FW_BAD_INPUT,
-            "%s holds a result already; --overwrite replaces it, -o DIR puts the new one "
-            "elsewhere",
-            def->directory);
+    if (fw_trajectory_is_in(folder) && !def->overwrite)
+        return fw_trajectory_refuse(def->directory, error);
     /* Before it is tried: laying out what will never fit could take hours. */
     double needed = fw_trajectory_size(def), room = fw_folder_room(folder);
     if (needed > room)

@@ -13,12 +13,17 @@
 #define FW_TRAJECTORY_H
 
 #include "core/status.h"
+#include "experiments/folder.h"
 #include "experiments/table.h"
 
 #include <stdbool.h>
 #include <stdint.h>
 
 #define FW_TRAJECTORY_FILE "trajectory.h5"
+/* What a folder holds in place of it, where its results are those of a sweep (sweep.h): the sweep's
+ * scenario, and its table. */
+#define FW_SWEEP_SCENARIO "sweep-as-run.yaml"
+#define FW_SWEEP_FILE     "sweep.csv"
 /* The exit reasons of a run that reached its end, and of one that still runs or was killed. */
 #define FW_RUN_FINISHED "finished"
 #define FW_RUN_RUNNING  "running"
@@ -99,6 +104,12 @@ double fw_trajectory_size(const fw_trajectory_def *def);
 fw_status fw_trajectory_create(fw_trajectory **trajectory, const fw_trajectory_def *def,
                                fw_error *error);
 
+/* Does the folder hold a result, of a run or a sweep? And the sentence for whoever would put
+ * another one there. */
+bool fw_trajectory_is_in(const fw_folder *folder);
+fw_status fw_trajectory_refuse(const char *directory, fw_error *error);
+/* Removes the result from a folder that is held. */
+fw_status fw_trajectory_discard(const fw_folder *folder, fw_error *error);
 /* Makes the file in a results folder readable where its run was killed while it closed it, so that
  * it can be resumed. FW_BAD_INPUT when there is no such file, or a run is writing it now. */
 fw_status fw_trajectory_mend(const char *directory, fw_error *error);

@@ -2,6 +2,8 @@
 /* verdict.c - statistics of a series, and the table of expectations. Keeps no state. */
 #include "experiments/verdict.h"
 
+#include "experiments/layer.h"
+
 #include "core/averages.h"
 
 #include <math.h>
@@ -147,6 +149,7 @@ static void judge(fw_verdict *verdict)
 {
     const fw_expectation *e = verdict->expectation;
     double x = verdict->measured;
+    const double unsure = isfinite(verdict->error) ? verdict->error : 0;
     switch (e->kind) {
     case FW_VERDICT_VALUE:
         verdict->holds = fabs(x - e->value) <= e->within;
@@ -166,6 +169,14 @@ static void judge(fw_verdict *verdict)
         else
             snprintf(verdict->expected, sizeof verdict->expected, "%s %.6g",
                      e->has_below ? "<" : ">", e->has_below ? e->below : e->above);
+        break;
+    case FW_VERDICT_RISES:
+        verdict->holds = x > unsure;
+        snprintf(verdict->expected, sizeof verdict->expected, "rises");
+        break;
+    case FW_VERDICT_FALLS:
+        verdict->holds = x < -unsure;
+        snprintf(verdict->expected, sizeof verdict->expected, "falls");
         break;
     }
 }
@@ -212,6 +223,9 @@ double fw_verdict_of_seed(const fw_scenario *scenario, const fw_measurement *mea
                           int number, int seed)
 {
     const fw_measurement *of = measurement->seeds ? measurement->seeds[seed] : measurement;
+    if (measurement->expected[number] < 0)
+        return measurement
+            ->outcome_of_seeds[seed * FW_LAYER_MEASURES + measurement->component[number]];
     return value_in(of, &scenario->expectations[number], number);
 }
 
@@ -267,9 +281,57 @@ fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *meas
         }
         name_quantity(&verdict, probe, measurement->component[number]);
     }
-    judge(&verdict);
-    write_found(&verdict);
+    verdict.asked = fw_verdict_is_asked(scenario, e);
+    fw_verdict_judge(&verdict);
     return verdict;
+}
+
+void fw_verdict_judge(fw_verdict *verdict)
+{
+    judge(verdict);
+    write_found(verdict);
+}
+
+bool fw_verdict_is_asked(const fw_scenario *scenario, const fw_expectation *expectation)
+{
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    if (fw_expectation_is_trend(expectation)) return false;
+    return expectation->when < 0 || (sweep->is_case && expectation->when == sweep->number);
+}
+
+/* --- several --- */
+
+fw_status fw_verdicts_create(fw_verdicts *verdicts, const fw_scenario *scenario,
+                             const fw_measurement *measurement, fw_error *error)
+{
+    const int count = scenario->expectation_count;
+    verdicts->count = 0;
+    verdicts->item = calloc((size_t)count + 1, sizeof *verdicts->item);
+    if (!verdicts->item) return fw_fail_memory(error, "the verdicts");
+    for (int n = 0; n < count; ++n)
+        verdicts->item[verdicts->count++] = fw_verdict_of(scenario, measurement, n);
+    return FW_OK;
+}
+
+void fw_verdicts_clear(fw_verdicts *verdicts)
+{
+    free(verdicts->item);
+    *verdicts = (fw_verdicts){0};
+}
+
+int fw_verdicts_asked(const fw_verdicts *verdicts)
+{
+    int count = 0;
+    for (int n = 0; n < verdicts->count; ++n) count += verdicts->item[n].asked;
+    return count;
+}
+
+int fw_verdicts_failed(const fw_verdicts *verdicts)
+{
+    int count = 0;
+    for (int n = 0; n < verdicts->count; ++n)
+        count += verdicts->item[n].asked && !verdicts->item[n].holds;
+    return count;
 }
 
 static int longer(int width, const char *text)
@@ -278,27 +340,37 @@ static int longer(int width, const char *text)
     return length > width ? length : width;
 }
 
-int fw_verdict_print(FILE *out, const fw_scenario *scenario, const fw_measurement *measurement)
+/* Widths of the columns; that of the cases is 0 where there are none. */
+typedef struct widths {
+    int in, quantity, expected, found;
+} widths;
+
+static void print_row(FILE *out, const widths *w, const fw_verdict *v)
 {
-    int failures = 0, quantity_width = 8, expected_width = 8, found_width = 16;
-    if (scenario->expectation_count == 0) return 0;
-    for (int n = 0; n < scenario->expectation_count; ++n) {
-        fw_verdict verdict = fw_verdict_of(scenario, measurement, n);
-        quantity_width = longer(quantity_width, verdict.quantity);
-        expected_width = longer(expected_width, verdict.expected);
-        found_width = longer(found_width, verdict.found);
+    const char *source = v->expectation->source;
+    if (w->in > 0) fprintf(out, "%-*s  ", w->in, v->in ? v->in : "");
+    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", w->quantity, v->quantity, w->expected, v->expected,
+            w->found, v->found, v->holds ? "holds" : "FAILS", source ? source : "");
+    if (v->expectation->note)
+        fprintf(out, "%-*s  %s\n", w->quantity + (w->in > 0 ? w->in + 2 : 0), "",
+                v->expectation->note);
+}
+
+void fw_verdicts_print(FILE *out, const fw_verdicts *verdicts)
+{
+    widths w = {.quantity = 8, .expected = 8, .found = 16};
+    if (fw_verdicts_asked(verdicts) == 0) return;
+    for (int n = 0; n < verdicts->count; ++n) {
+        const fw_verdict *v = &verdicts->item[n];
+        if (!v->asked) continue;
+        if (v->in) w.in = longer(w.in > 4 ? w.in : 4, v->in);
+        w.quantity = longer(w.quantity, v->quantity);
+        w.expected = longer(w.expected, v->expected);
+        w.found = longer(w.found, v->found);
     }
-    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", quantity_width, "quantity", expected_width,
-            "expected", found_width, "measured", "verdict", "source");
-    for (int n = 0; n < scenario->expectation_count; ++n) {
-        fw_verdict verdict = fw_verdict_of(scenario, measurement, n);
-        const char *source = verdict.expectation->source;
-        fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", quantity_width, verdict.quantity,
-                expected_width, verdict.expected, found_width, verdict.found,
-                verdict.holds ? "holds" : "FAILS", source ? source : "");
-        if (verdict.expectation->note)
-            fprintf(out, "%-*s  %s\n", quantity_width, "", verdict.expectation->note);
-        failures += !verdict.holds;
-    }
-    return failures;
+    if (w.in > 0) fprintf(out, "%-*s  ", w.in, "case");
+    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", w.quantity, "quantity", w.expected, "expected",
+            w.found, "measured", "verdict", "source");
+    for (int n = 0; n < verdicts->count; ++n)
+        if (verdicts->item[n].asked) print_row(out, &w, &verdicts->item[n]);
 }
