@@ -337,6 +337,14 @@ static void count_runs(check_plan *plan, const fw_scenario *scenario)
     plan->step_count += (double)run_count(scenario) * (double)scenario->run.steps;
 }
 
+static fw_status check_study(const fw_scenario *scenario, const char *name,
+                             const fw_arguments *arguments, fw_error *error)
+{
+    check_plan plan = {.scenario = scenario};
+    count_runs(&plan, scenario);
+    return check_scenario(scenario, name, &plan, arguments, error);
+}
+
 static fw_status check_sweep(const fw_scenario *scenario, const char *name,
                              const fw_arguments *arguments, fw_error *error)
 {
@@ -357,11 +365,9 @@ fw_status fw_command_check(const fw_arguments *arguments, fw_error *error)
     fw_scenario *scenario;
     char name[FW_NAME_BYTES + 1];
     FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
-    check_plan plan = {.scenario = scenario};
-    count_runs(&plan, scenario);
     const fw_status status = fw_scenario_is_sweep(scenario)
                                  ? check_sweep(scenario, name, arguments, error)
-                                 : check_scenario(scenario, name, &plan, arguments, error);
+                                 : check_study(scenario, name, arguments, error);
     fw_scenario_destroy(scenario);
     return status;
 }

@@ -25,6 +25,8 @@ typedef struct sweep_result {
 /* Numbers of one panel in the order of the parameter. */
 typedef struct panel_data {
     char label[FW_SWEEP_NAME + 80];
+    const char *part;            /* what of the quantity; "": there is only one thing */
+    const fw_quantity *quantity; /* of it; NULL: not known */
     double *mean, *error, *expected, *within; /* one piece of memory */
     fw_curve curves[2];
 } panel_data;
@@ -74,6 +76,13 @@ static bool is_of(const fw_sweep_column *column, const char *quantity)
            (column->name[length] == '\0' || strchr(" .,", column->name[length]));
 }
 
+static const fw_quantity *quantity_of(const fw_sweep_column *column)
+{
+    char name[FW_SWEEP_NAME];
+    snprintf(name, sizeof name, "%.*s", (int)strcspn(column->name, " .,"), column->name);
+    return fw_quantity_find(name);
+}
+
 static bool add_panels(drawing *d, const char *quantity, int columns[PANELS_MOST])
 {
     const fw_sweep_table *table = &d->result->table;
@@ -93,14 +102,12 @@ static fw_status refuse_quantity(const sweep_result *result, const char *name, f
     const fw_sweep_table *table = &result->table;
     fw_guess guess = fw_guess_begin(name);
     for (int c = 0; c < table->column_count; ++c) {
-        char quantity[FW_SWEEP_NAME];
-        snprintf(quantity, sizeof quantity, "%.*s", (int)strcspn(table->columns[c].name, " .,"),
-                 table->columns[c].name);
-        fw_guess_offer(&guess, quantity);
-        if (strcmp(guess.best ? guess.best : "", quantity) == 0)
-            return fw_fail(error, FW_BAD_INPUT, "%s: the sweep has no %s; did you mean %s?",
-                           result->directory, name, quantity);
+        const fw_quantity *quantity = quantity_of(&table->columns[c]);
+        if (quantity) fw_guess_offer(&guess, quantity->name);
     }
+    if (guess.best)
+        return fw_fail(error, FW_BAD_INPUT, "%s: the sweep has no %s; did you mean %s?",
+                       result->directory, name, guess.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "%s: the sweep has no %s, expected a quantity in " FW_SWEEP_FILE,
                    result->directory, name);
@@ -148,18 +155,34 @@ static fw_status order_rows(drawing *d, fw_error *error)
     return FW_OK;
 }
 
-/* "contact (force)": words in place of the name, and the unit where there is one. */
+/* " (length^2)", its power raised. Nothing of a pure number. */
+static void print_unit(char *text, size_t size, const char *unit)
+{
+    text[0] = '\0';
+    if (unit[0] == '\0' || strcmp(unit, "1") == 0) return;
+    const size_t base = strcspn(unit, "^");
+    const char *power = unit[base] ? unit + base + 1 : "";
+    const size_t length = strspn(power, "0123456789");
+    if (length > 0)
+        snprintf(text, size, " (%.*s^{%.*s}%s)", (int)base, unit, (int)length, power,
+                 power + length);
+    else
+        snprintf(text, size, " (%s)", unit);
+}
+
+/* "kinetic fraction", "layer contact (force)" beside the axis: words in place of the name, and the
+ * unit where that says more. What of it is drawn, "sheet, minimum", would be too long there. */
 static void name_panel(panel_data *panel, const fw_sweep_column *column)
 {
-    static const char layer[] = "layer-";
-    const bool of_layer = strncmp(column->name, layer, strlen(layer)) == 0;
-    const char *name = column->name + (of_layer ? strlen(layer) : 0);
-    const bool pure = column->unit[0] == '\0' || strcmp(column->unit, "1") == 0;
-    const size_t words = strcspn(name, " .,");
-    snprintf(panel->label, sizeof panel->label, "%s%s%s%s", name, pure ? "" : " (",
-             pure ? "" : column->unit, pure ? "" : ")");
-    for (size_t n = 0; n < words; ++n)
-        if (panel->label[n] == '-') panel->label[n] = ' ';
+    char unit[80];
+    const size_t length = strcspn(column->name, " .,");
+    snprintf(panel->label, sizeof panel->label, "%.*s", (int)length, column->name);
+    for (char *c = panel->label; *c; ++c)
+        if (*c == '-') *c = ' ';
+    print_unit(unit, sizeof unit, column->unit);
+    if (strcmp(panel->label, column->unit) != 0)
+        snprintf(panel->label + length, sizeof panel->label - length, "%s", unit);
+    panel->part = column->name + length + strspn(column->name + length, " .,");
 }
 
 static fw_status fill_panel(drawing *d, int number, const fw_sweep_column *column, bool logarithmic,
@@ -182,8 +205,11 @@ static fw_status fill_panel(drawing *d, int number, const fw_sweep_column *colum
         expected = expected || isfinite(panel->expected[k]);
     }
     name_panel(panel, column);
+    panel->quantity = quantity_of(column);
     d->expected = d->expected || expected;
-    panel->curves[0] = (fw_curve){.label = expected ? "measured" : NULL,
+    panel->curves[0] = (fw_curve){.label = panel->part[0] ? panel->part
+                                           : expected     ? "measured"
+                                                          : NULL,
                                   .count = count,
                                   .x = d->x,
                                   .y = panel->mean,
@@ -226,16 +252,26 @@ static fw_status fill(drawing *d, const fw_plot_wish *wish, const fw_scenario_pi
 
 /* --- the picture --- */
 
+/* What a quantity means, where it says so by itself: "the same far from it" does not. */
+static void explain(const fw_quantity *quantity, char *caption, size_t size)
+{
+    const size_t used = strlen(caption);
+    if (!quantity || strncmp(quantity->meaning, "the ", 4) == 0) return;
+    if (strstr(caption, quantity->meaning)) return;
+    snprintf(caption + used, size - used, "%s: %s. ", quantity->name, quantity->meaning);
+}
+
 static fw_status draw_panels(const drawing *d, const char *file, const char *title, fw_error *error)
 {
     const fw_sweep_table *table = &d->result->table;
     const int64_t seeds = d->result->scenario->study.seeds;
-    char label[FW_NAME_BYTES + 80], caption[512];
-    const bool pure = table->unit[0] == '\0';
+    char label[FW_NAME_BYTES + 80], unit[80], caption[2048] = "";
     fw_page page = fw_page_default();
-    snprintf(label, sizeof label, "%s%s%s%s", table->parameter, pure ? "" : " (", table->unit,
-             pure ? "" : ")");
-    snprintf(caption, sizeof caption, "%s%sAll quantities in reduced units.",
+    print_unit(unit, sizeof unit, table->unit);
+    snprintf(label, sizeof label, "%s%s", table->parameter, unit);
+    for (int p = 0; p < d->count; ++p) explain(d->panels[p].quantity, caption, sizeof caption);
+    const size_t used = strlen(caption);
+    snprintf(caption + used, sizeof caption - used, "%s%sAll quantities in reduced units.",
              seeds > 1 ? "Means over the seeds, with standard errors as bars. " : "",
              d->expected ? "Grey: what is expected, with its tolerance as a bar. " : "");
     page.title = title;

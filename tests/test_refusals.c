@@ -91,7 +91,7 @@ static const struct {
     {"title: A sheet in a box", "title: [A, B]", "1:8: title is a list of 2, expected a text"},
     {"kind: motion", "kind: movie",
      "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, series, "
-     "profile, loop, analysis"},
+     "profile, loop, analysis, sweep"},
     {"sites: right", "sites: rihgt",
      "14:30: forces.pull.sites is 'rihgt', expected all, a side, [[i, j], ...] or a mapping; did "
      "you mean 'right'?"},
@@ -203,7 +203,16 @@ static const struct {
      "bounds"},
     {", below: 1e-11", "",
      "17:5: the expectation of 'energy-drift' expects nothing: it needs 'value' with 'within', or "
-     "'below', or 'above'"},
+     "'below', or 'above', or 'trend'"},
+    {"below: 1e-11", "trend: rises",
+     "17:30: the expectation of 'energy-drift' has a 'trend', but the study has no 'sweep' of two "
+     "values or more"},
+    {"below: 1e-11", "below: 1, when: 2",
+     "17:40: 'when' names a value of a sweep, but the study has no 'sweep'"},
+    {"kind: motion, instants: [0, 2000]", "kind: sweep",
+     "19:16: pictures.fig1 is of kind 'sweep', but the study has no 'sweep'"},
+    {"record-every: 20}", "record-every: 20}\nstudy: {sweep: {parameter: v}}",
+     "16:9: study.sweep has no 'values', which a sweep must have"},
     {"below: 1e-11", "below: 1, above: 2",
      "17:47: the expectation of 'energy-drift' is above 2 and below 1, which no number is"},
     {"below: 1e-11", "value: 0, within-relative: .1",
