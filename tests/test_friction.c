@@ -3,6 +3,7 @@
 #include "tests/laws.h"
 
 #include "core/particles.h"
+#include "experiments/csv.h"
 #include "experiments/study.h"
 #include "tests/scratch.h"
 
@@ -341,6 +342,57 @@ static void the_results_file_holds_profile_and_layer(void **state)
     remove_folder(folder);
 }
 
+/* layer.csv has a row per run, from which the table's means and errors follow. */
+static void compare_with_rows(const fw_study *study, void *folder)
+{
+    char path[96], line[8192], *cell;
+    double values[4][FW_LAYER_MEASURES];
+    snprintf(path, sizeof path, "%s/" FW_LAYER_FILE, (const char *)folder);
+    FILE *in = fopen(path, "r");
+    assert_non_null(in);
+    assert_non_null(fgets(line, sizeof line, in));
+    assert_int_equal(strncmp(line, "seed,run,layer-contact,layer-far,", 33), 0);
+    for (int n = 0; n < 4; ++n) {
+        assert_non_null(fgets(line, sizeof line, in));
+        char *at = fw_csv_cut(line, &cell);
+        assert_int_equal(atoi(cell), 1 + n % 2);
+        at = fw_csv_cut(at, &cell);
+        assert_string_equal(cell, n < 2 ? "experiment" : "control");
+        for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
+            assert_non_null(at);
+            at = fw_csv_cut(at, &cell);
+            values[n][m] = strtod(cell, NULL);
+        }
+        assert_null(at);
+    }
+    assert_null(fgets(line, sizeof line, in));
+    fclose(in);
+    const fw_outcome *layer = fw_study_table(study)->layer;
+    for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
+        if (isnan(layer[m].mean)) continue;
+        const double one = values[0][m], other = values[1][m];
+        assert_close(layer[m].mean, (one + other) / 2, 1e-12 * fabs(one));
+        assert_close(layer[m].error, fabs(one - other) / 2, 1e-12 * fabs(one));
+        if (isnan(layer[m].control)) continue;
+        assert_close(layer[m].control, (values[2][m] + values[3][m]) / 2,
+                     1e-12 * fabs(values[2][m]));
+    }
+    assert_true(values[0][FW_LAYER_CONTACT] != values[1][FW_LAYER_CONTACT]);
+    assert_true(isfinite(values[0][FW_LAYER_CONTACT_OVER_CONTROL]) &&
+                isnan(values[2][FW_LAYER_CONTACT_OVER_CONTROL]));
+}
+
+static void the_layer_of_every_run_is_kept(void **state)
+{
+    char folder[64];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    fw_scenario *scenario = read_with(NULL, 0);
+    run_study(scenario, folder, 2, compare_with_rows, folder);
+    fw_scenario_destroy(scenario);
+    remove_folder(folder);
+}
+
 /* --- refusals --- */
 
 static void mistakes_are_refused(void **state)
@@ -400,6 +452,7 @@ int main(void)
         cmocka_unit_test(replicas_do_not_depend_on_how_many_run_at_a_time),
         cmocka_unit_test(rubbing_shows_beside_the_control),
         cmocka_unit_test(the_results_file_holds_profile_and_layer),
+        cmocka_unit_test(the_layer_of_every_run_is_kept),
         cmocka_unit_test(mistakes_are_refused),
     };
     return cmocka_run_group_tests_name("friction", tests, NULL, NULL);
