@@ -297,6 +297,8 @@ static double clip(double value, double bound)
 static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *memory)
 {
     const fw_barrier *barrier = r->barrier;
+    const row smooth = *r; /* without friction */
+    const fw_vec2 smooth_path = p->w;
     const bool same_wall =
         memory->facet > 0 && all[memory->facet - 1].facet->wall == barrier->facet->wall;
     const double before = same_wall ? memory->reaction : 0, half = 0.5 * barrier->surface.friction;
@@ -334,14 +336,53 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
         p->w = fw_vec2_subtract(p->w,
                                 fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
     const bool stuck = tension == wanted;
-    if (barrier->facet->kind == FW_ROUND && active) tension = follow_curve(p, r);
+    if (barrier->facet->kind == FW_ROUND && active) {
+        tension = follow_curve(p, r);
+        /* A step that is long against the radius turns the tangent so far that friction would push
+         * along with the slip: then there is none. */
+        if (tension *
+                fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, barrier->motion)) >
+            0) {
+            *r = smooth;
+            p->w = smooth_path;
+            tension = 0;
+        }
+    }
     *memory = (fw_contact_memory){r->lambda, coasting, barrier->number + 1, stuck};
     return tension;
 }
 
-static fw_constraint report(const problem *p, const double *tension)
+/* d lambda_k / d b_j of the active rows: the inverse of N A N^T. Three of them or more share two
+ * directions; which two is a matter of rounding, and any will do. */
+static fw_sym2 stiffness_of(const problem *p, int k, bool sticks)
 {
-    fw_constraint c = {.displacement = p->w};
+    const row *r = &p->rows[k], *other = NULL;
+    const fw_sym2 mobility = p->free->mobility;
+    if (r->fast || sticks) return fw_sym2_invert(mobility);
+    for (int j = 0; j < p->count && !other; ++j)
+        if (j != k && p->rows[j].lambda > 0) other = &p->rows[j];
+    double stiffness = 1 / fw_sym2_form(r->normal, mobility, r->normal);
+    if (other) {
+        const double crossed = fw_sym2_form(r->normal, mobility, other->normal);
+        const double second = fw_sym2_form(other->normal, mobility, other->normal);
+        const double less = 1 - crossed * crossed * stiffness / second;
+        if (less > 1e-6) stiffness /= less;
+    }
+    return fw_sym2_scale(stiffness, (fw_sym2){r->normal.x * r->normal.x, r->normal.x * r->normal.y,
+                                              r->normal.y * r->normal.y});
+}
+
+static fw_row_list rows_of(const problem *p)
+{
+    fw_row_list rows = {.count = p->count};
+    for (int k = 0; k < p->count; ++k) rows.facet[k] = p->rows[k].barrier->number;
+    return rows;
+}
+
+static fw_constraint report(const problem *p, const double *tension,
+                            const fw_contact_memory *memory)
+{
+    fw_constraint c = {.displacement = p->w, .rows = rows_of(p)};
     for (int k = 0; k < p->count; ++k) {
         const row *r = &p->rows[k];
         if (!r->fast && r->lambda == 0 && tension[k] == 0) continue;
@@ -356,6 +397,7 @@ static fw_constraint report(const problem *p, const double *tension)
                           .force = fw_vec2_add(normal_force, friction)};
         touch.work = fw_vec2_dot(touch.force, motion);
         touch.dissipated = -fw_vec2_dot(friction, fw_vec2_subtract(p->w, motion));
+        touch.stiffness = stiffness_of(p, k, tension[k] != 0 && memory && memory->stuck);
         c.touch[c.touch_count++] = touch;
         c.force = fw_vec2_add(c.force, touch.force);
     }
@@ -401,20 +443,50 @@ static fw_constraint rub_once_more(problem *p, const fw_barrier *near, int near_
                                            fw_vec2_subtract(p->w, barrier->motion)) ||
                         find_passed(p, near, near_count);
     p->count = 1;
-    if (!turned) return report(p, tension);
+    if (!turned) return report(p, tension, memory);
     *memory = (fw_contact_memory){0};
     return (fw_constraint){0};
 }
 
-fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_barrier *near,
-                           int near_count, const fw_barrier *all, fw_contact_memory *memory)
+/* Begins with the rows of an earlier try, of which none may be needed any more. False where no
+ * displacement was found. */
+static bool keep_rows(problem *p, const fw_row_list *kept, const fw_barrier *all)
+{
+    bool needed = false;
+    for (int k = 0; kept && k < kept->count; ++k) {
+        row *r = &p->rows[p->count++];
+        r->barrier = &all[kept->facet[k]];
+        update_row(p, r);
+        needed |= fw_vec2_dot(r->normal, p->w) < r->bound;
+    }
+    return !needed || solve(p);
+}
+
+static bool is_free(const problem *p)
+{
+    for (int k = 0; k < p->count; ++k)
+        if (p->rows[k].lambda != 0 || p->rows[k].fast) return false;
+    return true;
+}
+
+fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_row_list *kept,
+                           const fw_barrier *near, int near_count, const fw_barrier *all,
+                           fw_contact_memory *memory)
 {
     problem p = {.position = position, .free = free, .w = free->displacement};
     double tension[FW_TOUCH_MOST] = {0};
     if (free->mobility.xx == 0) return (fw_constraint){0}; /* a resting colour */
-    bool resolved = find_rows(&p, near, near_count);
-    if (resolved && p.count == 0 && memory && memory->reaction > 0)
-        return rub_once_more(&p, near, near_count, all, memory);
+    bool resolved = keep_rows(&p, kept, all) && find_rows(&p, near, near_count);
+    if (resolved && is_free(&p)) {
+        const fw_row_list rows = rows_of(&p);
+        fw_constraint c = {0};
+        if (memory && memory->reaction > 0)
+            c = rub_once_more(&p, near, near_count, all, memory);
+        else if (memory)
+            *memory = (fw_contact_memory){0};
+        c.rows = rows;
+        return c;
+    }
     int k = 0;
     const bool rubs = resolved && memory && adds_friction(&p, &k);
     if (rubs) tension[k] = rub(&p, &p.rows[k], all, memory);
@@ -426,7 +498,7 @@ fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw
         tension[k] = 0;
     }
     if (memory && !(rubs && resolved)) *memory = (fw_contact_memory){0};
-    fw_constraint c = report(&p, tension);
+    fw_constraint c = report(&p, tension, memory);
     c.unresolved = !resolved;
     return c;
 }

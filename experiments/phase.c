@@ -90,7 +90,7 @@ static fw_status set_bath(fw_experiment *experiment, const fw_scenario_phase *ph
 }
 
 /* The drive of a grip in a phase: the phase's, or its own. */
-static const fw_grip_drive *drive_in(const fw_scenario *scenario, const fw_scenario_phase *phase,
+static const fw_drive *drive_in(const fw_scenario *scenario, const fw_scenario_phase *phase,
                                      int grip)
 {
     for (int n = 0; n < phase->drive_count; ++n)

@@ -209,7 +209,7 @@ typedef enum fw_hold_choice { FW_HOLD_NONE, FW_HOLD_X, FW_HOLD_Y, FW_HOLD_BOTH }
 
 typedef struct fw_scenario_drive {
     fw_hold_choice hold; /* as written; what follows from it is in `drive` */
-    fw_grip_drive drive;
+    fw_drive drive;
 } fw_scenario_drive;
 
 typedef struct fw_scenario_grip {

@@ -388,9 +388,9 @@ static void gripped_bar_keeps_its_books(void **state)
         fw_grip_def moved = {.name = "right", .particles = right, .particle_count = 10};
         if (driven)
             moved.drive =
-                (fw_grip_drive){.amplitude = {0.3, 0.2}, .period = 150, .tether = {0.01, 0}};
+                (fw_drive){.amplitude = {0.3, 0.2}, .period = 150, .tether = {0.01, 0}};
         else
-            moved.drive = (fw_grip_drive){.prescribed_x = true,
+            moved.drive = (fw_drive){.prescribed_x = true,
                                           .force = {0, 0.1},
                                           .path = {.amplitude = {0.4, 0}, .period = 200}};
         fw_error error;
