@@ -16,6 +16,7 @@ typedef struct row {
     fw_vec2 normal;
     double bound;  /* n.w >= bound */
     double lambda; /* normal force */
+    double grasp;  /* by how much friction grows with the wall's motion along the tangent */
     bool fast;     /* held in all components */
 } row;
 
@@ -278,13 +279,20 @@ static double follow_curve(problem *p, row *r)
 }
 
 /* How far a sticking particle is let move: F = -2 Psi + P at first, then
- * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. */
+ * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. `slope` is how that
+ * changes with the wall's own motion, from which coasting and slip are counted. */
 static double sticking_target(const fw_contact_memory *memory, bool same_wall, double coasting,
-                              double slip)
+                              double slip, double *slope)
 {
-    double target = same_wall && memory->stuck ? STICK_FILTER * (coasting - memory->coasting) / 4
-                                               : coasting / 2;
-    return slip >= 0 ? fmin(fmax(target, 0), slip) : fmax(fmin(target, 0), slip);
+    const bool again = same_wall && memory->stuck;
+    const double part = again ? STICK_FILTER / 4 : 0.5;
+    const double target = part * (again ? coasting - memory->coasting : coasting);
+    const double low = fmin(slip, 0), high = fmax(slip, 0);
+    *slope = -part;
+    if (target > low && target < high) return target;
+    const double end = target <= low ? low : high;
+    *slope = end == 0 ? 0 : -1;
+    return end;
 }
 
 static double clip(double value, double bound)
@@ -310,11 +318,13 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
     const double coasting =
         fw_vec2_dot(tangent, fw_vec2_subtract(p->free->coasting, barrier->motion));
     bool active = r->lambda > 0;
-    double tension = 0, wanted = 0;
+    double tension = 0, wanted = 0, slope;
     if (active) {
         double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
         const double lambda = r->lambda;
-        wanted = (sticking_target(memory, same_wall, coasting, slip) - slip) / (tt - nt * nt / nn);
+        const double yielding = tt - nt * nt / nn;
+        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / yielding;
+        r->grasp = (1 + slope) / yielding;
         tension = wanted;
         for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
             tension = clip(wanted, half * (r->lambda + before));
@@ -326,7 +336,8 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
     if (!active) {
         double slip =
             fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, barrier->motion));
-        wanted = (sticking_target(memory, same_wall, coasting, slip) - slip) / tt;
+        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / tt;
+        r->grasp = (1 + slope) / tt;
         tension = clip(wanted, half * before);
         r->lambda = 0;
     }
@@ -336,6 +347,7 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
         p->w = fw_vec2_subtract(p->w,
                                 fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
     const bool stuck = tension == wanted;
+    if (!stuck) r->grasp = 0;
     if (barrier->facet->kind == FW_ROUND && active) {
         tension = follow_curve(p, r);
         /* A step that is long against the radius turns the tangent so far that friction would push
@@ -352,13 +364,21 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
     return tension;
 }
 
-/* d lambda_k / d b_j of the active rows: the inverse of N A N^T. Three of them or more share two
- * directions; which two is a matter of rounding, and any will do. */
-static fw_sym2 stiffness_of(const problem *p, int k, bool sticks)
+static fw_sym2 square_of(fw_vec2 v, double factor)
+{
+    return (fw_sym2){factor * v.x * v.x, factor * v.x * v.y, factor * v.y * v.y};
+}
+
+/* - dF/d(motion of its wall) of row k: along the normal d lambda_k/d b_k, from the inverse of N A
+ * N^T of the active rows (of three or more any two will do), along the tangent what friction says.
+ */
+static fw_sym2 stiffness_of(const problem *p, int k)
 {
     const row *r = &p->rows[k], *other = NULL;
-    const fw_sym2 mobility = p->free->mobility;
-    if (r->fast || sticks) return fw_sym2_invert(mobility);
+    const fw_sym2 mobility = p->free->mobility,
+                  tangential = square_of(fw_vec2_turn(r->normal), r->grasp);
+    if (r->fast) return fw_sym2_invert(mobility);
+    if (!(r->lambda > 0)) return tangential;
     for (int j = 0; j < p->count && !other; ++j)
         if (j != k && p->rows[j].lambda > 0) other = &p->rows[j];
     double stiffness = 1 / fw_sym2_form(r->normal, mobility, r->normal);
@@ -368,8 +388,7 @@ static fw_sym2 stiffness_of(const problem *p, int k, bool sticks)
         const double less = 1 - crossed * crossed * stiffness / second;
         if (less > 1e-6) stiffness /= less;
     }
-    return fw_sym2_scale(stiffness, (fw_sym2){r->normal.x * r->normal.x, r->normal.x * r->normal.y,
-                                              r->normal.y * r->normal.y});
+    return fw_sym2_add(square_of(r->normal, stiffness), tangential);
 }
 
 static fw_row_list rows_of(const problem *p)
@@ -379,8 +398,7 @@ static fw_row_list rows_of(const problem *p)
     return rows;
 }
 
-static fw_constraint report(const problem *p, const double *tension,
-                            const fw_contact_memory *memory)
+static fw_constraint report(const problem *p, const double *tension)
 {
     fw_constraint c = {.displacement = p->w, .rows = rows_of(p)};
     for (int k = 0; k < p->count; ++k) {
@@ -397,7 +415,7 @@ static fw_constraint report(const problem *p, const double *tension,
                           .force = fw_vec2_add(normal_force, friction)};
         touch.work = fw_vec2_dot(touch.force, motion);
         touch.dissipated = -fw_vec2_dot(friction, fw_vec2_subtract(p->w, motion));
-        touch.stiffness = stiffness_of(p, k, tension[k] != 0 && memory && memory->stuck);
+        touch.stiffness = stiffness_of(p, k);
         c.touch[c.touch_count++] = touch;
         c.force = fw_vec2_add(c.force, touch.force);
     }
@@ -443,7 +461,7 @@ static fw_constraint rub_once_more(problem *p, const fw_barrier *near, int near_
                                            fw_vec2_subtract(p->w, barrier->motion)) ||
                         find_passed(p, near, near_count);
     p->count = 1;
-    if (!turned) return report(p, tension, memory);
+    if (!turned) return report(p, tension);
     *memory = (fw_contact_memory){0};
     return (fw_constraint){0};
 }
@@ -498,7 +516,7 @@ fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw
         tension[k] = 0;
     }
     if (memory && !(rubs && resolved)) *memory = (fw_contact_memory){0};
-    fw_constraint c = report(&p, tension, memory);
+    fw_constraint c = report(&p, tension);
     c.unresolved = !resolved;
     return c;
 }

@@ -195,8 +195,10 @@ static fw_status build_broadphase(fw_scene *scene, fw_error *error)
         return fw_fail_memory(error, "the facets of all walls");
     for (int f = 0; f < scene->facet_count; ++f) {
         const fw_facet *facet = fw_broadphase_facet(scene->broadphase, f);
-        scene->barriers[f] = (fw_barrier){
-            .facet = facet, .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
+        scene->barriers[f] =
+            (fw_barrier){.facet = facet,
+                         .number = f,
+                         .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
     }
     return FW_OK;
 }

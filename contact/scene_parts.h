@@ -31,6 +31,11 @@ typedef struct scene_body {
     int hold_count;
 } scene_body;
 
+/* A number lies between these. */
+typedef struct scene_bracket {
+    double low, high;
+} scene_bracket;
+
 typedef struct scene_wall {
     fw_wall *wall;
     int first_facet;
@@ -40,6 +45,7 @@ typedef struct scene_wall {
     fw_vec2 push;          /* of the bodies on the piston, moving by `motion` ... */
     fw_sym2 stiffness;     /* ... and by how much that falls with the motion, near enough */
     double torque;         /* of the push about the piston's middle */
+    scene_bracket bracket_x, bracket_y; /* of the motion that is looked for */
 } scene_wall;
 
 typedef struct scene_load {
