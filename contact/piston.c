@@ -9,6 +9,8 @@
 struct fw_piston {
     char *name;
     double mass, damping;
+    double energy_at_start;
+    fw_vec2 momentum_at_start;
     fw_drive drive;
     fw_piston_account account;
 };
@@ -29,6 +31,14 @@ fw_status fw_piston_create(fw_piston **piston, const char *name, const fw_piston
 {
     *piston = NULL;
     FW_TRY(check(name, def->mass, def->damping, &def->drive, error));
+    if (!isfinite(def->velocity.x) || !isfinite(def->velocity.y))
+        return fw_fail(error, FW_BAD_INPUT, "piston %s: velocity [%g, %g], expected finite numbers",
+                       name, def->velocity.x, def->velocity.y);
+    if ((def->drive.prescribed_x && def->velocity.x != 0) ||
+        (def->drive.prescribed_y && def->velocity.y != 0))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "piston %s: velocity [%g, %g], expected 0 in a component that is held", name,
+                       def->velocity.x, def->velocity.y);
     fw_piston *made = calloc(1, sizeof *made);
     if (made) made->name = strdup(name);
     if (!made || !made->name) {
@@ -38,6 +48,9 @@ fw_status fw_piston_create(fw_piston **piston, const char *name, const fw_piston
     made->mass = def->mass;
     made->damping = def->damping;
     made->drive = def->drive;
+    made->account.velocity = def->velocity;
+    made->energy_at_start = fw_piston_kinetic_energy(made);
+    made->momentum_at_start = fw_piston_momentum(made);
     *piston = made;
     return FW_OK;
 }
@@ -74,6 +87,21 @@ double fw_piston_kinetic_energy(const fw_piston *piston)
 {
     const fw_vec2 v = driven(&piston->drive, piston->account.velocity);
     return 0.5 * piston->mass * fw_vec2_dot(v, v);
+}
+
+double fw_piston_energy_error(const fw_piston *piston)
+{
+    const fw_piston_account *a = &piston->account;
+    return fw_piston_kinetic_energy(piston) -
+           (piston->energy_at_start + a->work + a->pushed_by - a->heat);
+}
+
+fw_vec2 fw_piston_momentum_error(const fw_piston *piston)
+{
+    const fw_piston_account *a = &piston->account;
+    const fw_vec2 given = fw_vec2_add(fw_vec2_add(piston->momentum_at_start, a->impulse),
+                                      fw_vec2_add(a->pushed, a->drag));
+    return fw_vec2_subtract(fw_piston_momentum(piston), given);
 }
 
 fw_status fw_piston_set_drive(fw_piston *piston, const fw_drive *drive, double damping,

@@ -15,8 +15,9 @@
 #include "contact/drive.h"
 
 typedef struct fw_piston_def {
-    double mass;    /* > 0 */
-    double damping; /* rate at which its velocity decays, 1/time, >= 0 */
+    double mass;      /* > 0 */
+    fw_vec2 velocity; /* at the start; of prescribed components 0 */
+    double damping;   /* rate at which its velocity decays, 1/time, >= 0 */
     fw_drive drive;
 } fw_piston_def;
 
@@ -39,7 +40,8 @@ typedef struct fw_piston_account {
 typedef struct fw_piston fw_piston;
 
 /* `name` begins the sentences of failures, and is copied. FW_BAD_INPUT: mass not above 0, damping <
- * 0, numbers that are not finite, or a drive that fw_drive_check refuses. */
+ * 0, numbers that are not finite, a velocity of a prescribed component, or a drive that
+ * fw_drive_check refuses. */
 fw_status fw_piston_create(fw_piston **piston, const char *name, const fw_piston_def *def,
                            fw_error *error);
 void fw_piston_destroy(fw_piston *piston);
@@ -50,6 +52,10 @@ const fw_piston_account *fw_piston_observe_account(const fw_piston *piston);
 /* Of the components that are not prescribed. */
 double fw_piston_kinetic_energy(const fw_piston *piston);
 fw_vec2 fw_piston_momentum(const fw_piston *piston);
+/* Both minus what they were at the start and what the account says of work, heat and impulses: the
+ * piston's books, closed to rounding. */
+double fw_piston_energy_error(const fw_piston *piston);
+fw_vec2 fw_piston_momentum_error(const fw_piston *piston);
 
 /* Another drive and damping from now on. A component that is prescribed from now on gives up its
  * kinetic energy and momentum, one that no longer is begins with its last velocity; both count as

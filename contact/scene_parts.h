@@ -39,6 +39,7 @@ typedef struct scene_bracket {
 typedef struct scene_wall {
     fw_wall *wall;
     int first_facet;
+    fw_box bounds;         /* at the place of the definition */
     fw_vec2 place, motion; /* in this tick */
     fw_vec2 force_before;  /* of the last tick */
     fw_piston *piston;     /* what moves it; NULL: its path */

@@ -53,8 +53,8 @@ static void forget_try(fw_scene *scene)
 
 static fw_vec2 middle_of(const scene_wall *wall)
 {
-    const fw_box bounds = fw_wall_bounds(wall->wall);
-    return fw_vec2_add(wall->place, fw_vec2_scale(0.5, fw_vec2_add(bounds.low, bounds.high)));
+    return fw_vec2_add(wall->place,
+                       fw_vec2_scale(0.5, fw_vec2_add(wall->bounds.low, wall->bounds.high)));
 }
 
 static void push(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness)
