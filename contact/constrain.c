@@ -16,6 +16,7 @@ typedef struct row {
     fw_vec2 normal;
     double bound;  /* n.w >= bound */
     double lambda; /* normal force */
+    double grasp;  /* by how much friction grows with the wall's motion along the tangent */
     bool fast;     /* held in all components */
 } row;
 
@@ -278,13 +279,20 @@ static double follow_curve(problem *p, row *r)
 }
 
 /* How far a sticking particle is let move: F = -2 Psi + P at first, then
- * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. */
+ * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. `slope` is how that
+ * changes with the wall's own motion, from which coasting and slip are counted. */
 static double sticking_target(const fw_contact_memory *memory, bool same_wall, double coasting,
-                              double slip)
+                              double slip, double *slope)
 {
-    double target = same_wall && memory->stuck ? STICK_FILTER * (coasting - memory->coasting) / 4
-                                               : coasting / 2;
-    return slip >= 0 ? fmin(fmax(target, 0), slip) : fmax(fmin(target, 0), slip);
+    const bool again = same_wall && memory->stuck;
+    const double part = again ? STICK_FILTER / 4 : 0.5;
+    const double target = part * (again ? coasting - memory->coasting : coasting);
+    const double low = fmin(slip, 0), high = fmax(slip, 0);
+    *slope = -part;
+    if (target > low && target < high) return target;
+    const double end = target <= low ? low : high;
+    *slope = end == 0 ? 0 : -1;
+    return end;
 }
 
 static double clip(double value, double bound)
@@ -297,6 +305,8 @@ static double clip(double value, double bound)
 static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *memory)
 {
     const fw_barrier *barrier = r->barrier;
+    const row smooth = *r; /* without friction */
+    const fw_vec2 smooth_path = p->w;
     const bool same_wall =
         memory->facet > 0 && all[memory->facet - 1].facet->wall == barrier->facet->wall;
     const double before = same_wall ? memory->reaction : 0, half = 0.5 * barrier->surface.friction;
@@ -308,11 +318,13 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
     const double coasting =
         fw_vec2_dot(tangent, fw_vec2_subtract(p->free->coasting, barrier->motion));
     bool active = r->lambda > 0;
-    double tension = 0, wanted = 0;
+    double tension = 0, wanted = 0, slope;
     if (active) {
         double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
         const double lambda = r->lambda;
-        wanted = (sticking_target(memory, same_wall, coasting, slip) - slip) / (tt - nt * nt / nn);
+        const double yielding = tt - nt * nt / nn;
+        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / yielding;
+        r->grasp = (1 + slope) / yielding;
         tension = wanted;
         for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
             tension = clip(wanted, half * (r->lambda + before));
@@ -324,7 +336,8 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
     if (!active) {
         double slip =
             fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, barrier->motion));
-        wanted = (sticking_target(memory, same_wall, coasting, slip) - slip) / tt;
+        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / tt;
+        r->grasp = (1 + slope) / tt;
         tension = clip(wanted, half * before);
         r->lambda = 0;
     }
@@ -334,14 +347,60 @@ static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *
         p->w = fw_vec2_subtract(p->w,
                                 fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
     const bool stuck = tension == wanted;
-    if (barrier->facet->kind == FW_ROUND && active) tension = follow_curve(p, r);
+    if (!stuck) r->grasp = 0;
+    if (barrier->facet->kind == FW_ROUND && active) {
+        tension = follow_curve(p, r);
+        /* A step that is long against the radius turns the tangent so far that friction would push
+         * along with the slip: then there is none. */
+        if (tension *
+                fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, barrier->motion)) >
+            0) {
+            *r = smooth;
+            p->w = smooth_path;
+            tension = 0;
+        }
+    }
     *memory = (fw_contact_memory){r->lambda, coasting, barrier->number + 1, stuck};
     return tension;
 }
 
+static fw_sym2 square_of(fw_vec2 v, double factor)
+{
+    return (fw_sym2){factor * v.x * v.x, factor * v.x * v.y, factor * v.y * v.y};
+}
+
+/* - dF/d(motion of its wall) of row k: along the normal d lambda_k/d b_k, from the inverse of N A
+ * N^T of the active rows (of three or more any two will do), along the tangent what friction says.
+ */
+static fw_sym2 stiffness_of(const problem *p, int k)
+{
+    const row *r = &p->rows[k], *other = NULL;
+    const fw_sym2 mobility = p->free->mobility,
+                  tangential = square_of(fw_vec2_turn(r->normal), r->grasp);
+    if (r->fast) return fw_sym2_invert(mobility);
+    if (!(r->lambda > 0)) return tangential;
+    for (int j = 0; j < p->count && !other; ++j)
+        if (j != k && p->rows[j].lambda > 0) other = &p->rows[j];
+    double stiffness = 1 / fw_sym2_form(r->normal, mobility, r->normal);
+    if (other) {
+        const double crossed = fw_sym2_form(r->normal, mobility, other->normal);
+        const double second = fw_sym2_form(other->normal, mobility, other->normal);
+        const double less = 1 - crossed * crossed * stiffness / second;
+        if (less > 1e-6) stiffness /= less;
+    }
+    return fw_sym2_add(square_of(r->normal, stiffness), tangential);
+}
+
+static fw_row_list rows_of(const problem *p)
+{
+    fw_row_list rows = {.count = p->count};
+    for (int k = 0; k < p->count; ++k) rows.facet[k] = p->rows[k].barrier->number;
+    return rows;
+}
+
 static fw_constraint report(const problem *p, const double *tension)
 {
-    fw_constraint c = {.displacement = p->w};
+    fw_constraint c = {.displacement = p->w, .rows = rows_of(p)};
     for (int k = 0; k < p->count; ++k) {
         const row *r = &p->rows[k];
         if (!r->fast && r->lambda == 0 && tension[k] == 0) continue;
@@ -356,6 +415,7 @@ static fw_constraint report(const problem *p, const double *tension)
                           .force = fw_vec2_add(normal_force, friction)};
         touch.work = fw_vec2_dot(touch.force, motion);
         touch.dissipated = -fw_vec2_dot(friction, fw_vec2_subtract(p->w, motion));
+        touch.stiffness = stiffness_of(p, k);
         c.touch[c.touch_count++] = touch;
         c.force = fw_vec2_add(c.force, touch.force);
     }
@@ -406,15 +466,45 @@ static fw_constraint rub_once_more(problem *p, const fw_barrier *near, int near_
     return (fw_constraint){0};
 }
 
-fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_barrier *near,
-                           int near_count, const fw_barrier *all, fw_contact_memory *memory)
+/* Begins with the rows of an earlier try, of which none may be needed any more. False where no
+ * displacement was found. */
+static bool keep_rows(problem *p, const fw_row_list *kept, const fw_barrier *all)
+{
+    bool needed = false;
+    for (int k = 0; kept && k < kept->count; ++k) {
+        row *r = &p->rows[p->count++];
+        r->barrier = &all[kept->facet[k]];
+        update_row(p, r);
+        needed |= fw_vec2_dot(r->normal, p->w) < r->bound;
+    }
+    return !needed || solve(p);
+}
+
+static bool is_free(const problem *p)
+{
+    for (int k = 0; k < p->count; ++k)
+        if (p->rows[k].lambda != 0 || p->rows[k].fast) return false;
+    return true;
+}
+
+fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_row_list *kept,
+                           const fw_barrier *near, int near_count, const fw_barrier *all,
+                           fw_contact_memory *memory)
 {
     problem p = {.position = position, .free = free, .w = free->displacement};
     double tension[FW_TOUCH_MOST] = {0};
     if (free->mobility.xx == 0) return (fw_constraint){0}; /* a resting colour */
-    bool resolved = find_rows(&p, near, near_count);
-    if (resolved && p.count == 0 && memory && memory->reaction > 0)
-        return rub_once_more(&p, near, near_count, all, memory);
+    bool resolved = keep_rows(&p, kept, all) && find_rows(&p, near, near_count);
+    if (resolved && is_free(&p)) {
+        const fw_row_list rows = rows_of(&p);
+        fw_constraint c = {0};
+        if (memory && memory->reaction > 0)
+            c = rub_once_more(&p, near, near_count, all, memory);
+        else if (memory)
+            *memory = (fw_contact_memory){0};
+        c.rows = rows;
+        return c;
+    }
     int k = 0;
     const bool rubs = resolved && memory && adds_friction(&p, &k);
     if (rubs) tension[k] = rub(&p, &p.rows[k], all, memory);

@@ -37,9 +37,16 @@ typedef struct fw_touch {
     fw_vec2 force;
     double work;       /* done by the wall's own motion */
     double dissipated; /* turned into heat by friction, >= 0 */
+    fw_sym2 stiffness; /* by how much the force grows with the wall's motion, near enough */
 } fw_touch;
 
 enum { FW_TOUCH_MOST = 4 };
+
+/* Facets that are rows of a particle's problem in this step, whether they push or not. */
+typedef struct fw_row_list {
+    int count;
+    int facet[FW_TOUCH_MOST]; /* numbers in the scene */
+} fw_row_list;
 
 typedef struct fw_constraint {
     bool held; /* false: the free displacement stands, the rest is empty */
@@ -47,13 +54,16 @@ typedef struct fw_constraint {
     fw_vec2 force; /* sum over the touches */
     int touch_count;
     fw_touch touch[FW_TOUCH_MOST];
+    fw_row_list rows;
     bool unresolved; /* no consistent set of rows was found and the particle was held fast */
 } fw_constraint;
 
 /* `near` are the candidates, `all` the scene's barriers by number (a particle rubs on in the step
- * after its release, however far its candidates were looked for). `memory` is updated; it may be
- * NULL where no wall has Coulomb friction. */
-fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_barrier *near,
-                           int near_count, const fw_barrier *all, fw_contact_memory *memory);
+ * after its release, however far its candidates were looked for). `kept` are rows from the start,
+ * found in an earlier try of the same step with other motions of the walls: rows are only ever
+ * added. `memory` is updated; it may be NULL where no wall has Coulomb friction. */
+fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_row_list *kept,
+                           const fw_barrier *near, int near_count, const fw_barrier *all,
+                           fw_contact_memory *memory);
 
 #endif

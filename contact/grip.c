@@ -6,38 +6,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TWO_PI 6.28318530717958647693
-
 struct fw_grip {
     char *name;
     int count;
     int *particles;
     fw_prediction *predictions; /* of this tick */
-    fw_grip_drive drive;
+    fw_drive drive;
     fw_grip_account account;
 };
-
-static bool is_finite(fw_vec2 v)
-{
-    return isfinite(v.x) && isfinite(v.y);
-}
-
-static fw_status check_drive(const char *name, const fw_grip_drive *drive, fw_error *error)
-{
-    if (!is_finite(drive->force) || !is_finite(drive->amplitude) || !is_finite(drive->tether) ||
-        !isfinite(drive->period) || !isfinite(drive->phase) || !is_finite(drive->path.velocity) ||
-        !is_finite(drive->path.amplitude) || !isfinite(drive->path.phase) ||
-        !isfinite(drive->path.from) || isnan(drive->path.until) || !isfinite(drive->path.period))
-        return fw_fail(error, FW_BAD_INPUT, "grip %s: the drive has a number that is not finite",
-                       name);
-    if (drive->period < 0 || drive->path.period < 0)
-        return fw_fail(error, FW_BAD_INPUT, "grip %s: period %g, expected 0 or more", name,
-                       fmin(drive->period, drive->path.period));
-    if (drive->tether.x < 0 || drive->tether.y < 0)
-        return fw_fail(error, FW_BAD_INPUT, "grip %s: tether [%g, %g], expected 0 or more", name,
-                       drive->tether.x, drive->tether.y);
-    return FW_OK;
-}
 
 fw_status fw_grip_create(fw_grip **grip, const fw_grip_def *def, fw_error *error)
 {
@@ -50,7 +26,7 @@ fw_status fw_grip_create(fw_grip **grip, const fw_grip_def *def, fw_error *error
             return fw_fail(error, FW_BAD_INPUT,
                            "grip %s: particle %d after %d, expected each once and ascending",
                            def->name, def->particles[n], def->particles[n - 1]);
-    FW_TRY(check_drive(def->name, &def->drive, error));
+    FW_TRY(fw_drive_check(&def->drive, "grip", def->name, error));
     size_t count = (size_t)def->particle_count;
     fw_grip *made = calloc(1, sizeof *made);
     if (!made) return fw_fail_memory(error, "a grip");
@@ -102,21 +78,11 @@ const fw_grip_account *fw_grip_observe_account(const fw_grip *grip)
     return &grip->account;
 }
 
-fw_status fw_grip_set_drive(fw_grip *grip, const fw_grip_drive *drive, fw_error *error)
+fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *error)
 {
-    FW_TRY(check_drive(grip->name, drive, error));
+    FW_TRY(fw_drive_check(drive, "grip", grip->name, error));
     grip->drive = *drive;
     return FW_OK;
-}
-
-/* D of the components that are not prescribed. */
-static fw_vec2 drive_force(const fw_grip *grip, double time)
-{
-    const fw_grip_drive *d = &grip->drive;
-    double swing = d->period > 0 ? sin(TWO_PI * time / d->period + d->phase) : 0;
-    return (fw_vec2){
-        d->force.x + d->amplitude.x * swing - d->tether.x * grip->account.displacement.x,
-        d->force.y + d->amplitude.y * swing - d->tether.y * grip->account.displacement.y};
 }
 
 /* sum A_i^-1, and sum A_i^-1 w_i. */
@@ -136,21 +102,6 @@ static block add_up(const fw_grip *grip)
     return sum;
 }
 
-/* w, component by component prescribed or driven: inertia w = push + D in the driven ones. */
-static fw_vec2 displacement_of(const fw_grip *grip, const block *sum, double time, double tick)
-{
-    const fw_grip_drive *d = &grip->drive;
-    fw_vec2 told = fw_vec2_subtract(fw_path_displacement(&d->path, time + tick),
-                                    fw_path_displacement(&d->path, time));
-    fw_vec2 right = fw_vec2_add(sum->push, drive_force(grip, time));
-    if (d->prescribed_x && d->prescribed_y) return told;
-    if (d->prescribed_x)
-        return (fw_vec2){told.x, (right.y - sum->inertia.xy * told.x) / sum->inertia.yy};
-    if (d->prescribed_y)
-        return (fw_vec2){(right.x - sum->inertia.xy * told.y) / sum->inertia.xx, told.y};
-    return fw_sym2_apply(fw_sym2_invert(sum->inertia), right);
-}
-
 static fw_vec2 centre_of(const fw_grip *grip, const fw_solid *solid)
 {
     fw_vec2 sum = {0, 0};
@@ -163,7 +114,8 @@ void fw_grip_hold(fw_grip *grip, const fw_solid *solid, double time, fw_hold *ho
 {
     fw_solid_predict(solid, grip->particles, grip->count, grip->predictions);
     const block sum = add_up(grip);
-    const fw_vec2 w = displacement_of(grip, &sum, time, solid->tick);
+    const fw_vec2 w = fw_drive_solve(&grip->drive, sum.inertia, sum.push,
+                                     grip->account.displacement, time, solid->tick);
     const fw_vec2 centre = centre_of(grip, solid);
     fw_grip_account *account = &grip->account;
     fw_vec2 total = {0, 0};

@@ -13,25 +13,14 @@
 #ifndef FW_GRIP_H
 #define FW_GRIP_H
 
-#include "contact/path.h"
+#include "contact/drive.h"
 #include "core/solid.h"
-
-/* What moves a grip, each component by itself. Forces are totals over the grip. */
-typedef struct fw_grip_drive {
-    bool prescribed_x, prescribed_y; /* follows `path` instead of the forces */
-    fw_path path;
-    fw_vec2 force;     /* constant */
-    fw_vec2 amplitude; /* times sin(2 pi t / period + phase) */
-    double period;     /* 0: no oscillation */
-    double phase;      /* radians */
-    fw_vec2 tether;    /* stiffness of a spring to where the grip began, >= 0 */
-} fw_grip_drive;
 
 typedef struct fw_grip_def {
     const char *name;     /* copied */
     const int *particles; /* of the solid, ascending, each once; copied */
     int particle_count;   /* >= 1 */
-    fw_grip_drive drive;
+    fw_drive drive;
 } fw_grip_def;
 
 /* What the grip did and what was done to it. All of it is state. */
@@ -60,7 +49,7 @@ const fw_grip_account *fw_grip_observe_account(const fw_grip *grip);
 
 /* Another drive from now on, as in the next phase of an experiment; the displacement, to which
  * tethers refer, is kept. Paths are counted from their own time 0. FW_BAD_INPUT as for create. */
-fw_status fw_grip_set_drive(fw_grip *grip, const fw_grip_drive *drive, fw_error *error);
+fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *error);
 
 /* One tick beginning at `time`: fills `holds` (particle_count of them, ascending) from the solid's
  * predictions, and books the tick. */

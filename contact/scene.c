@@ -36,43 +36,24 @@ static void predict_skins(fw_scene *scene)
     }
 }
 
-/* 3. find: which facets are near which run of skin particles, and where walls go in this step. */
-static fw_status find_contacts(fw_scene *scene, fw_error *error)
-{
-    if (scene->wall_count == 0) return FW_OK;
-    for (int w = 0; w < scene->wall_count; ++w) {
-        if (!fw_wall_moves(scene->walls[w].wall)) continue;
-        scene_follow_wall(scene, w, scene->ticks_per_step);
-        fw_broadphase_move_wall(scene->broadphase, w, scene->walls[w].place,
-                                scene->walls[w].motion);
-    }
-    for (int b = 0; b < scene->body_count; ++b)
-        FW_TRY(scene_refresh_skin(scene, &scene->bodies[b], error));
-    return FW_OK;
-}
-
-/* 4. constrain: the forces that hold contact particles, and those of the grips. */
+/* 3. find, and 4. constrain: which facets are near which run of skin particles, and the forces that
+ * hold contact particles. Both again and again where pistons have to find their way. */
 static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
 {
-    for (int w = 0; w < scene->wall_count; ++w) {
-        scene->walls[w].force_before = scene->accounts[w].force;
-        scene->accounts[w].force = (fw_vec2){0, 0};
-        scene->accounts[w].contacts = 0;
-    }
-    for (int b = 0; b < scene->body_count; ++b) {
-        scene_place_barriers(scene, scene->bodies[b].solid->model->ticks_per_step);
-        FW_TRY(scene_constrain_body(scene, &scene->bodies[b], error));
-        scene_collect_holds(scene, b);
-    }
-    return FW_OK;
+    if (scene->piston_count > 0) return scene_move_pistons(scene, error);
+    FW_TRY(scene_find_contacts(scene, error));
+    return scene_constrain_bodies(scene, error);
 }
 
-/* 5. advance: every solid moves. */
+/* 5. advance: every solid moves, held by contacts and grips, and the pistons. */
 static void advance_solids(fw_scene *scene)
 {
-    for (int b = 0; b < scene->body_count; ++b)
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_collect_holds(scene, b);
         fw_solid_advance(scene->bodies[b].solid, scene->bodies[b].holds,
                          scene->bodies[b].hold_count);
+    }
+    scene_advance_pistons(scene);
 }
 
 /* 6. account: work, heat and impulse of each wall. */
@@ -112,8 +93,8 @@ fw_status fw_scene_step(fw_scene *scene, fw_error *error)
     for (int tick = 0; tick < scene->ticks_per_step; ++tick) {
         apply_loads(scene);
         predict_skins(scene);
-        FW_TRY(find_contacts(scene, error));
         FW_TRY(constrain_contacts(scene, error));
+        scene_book_contacts(scene);
         advance_solids(scene);
         balance_ledger(scene);
         scene->clock.ticks += 1;

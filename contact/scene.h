@@ -7,6 +7,7 @@
 #include "contact/constrain.h"
 #include "contact/grip.h"
 #include "contact/load.h"
+#include "contact/piston.h"
 #include "contact/wall.h"
 #include "core/solid.h"
 
@@ -47,13 +48,18 @@ void fw_scene_destroy(fw_scene *scene);
 fw_status fw_scene_adopt_body(fw_scene *scene, const char *name, fw_solid *solid, int *body,
                               fw_error *error);
 fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *error);
+/* A wall that is a piston: it is moved by its drive and by what touches it, not by def->path. It
+ * passes through other walls. */
+fw_status fw_scene_add_piston(fw_scene *scene, const fw_wall_def *def, const fw_piston_def *piston,
+                              fw_error *error);
 /* Holds particles of that body. FW_BAD_INPUT: another grip holds one of them already, or the body
  * is an automaton. */
 fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, fw_error *error);
 /* The load acts on particles of that body. */
 fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
 
-/* Builds the broadphase and skins. FW_BAD_INPUT where a particle starts behind a wall. */
+/* Builds the broadphase and skins. FW_BAD_INPUT where a particle starts behind a wall, or where
+ * there are pistons and a body that moves in half-steps. */
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
 
 /* One step of time (two ticks where an automaton takes part). FW_DIVERGED names a particle whose
@@ -71,6 +77,11 @@ int fw_scene_wall_count(const fw_scene *scene);
 const fw_wall *fw_scene_wall(const fw_scene *scene, int wall);
 fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall);
 
+/* The piston that moves the wall; NULL where it is none. Another drive may be set for the next
+ * phase. */
+fw_piston *fw_scene_piston(fw_scene *scene, int wall);
+const fw_piston *fw_scene_observe_piston(const fw_scene *scene, int wall);
+
 int fw_scene_grip_count(const fw_scene *scene);
 /* For another drive in the next phase. */
 fw_grip *fw_scene_grip(fw_scene *scene, int grip);
@@ -80,7 +91,8 @@ const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall);
 fw_ledger fw_scene_ledger(const fw_scene *scene);
 fw_energies fw_scene_energies(const fw_scene *scene);
 fw_vec2 fw_scene_momentum(const fw_scene *scene);
-/* Steps in which a particle had to be held fast since no consistent set of walls was found. */
+/* How often a particle had to be held fast since no consistent set of walls was found, or the
+ * pistons' motion did not come to agree with the forces on them. */
 int64_t fw_scene_unresolved(const fw_scene *scene);
 /* How deep any skin particle of the body (-1: of any body) lies behind a wall; 0 if none does. */
 double fw_scene_penetration(const fw_scene *scene, int body);
@@ -90,7 +102,8 @@ void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, dou
 /* How often the broadphase was asked. */
 long fw_scene_query_count(const fw_scene *scene);
 
-/* The state, section by section: the scene's own, one per body, and that of the grips. */
+/* The state, section by section: the scene's own, one per body, those of the grips and of the
+ * pistons. */
 int fw_scene_section_count(const fw_scene *scene);
 const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list);
 /* After saved values were written back into the arrays of all sections. */

@@ -44,7 +44,19 @@ const fw_wall *fw_scene_wall(const fw_scene *scene, int wall)
 
 fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall)
 {
-    return fw_wall_displacement(scene->walls[wall].wall, fw_scene_time(scene));
+    const scene_wall *asked = &scene->walls[wall];
+    if (asked->piston) return fw_piston_observe_account(asked->piston)->displacement;
+    return fw_wall_displacement(asked->wall, fw_scene_time(scene));
+}
+
+fw_piston *fw_scene_piston(fw_scene *scene, int wall)
+{
+    return scene->walls[wall].piston;
+}
+
+const fw_piston *fw_scene_observe_piston(const fw_scene *scene, int wall)
+{
+    return scene->walls[wall].piston;
 }
 
 int fw_scene_grip_count(const fw_scene *scene)

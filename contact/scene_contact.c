@@ -6,18 +6,23 @@
 #include <stdlib.h>
 
 /* A colour of an automaton moves in every second tick only, and then for both: it meets the walls
- * where they were when it moved last. Otherwise a wall would run over a colour that rests. */
+ * where they were when it moved last. Otherwise a wall would run over a colour that rests. (Pistons
+ * meet no automata; their motion is told by scene_pistons.c.) */
 void scene_follow_wall(fw_scene *scene, int w, int ticks)
 {
     const double now = fw_scene_time(scene);
     const double since = fmax(0, now - (ticks - 1) * scene->tick);
     scene_wall *wall = &scene->walls[w];
+    if (wall->piston) {
+        wall->place = fw_piston_observe_account(wall->piston)->displacement;
+        return;
+    }
     wall->place = fw_wall_displacement(wall->wall, since);
     wall->motion =
         fw_vec2_subtract(fw_wall_displacement(wall->wall, now + scene->tick), wall->place);
 }
 
-void scene_place_barriers(fw_scene *scene, int ticks)
+static void place_barriers(fw_scene *scene, int ticks)
 {
     for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
     for (int f = 0; f < scene->facet_count; ++f) {
@@ -27,7 +32,7 @@ void scene_place_barriers(fw_scene *scene, int ticks)
     }
 }
 
-fw_status scene_refresh_skin(fw_scene *scene, scene_body *body, fw_error *error)
+static fw_status refresh_skin(fw_scene *scene, scene_body *body, fw_error *error)
 {
     if (body->skin_revision != body->solid->skin_revision) {
         fw_skin_destroy(body->skin);
@@ -38,6 +43,19 @@ fw_status scene_refresh_skin(fw_scene *scene, scene_body *body, fw_error *error)
                          fw_skin_predictions(body->skin));
     }
     return fw_skin_refresh(body->skin, body->solid, scene->broadphase, error);
+}
+
+fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        if (!fw_wall_moves(scene->walls[w].wall)) continue;
+        scene_follow_wall(scene, w, scene->ticks_per_step);
+        fw_broadphase_move_wall(scene->broadphase, w, scene->walls[w].place,
+                                scene->walls[w].motion);
+    }
+    for (int b = 0; b < scene->body_count && scene->wall_count > 0; ++b)
+        FW_TRY(refresh_skin(scene, &scene->bodies[b], error));
+    return FW_OK;
 }
 
 static int compare_contacts(const void *left, const void *right)
@@ -53,17 +71,18 @@ static void list_near(fw_scene *scene, fw_run run)
 
 /* One particle of a run against hard walls. Where they push it further than its free path, the list
  * is extended and the particle solved again, from the same memory. */
-static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_number, int particle,
+static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_number, int entry,
                                 const fw_prediction *free, fw_constraint *constraint,
                                 fw_error *error)
 {
+    const int particle = fw_skin_particles(body->skin)[entry];
     const fw_vec2 position = fw_solid_position(body->solid, particle);
     fw_contact_memory *memory = body->memory ? &body->memory[particle] : NULL;
     const fw_contact_memory before = memory ? *memory : (fw_contact_memory){0};
     for (;;) {
         fw_run run = fw_skin_run(body->skin, run_number);
-        *constraint =
-            fw_constrain(position, free, scene->near, run.facet_count, scene->barriers, memory);
+        *constraint = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
+                                   scene->near, run.facet_count, scene->barriers, memory);
         if (!constraint->held) {
             constraint->displacement = free->displacement;
             return FW_OK;
@@ -88,8 +107,9 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
     fw_prediction free = fw_skin_predictions(body->skin)[entry];
     const fw_vec2 alone = free.displacement;
     const fw_contact_memory before = body->memory ? body->memory[particle] : (fw_contact_memory){0};
-    const double yielding = 0.5 * scene->soft_stiffness * fmax(free.mobility.xx, free.mobility.yy);
-    scene_contact contact = {.particle = particle};
+    scene_contact contact = {.particle = particle,
+                             .mobility = fmax(free.mobility.xx, free.mobility.yy)};
+    const double yielding = 0.5 * scene->soft_stiffness * contact.mobility;
     fw_vec2 w = alone;
     for (int round = 0; round < ROUNDS; ++round) {
         if (scene->soft_count > 0 && free.mobility.xx > 0)
@@ -97,14 +117,14 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
         contact.soft_path = w;
         free.displacement = fw_vec2_add(alone, fw_sym2_apply(free.mobility, contact.soft));
         if (round > 0 && body->memory) body->memory[particle] = before;
-        FW_TRY(
-            constrain_hard(scene, body, run_number, particle, &free, &contact.constraint, error));
+        FW_TRY(constrain_hard(scene, body, run_number, entry, &free, &contact.constraint, error));
         const fw_vec2 change = fw_vec2_subtract(contact.constraint.displacement, w);
         if (scene->soft_count == 0 ||
             fabs(change.x) + fabs(change.y) <= 4e-16 * (fabs(w.x) + fabs(w.y)))
             break;
         w = fw_vec2_add(w, fw_vec2_scale(1 / (1 + yielding), change));
     }
+    if (body->rows) body->rows[entry] = contact.constraint.rows;
     if (contact.constraint.held || contact.soft.x != 0 || contact.soft.y != 0)
         body->contacts[body->contact_count++] = contact;
     return FW_OK;
@@ -130,7 +150,21 @@ static void book(fw_scene *scene, const scene_body *body, const scene_contact *c
     scene->clock.unresolved += constraint->unresolved;
 }
 
-fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *error)
+void scene_book_contacts(fw_scene *scene)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        scene->walls[w].force_before = scene->accounts[w].force;
+        scene->accounts[w].force = (fw_vec2){0, 0};
+        scene->accounts[w].contacts = 0;
+    }
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
+        place_barriers(scene, body->solid->model->ticks_per_step);
+        for (int n = 0; n < body->contact_count; ++n) book(scene, body, &body->contacts[n]);
+    }
+}
+
+static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *error)
 {
     body->contact_count = 0;
     if (scene->wall_count == 0) return FW_OK;
@@ -145,7 +179,15 @@ fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *erro
     /* Runs follow a curve through space that is another one after a restart; sums go by particle.
      */
     qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
-    for (int n = 0; n < body->contact_count; ++n) book(scene, body, &body->contacts[n]);
+    return FW_OK;
+}
+
+fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        place_barriers(scene, scene->bodies[b].solid->model->ticks_per_step);
+        FW_TRY(constrain_body(scene, &scene->bodies[b], error));
+    }
     return FW_OK;
 }
 

@@ -31,11 +31,16 @@ void fw_scene_destroy(fw_scene *scene)
         fw_skin_destroy(body->skin);
         free(body->memory);
         free(body->contacts);
+        free(body->rows);
+        free(body->memory_before);
         free(body->gripped);
         free(body->holds);
     }
     fw_broadphase_destroy(scene->broadphase);
-    for (int w = 0; w < scene->wall_count; ++w) fw_wall_destroy(scene->walls[w].wall);
+    for (int w = 0; w < scene->wall_count; ++w) {
+        fw_wall_destroy(scene->walls[w].wall);
+        fw_piston_destroy(scene->walls[w].piston);
+    }
     for (int n = 0; n < scene->load_count; ++n) fw_load_destroy(scene->loads[n].load);
     for (int n = 0; n < scene->grip_count; ++n) fw_grip_destroy(scene->grips[n].grip);
     free(scene->grips);
@@ -89,7 +94,29 @@ fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *e
     scene_wall *wall = &scene->walls[scene->wall_count];
     *wall = (scene_wall){0};
     FW_TRY(fw_wall_create(&wall->wall, scene->wall_count, def, error));
+    wall->bounds = fw_wall_bounds(wall->wall);
     scene->wall_count += 1;
+    return FW_OK;
+}
+
+fw_status fw_scene_add_piston(fw_scene *scene, const fw_wall_def *def, const fw_piston_def *piston,
+                              fw_error *error)
+{
+    fw_wall_def driven = *def;
+    fw_piston *made;
+    if (scene->piston_count == FW_STATE_CAPACITY)
+        return fw_fail(error, FW_BAD_INPUT, "piston %s is one too many, expected at most %d",
+                       def->name, FW_STATE_CAPACITY);
+    driven.path = fw_wall_def_default().path;
+    driven.driven = true;
+    FW_TRY(fw_piston_create(&made, def->name, piston, error));
+    fw_status status = fw_scene_add_wall(scene, &driven, error);
+    if (status != FW_OK) {
+        fw_piston_destroy(made);
+        return status;
+    }
+    scene->walls[scene->wall_count - 1].piston = made;
+    scene->piston_count += 1;
     return FW_OK;
 }
 
@@ -169,8 +196,10 @@ static fw_status build_broadphase(fw_scene *scene, fw_error *error)
         return fw_fail_memory(error, "the facets of all walls");
     for (int f = 0; f < scene->facet_count; ++f) {
         const fw_facet *facet = fw_broadphase_facet(scene->broadphase, f);
-        scene->barriers[f] = (fw_barrier){
-            .facet = facet, .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
+        scene->barriers[f] =
+            (fw_barrier){.facet = facet,
+                         .number = f,
+                         .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
     }
     return FW_OK;
 }
@@ -191,6 +220,23 @@ static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error
     if (any_wall_rubs(scene)) body->memory = calloc(count, sizeof *body->memory);
     if (!body->contacts || (any_wall_rubs(scene) && !body->memory))
         return fw_fail_memory(error, "the contacts of a body");
+    if (scene->piston_count == 0) return FW_OK;
+    body->rows = calloc(count, sizeof *body->rows);
+    if (body->memory) body->memory_before = calloc(count, sizeof *body->memory);
+    if (!body->rows || (body->memory && !body->memory_before))
+        return fw_fail_memory(error, "the contacts of a body with pistons");
+    return FW_OK;
+}
+
+static fw_status refuse_half_steps(const fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count && scene->piston_count > 0; ++b)
+        if (scene->bodies[b].solid->model->ticks_per_step != 1)
+            return fw_fail(
+                error, FW_BAD_INPUT,
+                "body %s moves in half-steps, which pistons cannot meet; expected a body "
+                "of particles that all move at once, or walls on paths",
+                scene->bodies[b].name);
     return FW_OK;
 }
 
@@ -217,6 +263,7 @@ static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, f
 
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
 {
+    FW_TRY(refuse_half_steps(scene, error));
     if (scene->wall_count > 0) {
         FW_TRY(build_broadphase(scene, error));
         for (int b = 0; b < scene->body_count; ++b) {
@@ -244,7 +291,7 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
 
 int fw_scene_section_count(const fw_scene *scene)
 {
-    return 1 + scene->body_count + (scene->grip_count > 0);
+    return 1 + scene->body_count + (scene->grip_count > 0) + (scene->piston_count > 0);
 }
 
 const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
@@ -258,6 +305,14 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
         fw_state_list_add(list, "energy-at-start", FW_F64, 1, &scene->energy_at_start);
         fw_state_list_add(list, "momentum-at-start", FW_F64, 2, &scene->momentum_at_start);
         return "scene";
+    }
+    if (section > scene->body_count + (scene->grip_count > 0)) {
+        for (int w = 0; w < scene->wall_count; ++w)
+            if (scene->walls[w].piston)
+                fw_state_list_add(list, fw_wall_name(scene->walls[w].wall), FW_F64,
+                                  sizeof(fw_piston_account) / sizeof(double),
+                                  fw_piston_account_of(scene->walls[w].piston));
+        return "pistons";
     }
     if (section > scene->body_count) {
         for (int n = 0; n < scene->grip_count; ++n)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c (its
- * contact phase), scene_make.c (making, restoring) and scene_ask.c, and by nobody else. */
+/* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
+ * scene_soft.c and scene_pistons.c (its contact phase), scene_make.c (making, restoring) and
+ * scene_ask.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -12,6 +13,7 @@ typedef struct scene_contact {
     fw_constraint constraint; /* of hard walls; with where the particle goes in any case */
     fw_vec2 soft;             /* force of penalty walls ... */
     fw_vec2 soft_path;        /* ... for this displacement: that of the constraint, to rounding */
+    double mobility;          /* of the particle, the larger of x and y */
 } scene_contact;
 
 typedef struct scene_body {
@@ -22,16 +24,29 @@ typedef struct scene_body {
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
     scene_contact *contacts;   /* of this tick, ascending; room for all particles of the skin */
     int contact_count;
-    uint8_t *gripped; /* per particle; NULL where no grip holds the body */
-    fw_hold *holds;   /* of contacts and grips, ascending; room for all particles */
+    fw_row_list *rows;                /* of this tick, per entry of the skin, and ... */
+    fw_contact_memory *memory_before; /* ... `memory` at its beginning; NULL without pistons */
+    uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
+    fw_hold *holds;                   /* of contacts and grips, ascending; room for all particles */
     int hold_count;
 } scene_body;
+
+/* A number lies between these. */
+typedef struct scene_bracket {
+    double low, high;
+} scene_bracket;
 
 typedef struct scene_wall {
     fw_wall *wall;
     int first_facet;
+    fw_box bounds;         /* at the place of the definition */
     fw_vec2 place, motion; /* in this tick */
     fw_vec2 force_before;  /* of the last tick */
+    fw_piston *piston;     /* what moves it; NULL: its path */
+    fw_vec2 push;          /* of the bodies on the piston, moving by `motion` ... */
+    fw_sym2 stiffness;     /* ... and by how much that falls with the motion, near enough */
+    double torque;         /* of the push about the piston's middle */
+    scene_bracket bracket_x, bracket_y; /* of the motion that is looked for */
 } scene_wall;
 
 typedef struct scene_load {
@@ -55,7 +70,7 @@ struct fw_scene {
     double tick;
     int ticks_per_step;
     scene_clock clock;
-    int body_count, wall_count, load_count, grip_count;
+    int body_count, wall_count, load_count, grip_count, piston_count;
     scene_body *bodies;
     scene_wall *walls;
     fw_wall_account *accounts; /* per wall */
@@ -71,14 +86,22 @@ struct fw_scene {
     fw_vec2 momentum_at_start;
 };
 
-/* Place and motion of a wall, and of all barriers, in this tick, for bodies each of whose particles
- * moves once in so many ticks. */
+/* 3. and 4. of the time step for given motions of the walls: which facets are near which run of
+ * skin particles, and the forces that hold contact particles. Books nothing. */
+fw_status scene_find_contacts(fw_scene *scene, fw_error *error);
+fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
+/* The same together with the motions of the pistons, which follow from those forces. */
+fw_status scene_move_pistons(fw_scene *scene, fw_error *error);
+/* Ends the tick of the pistons. */
+void scene_advance_pistons(fw_scene *scene);
+/* Place and motion of a wall in this tick, for bodies each of whose particles moves once in so many
+ * ticks. */
 void scene_follow_wall(fw_scene *scene, int wall, int ticks);
-void scene_place_barriers(fw_scene *scene, int ticks);
-fw_status scene_refresh_skin(fw_scene *scene, scene_body *body, fw_error *error);
-fw_status scene_constrain_body(fw_scene *scene, scene_body *body, fw_error *error);
-/* Of all penalty walls, on a particle at `position` that moves by w in this tick; and what that
- * does to their accounts. */
+/* What the contacts of the tick do to the walls' accounts. */
+void scene_book_contacts(fw_scene *scene);
+/* Of one penalty wall, or of all, on a particle at `position` that moves by w in this tick; and
+ * what that does to their accounts. */
+fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w);
 fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);
 /* FW_BAD_INPUT for a penalty wall that is too stiff for the time step. */

@@ -11,17 +11,28 @@ static bool is_soft(const fw_scene *scene, int w)
     return fw_wall_surface(scene->walls[w].wall).law == FW_PENALTY;
 }
 
-static fw_vec2 force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w)
+/* Does a path come near an obstacle at all? Most do not. */
+static bool is_clear_of(const scene_wall *wall, fw_vec2 from, fw_vec2 to)
 {
+    const fw_box *box = &wall->bounds;
+    return fw_wall_definition(wall->wall)->side == FW_OUTSIDE &&
+           (fmax(from.x, to.x) < box->low.x || fmin(from.x, to.x) > box->high.x ||
+            fmax(from.y, to.y) < box->low.y || fmin(from.y, to.y) > box->high.y);
+}
+
+fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w)
+{
+    if (fw_wall_surface(wall->wall).law != FW_PENALTY) return (fw_vec2){0, 0};
     const fw_vec2 from = fw_vec2_subtract(position, wall->place);
-    return fw_penalty_force(wall->wall, from, fw_vec2_add(from, fw_vec2_subtract(w, wall->motion)));
+    const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
+    return is_clear_of(wall, from, to) ? (fw_vec2){0, 0} : fw_penalty_force(wall->wall, from, to);
 }
 
 fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w)
 {
     fw_vec2 force = {0, 0};
     for (int n = 0; n < scene->wall_count; ++n)
-        if (is_soft(scene, n)) force = fw_vec2_add(force, force_of(&scene->walls[n], position, w));
+        force = fw_vec2_add(force, scene_soft_force_of(&scene->walls[n], position, w));
     return force;
 }
 
@@ -33,7 +44,7 @@ void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 posi
     for (int n = 0; n < scene->wall_count; ++n) {
         if (!is_soft(scene, n)) continue;
         const scene_wall *wall = &scene->walls[n];
-        const fw_vec2 force = force_of(wall, position, contact->soft_path);
+        const fw_vec2 force = scene_soft_force_of(wall, position, contact->soft_path);
         const fw_vec2 from = fw_vec2_subtract(position, wall->place);
         const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
         const double stored =

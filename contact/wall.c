@@ -155,7 +155,7 @@ const fw_wall_def *fw_wall_definition(const fw_wall *wall)
 
 bool fw_wall_moves(const fw_wall *wall)
 {
-    return wall->moves;
+    return wall->moves || wall->def.driven;
 }
 
 fw_vec2 fw_wall_displacement(const fw_wall *wall, double time)

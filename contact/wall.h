@@ -47,6 +47,7 @@ typedef struct fw_wall_def {
     double radius; /* of a circle */
     fw_surface surface;
     fw_path path;
+    bool driven; /* somebody else says where it is: see piston.h; without a path */
 } fw_wall_def;
 
 /* A frictionless, resting box [0,0]-[1,1], free inside. */
@@ -70,7 +71,7 @@ const char *fw_wall_name(const fw_wall *wall);
 fw_surface fw_wall_surface(const fw_wall *wall);
 const fw_wall_def *fw_wall_definition(const fw_wall *wall); /* points valid as long as the wall */
 bool fw_wall_moves(const fw_wall *wall);
-/* Displacement from the place of the definition at time t; exactly zero for a resting wall. */
+/* Displacement from the place of the definition at time t by its path; exactly zero without one. */
 fw_vec2 fw_wall_displacement(const fw_wall *wall, double time);
 
 int fw_wall_facet_count(const fw_wall *wall);

@@ -44,10 +44,11 @@ static void print_fields(const fw_solid_model *model)
 fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error)
 {
     static const char *const scope[] = {
-        [FW_SCOPE_SCENE] = "scene", [FW_SCOPE_BODIES] = "body or scene",
-        [FW_SCOPE_BODY] = "body",   [FW_SCOPE_SITE] = "site",
-        [FW_SCOPE_WALL] = "wall",   [FW_SCOPE_GRIP] = "grip",
-        [FW_SCOPE_STUDY] = "study", [FW_SCOPE_ANALYSIS] = "analysis",
+        [FW_SCOPE_SCENE] = "scene",       [FW_SCOPE_BODIES] = "body or scene",
+        [FW_SCOPE_BODY] = "body",         [FW_SCOPE_SITE] = "site",
+        [FW_SCOPE_WALL] = "wall",         [FW_SCOPE_PISTON] = "piston",
+        [FW_SCOPE_GRIP] = "grip",         [FW_SCOPE_STUDY] = "study",
+        [FW_SCOPE_ANALYSIS] = "analysis",
     };
     (void)arguments;
     (void)error;

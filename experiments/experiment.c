@@ -217,6 +217,16 @@ static fw_status analyse(fw_experiment *experiment, fw_error *error)
     return FW_OK;
 }
 
+static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, fw_error *error)
+{
+    const fw_piston_def piston = {.mass = wall->piston.mass,
+                                  .velocity = wall->piston.velocity,
+                                  .damping = wall->piston.damping,
+                                  .drive = wall->piston.motion.drive};
+    return wall->is_piston ? fw_scene_add_piston(scene, &wall->def, &piston, error)
+                           : fw_scene_add_wall(scene, &wall->def, error);
+}
+
 static fw_status fill(fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
@@ -233,8 +243,8 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
                 FW_TRY(refuse_overlap(experiment, a, b, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
-        FW_TRY(place_of_failure(scenario, wall->place,
-                                fw_scene_add_wall(experiment->scene, &wall->def, error), error));
+        FW_TRY(place_of_failure(scenario, wall->place, add_wall(experiment->scene, wall, error),
+                                error));
     }
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));

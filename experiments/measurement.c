@@ -17,6 +17,8 @@ static const char *const standard_set[] = {"energy",         "kinetic-energy", "
 /* What the measures of a profile's layer are made of. */
 static const char *const profile_set[] = {"slip", "interface-force", "contact-return-force", NULL};
 
+static const char *const piston_place = "piston-displacement";
+
 typedef struct request {
     const fw_experiment *experiment;
     fw_measurement *measurement;
@@ -101,6 +103,13 @@ static fw_status expect_model(const request *r, const fw_quantity *quantity, fw_
                             quantity->model);
 }
 
+/* Of walls: all, or those that are pistons. */
+static bool fits_wall(const request *r, const fw_quantity *quantity, int wall)
+{
+    return quantity->scope == FW_SCOPE_WALL ||
+           (quantity->scope == FW_SCOPE_PISTON && r->experiment->scenario->walls[wall].is_piston);
+}
+
 static bool fits_kind(const request *r, const fw_quantity *quantity, int analysis)
 {
     const fw_analysis *of = r->experiment->analyses[analysis];
@@ -123,9 +132,11 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
                 return FW_SYSTEM_FAILED;
         return FW_OK;
     case FW_SCOPE_WALL:
+    case FW_SCOPE_PISTON:
         for (subject.wall = 0; subject.wall < fw_scene_wall_count(r->experiment->scene);
              ++subject.wall)
-            if (add_probe(r, quantity, subject) < 0) return FW_SYSTEM_FAILED;
+            if (fits_wall(r, quantity, subject.wall) && add_probe(r, quantity, subject) < 0)
+                return FW_SYSTEM_FAILED;
         return FW_OK;
     case FW_SCOPE_GRIP:
         for (subject.grip = 0; subject.grip < fw_scene_grip_count(r->experiment->scene);
@@ -172,17 +183,19 @@ static fw_status add_drawn(request *r, fw_scenario_name name)
     for (int b = 0; b < r->experiment->member_count && of_body; ++b)
         if (strcmp(r->experiment->members[b].name, word[1]) == 0 && fits_model(r, quantity, b))
             subject.body = b;
-    for (int w = 0; w < r->experiment->scenario->wall_count && quantity->scope == FW_SCOPE_WALL;
-         ++w)
-        if (strcmp(r->experiment->scenario->walls[w].def.name, word[1]) == 0) subject.wall = w;
+    for (int w = 0; w < r->experiment->scenario->wall_count; ++w)
+        if (fits_wall(r, quantity, w) &&
+            strcmp(r->experiment->scenario->walls[w].def.name, word[1]) == 0)
+            subject.wall = w;
     if (words - component == 2 && !rest && (subject.body >= 0 || subject.wall >= 0))
         return add_probe(r, quantity, subject) < 0 ? FW_SYSTEM_FAILED : FW_OK;
     return fw_scenario_fail(r->experiment->scenario, name.place, r->error,
                             "%s is not measured of %s, expected %s%s%s%s", quantity->name,
                             name.text + strlen(word[0]) + 1, quantity->name,
-                            of_body                            ? " with the name of a body"
-                            : quantity->scope == FW_SCOPE_WALL ? " with the name of a wall"
-                                                               : " alone",
+                            of_body                              ? " with the name of a body"
+                            : quantity->scope == FW_SCOPE_WALL   ? " with the name of a wall"
+                            : quantity->scope == FW_SCOPE_PISTON ? " with the name of a piston"
+                                                                 : " alone",
                             quantity->components[0] ? " or with one of the components " : "",
                             quantity->components);
 }
@@ -218,13 +231,23 @@ static fw_status choose_body(request *r, const fw_expectation *e, const fw_quant
 static fw_status choose_wall(request *r, const fw_expectation *e, const fw_quantity *quantity,
                              fw_subject *subject)
 {
+    const char *kind = quantity->scope == FW_SCOPE_PISTON ? "piston" : "wall";
+    int fitting = 0;
     subject->wall = e->wall_index;
+    if (subject->wall >= 0 && !fits_wall(r, quantity, subject->wall))
+        return fw_scenario_fail(r->experiment->scenario, e->wall.place, r->error,
+                                "%s is measured of pistons, and the wall %s is none",
+                                quantity->name, e->wall.text);
     if (subject->wall >= 0) return FW_OK;
-    if (fw_scene_wall_count(r->experiment->scene) != 1)
+    for (int w = fw_scene_wall_count(r->experiment->scene) - 1; w >= 0; --w) {
+        if (!fits_wall(r, quantity, w)) continue;
+        subject->wall = w;
+        fitting += 1;
+    }
+    if (fitting != 1)
         return fw_scenario_fail(r->experiment->scenario, e->place, r->error,
-                                "%s is measured of one wall, expected the key `wall`",
-                                quantity->name);
-    subject->wall = 0;
+                                "%s is measured of one %s, expected %s", quantity->name, kind,
+                                fitting > 0 ? "the key `wall`" : "a wall with the key `piston`");
     return FW_OK;
 }
 
@@ -271,7 +294,7 @@ static fw_status choose_subject(request *r, const fw_expectation *e, const fw_qu
 {
     const fw_scenario *scenario = r->experiment->scenario;
     *subject = (fw_subject){-1, -1, -1, -1, -1};
-    if (quantity->scope != FW_SCOPE_WALL && e->wall.text)
+    if (quantity->scope != FW_SCOPE_WALL && quantity->scope != FW_SCOPE_PISTON && e->wall.text)
         return fw_scenario_fail(scenario, e->wall.place, r->error,
                                 "%s is not measured of a wall, expected no key `wall`",
                                 quantity->name);
@@ -290,7 +313,8 @@ static fw_status choose_subject(request *r, const fw_expectation *e, const fw_qu
                                 quantity->name);
     if (quantity->scope == FW_SCOPE_ANALYSIS) return choose_analysis(r, e, quantity, subject);
     if (quantity->scope == FW_SCOPE_SCENE) return expect_model(r, quantity, e->quantity.place);
-    if (quantity->scope == FW_SCOPE_WALL) return choose_wall(r, e, quantity, subject);
+    if (quantity->scope == FW_SCOPE_WALL || quantity->scope == FW_SCOPE_PISTON)
+        return choose_wall(r, e, quantity, subject);
     if (quantity->scope == FW_SCOPE_GRIP) return choose_grip(r, e, quantity, subject);
     return choose_body(r, e, quantity, subject);
 }
@@ -387,6 +411,8 @@ static fw_status add_all(request *r)
         FW_TRY(add_everywhere(r, fw_quantity_find(standard_set[n]), (fw_place){0}));
     for (int n = 0; scenario->profile.every != 0 && profile_set[n]; ++n)
         FW_TRY(add_everywhere(r, fw_quantity_find(profile_set[n]), (fw_place){0}));
+    /* Pictures draw pistons where they were. */
+    FW_TRY(add_everywhere(r, fw_quantity_find(piston_place), (fw_place){0}));
     for (int n = 0; n < scenario->expectation_count; ++n) FW_TRY(add_expected(r, n));
     for (int p = 0; p < scenario->picture_count; ++p) {
         const fw_scenario_picture *picture = &scenario->pictures[p];

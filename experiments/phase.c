@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* phase.c - grips and phases. State: the phase that the scene has the parameters of, kept in the
- * experiment. Start reading at fw_phase_enter(). */
+/* phase.c - grips, and the phases that drive them and pistons. State: the phase that the scene has
+ * the parameters of, kept in the experiment. Start reading at fw_phase_enter(). */
 #include "experiments/phase.h"
 
 #include "core/linear_lattice.h"
@@ -90,12 +90,32 @@ static fw_status set_bath(fw_experiment *experiment, const fw_scenario_phase *ph
 }
 
 /* The drive of a grip in a phase: the phase's, or its own. */
-static const fw_grip_drive *drive_in(const fw_scenario *scenario, const fw_scenario_phase *phase,
-                                     int grip)
+static const fw_drive *drive_in(const fw_scenario *scenario, const fw_scenario_phase *phase,
+                                int grip)
 {
     for (int n = 0; n < phase->drive_count; ++n)
         if (phase->drives[n].grip == grip) return &phase->drives[n].motion.drive;
     return &scenario->grips[grip].motion.drive;
+}
+
+static fw_status set_pistons(fw_experiment *experiment, const fw_scenario_phase *phase,
+                             fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    for (int w = 0; w < scenario->wall_count; ++w) {
+        const fw_scenario_piston *own = &scenario->walls[w].piston;
+        const fw_drive *drive = &own->motion.drive;
+        double damping = own->damping;
+        if (!scenario->walls[w].is_piston) continue;
+        for (int n = 0; n < phase->piston_count; ++n) {
+            const fw_phase_piston *other = &phase->pistons[n];
+            if (other->wall != w) continue;
+            drive = &other->motion.drive;
+            if (other->damping >= 0) damping = other->damping;
+        }
+        FW_TRY(fw_piston_set_drive(fw_scene_piston(experiment->scene, w), drive, damping, error));
+    }
+    return FW_OK;
 }
 
 fw_status fw_phase_enter(fw_experiment *experiment, fw_error *error)
@@ -111,6 +131,7 @@ fw_status fw_phase_enter(fw_experiment *experiment, fw_error *error)
     for (int n = 0; n < scenario->grip_count; ++n)
         FW_TRY(fw_grip_set_drive(fw_scene_grip(experiment->scene, n), drive_in(scenario, phase, n),
                                  error));
+    FW_TRY(set_pistons(experiment, phase, error));
     experiment->phase = now;
     return FW_OK;
 }

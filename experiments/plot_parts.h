@@ -19,6 +19,9 @@ typedef struct fw_plot_result {
     int *links;              /* pairs of particles, numbered within their body, body by body */
     int *link_first;         /* per body: number of its first link; one more for the end */
     fw_wall **walls;
+    double *
+        *piston_paths; /* per wall: x and y of its displacement, per sample; NULL: on its path */
+    int64_t *sample_steps;
     const char *length_unit;
 } fw_plot_result;
 

@@ -7,6 +7,7 @@
 #include "core/array.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -131,6 +132,54 @@ static fw_status make_walls(fw_plot_result *result, fw_error *error)
     return FW_OK;
 }
 
+/* Where pistons were: they are measured, however little is asked for. */
+static fw_status read_piston(fw_plot_result *result, int wall, fw_error *error)
+{
+    fw_playback *playback = result->playback;
+    const char *wall_name = result->scenario->walls[wall].def.name;
+    char name[2 * FW_NAME_SIZE];
+    snprintf(name, sizeof name, "piston-displacement.%s", wall_name);
+    const int observable = fw_playback_find_observable(playback, name);
+    if (observable < 0 || playback->observables[observable].components != 2)
+        return fw_fail(error, FW_BAD_INPUT, "%s: the results do not say where the piston %s was",
+                       result->directory, wall_name);
+    result->piston_paths[wall] = fw_array_of_doubles(2 * (size_t)playback->sample_count);
+    if (!result->piston_paths[wall]) return fw_fail_memory(error, "the way of a piston");
+    return fw_playback_read_observable(playback, observable, result->piston_paths[wall], error);
+}
+
+static fw_status read_pistons(fw_plot_result *result, fw_error *error)
+{
+    const fw_scenario *scenario = result->scenario;
+    const size_t samples = (size_t)result->playback->sample_count;
+    result->piston_paths = calloc((size_t)scenario->wall_count + 1, sizeof *result->piston_paths);
+    result->sample_steps = fw_array_allocate(samples + 1, sizeof *result->sample_steps);
+    if (!result->piston_paths || !result->sample_steps)
+        return fw_fail_memory(error, "the ways of pistons");
+    FW_TRY(fw_playback_read_sample_times(result->playback, result->sample_steps, NULL, error));
+    for (int w = 0; w < scenario->wall_count; ++w)
+        if (scenario->walls[w].is_piston) FW_TRY(read_piston(result, w, error));
+    return FW_OK;
+}
+
+/* Between two samples a piston is drawn on the straight line. */
+static fw_vec2 displacement_of(const fw_plot_result *result, int wall, int64_t frame)
+{
+    const double *path = result->piston_paths[wall];
+    const int64_t step = result->steps[frame], count = result->playback->sample_count;
+    if (path && count == 0) return (fw_vec2){0, 0};
+    if (!path) return fw_wall_displacement(result->walls[wall], result->times[frame]);
+    int64_t after = 0;
+    while (after < count - 1 && result->sample_steps[after] < step) ++after;
+    const int64_t before = after > 0 ? after - 1 : 0;
+    const double span = (double)(result->sample_steps[after] - result->sample_steps[before]);
+    double part = span > 0 ? (double)(step - result->sample_steps[before]) / span : 0;
+    part = fmin(part, 1);
+    const fw_vec2 from = {path[2 * before], path[2 * before + 1]};
+    const fw_vec2 to = {path[2 * after], path[2 * after + 1]};
+    return fw_vec2_add(from, fw_vec2_scale(part, fw_vec2_subtract(to, from)));
+}
+
 /* Where every lattice has spacing 1, that is the unit of length. */
 static const char *unit_of_length(const fw_scenario *scenario)
 {
@@ -150,13 +199,18 @@ fw_status fw_plot_result_open(fw_plot_result *result, const char *directory, fw_
     FW_TRY(find_rest(result, error));
     FW_TRY(sort_links(result, error));
     result->length_unit = unit_of_length(result->scenario);
-    return make_walls(result, error);
+    FW_TRY(make_walls(result, error));
+    return read_pistons(result, error);
 }
 
 void fw_plot_result_close(fw_plot_result *result)
 {
     for (int w = 0; result->walls && w < result->scenario->wall_count; ++w)
         fw_wall_destroy(result->walls[w]);
+    for (int w = 0; result->piston_paths && w < result->scenario->wall_count; ++w)
+        free(result->piston_paths[w]);
+    free(result->piston_paths);
+    free(result->sample_steps);
     free(result->walls);
     free(result->link_first);
     free(result->links);
@@ -248,8 +302,7 @@ static void describe_view(fw_plot_view *view, const fw_plot_result *result, int6
     }
     for (int w = 0; w < scenario->wall_count; ++w)
         view->walls[w] =
-            (fw_view_wall){fw_wall_definition(result->walls[w]),
-                           fw_wall_displacement(result->walls[w], result->times[frame])};
+            (fw_view_wall){fw_wall_definition(result->walls[w]), displacement_of(result, w, frame)};
     view->view = (fw_view){.step = result->steps[frame],
                            .bodies = view->bodies,
                            .body_count = playback->body_count,

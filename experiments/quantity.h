@@ -14,6 +14,7 @@ typedef enum fw_scope {
     FW_SCOPE_BODY,    /* one body; may be left out where there is only one */
     FW_SCOPE_SITE,    /* one site of a body */
     FW_SCOPE_WALL,    /* one wall; may be left out where there is only one */
+    FW_SCOPE_PISTON,  /* one wall that is a piston; may be left out where there is only one */
     FW_SCOPE_GRIP,    /* one grip; may be left out where there is only one */
     FW_SCOPE_STUDY,   /* comes out of all runs of a study together; expected only */
     FW_SCOPE_ANALYSIS /* one analysis of its kind; may be left out where there is only one */
@@ -46,6 +47,7 @@ extern const fw_quantity fw_elastic_quantities[];
 extern const fw_quantity fw_particle_quantities[];
 extern const fw_quantity fw_automaton_quantities[];
 extern const fw_quantity fw_grip_quantities[];
+extern const fw_quantity fw_piston_quantities[];
 extern const fw_quantity fw_layer_quantities[]; /* in the order of fw_layer_measure */
 
 /* All quantities, model by model: `for (q = first(); q; q = next(q))`. */

@@ -177,9 +177,24 @@ typedef struct fw_scenario_body {
 
 /* --- walls and forces --- */
 
+typedef enum fw_hold_choice { FW_HOLD_NONE, FW_HOLD_X, FW_HOLD_Y, FW_HOLD_BOTH } fw_hold_choice;
+
+typedef struct fw_scenario_drive {
+    fw_hold_choice hold; /* as written; what follows from it is in `drive` */
+    fw_drive drive;
+} fw_scenario_drive;
+
+typedef struct fw_scenario_piston {
+    double mass, damping;
+    fw_vec2 velocity;
+    fw_scenario_drive motion;
+} fw_scenario_piston;
+
 typedef struct fw_scenario_wall {
     fw_place place;
     fw_wall_def def; /* with its name */
+    bool is_piston;
+    fw_scenario_piston piston;
 } fw_scenario_wall;
 
 typedef enum fw_force_kind {
@@ -205,13 +220,6 @@ typedef struct fw_scenario_force {
 
 /* --- grips and phases --- */
 
-typedef enum fw_hold_choice { FW_HOLD_NONE, FW_HOLD_X, FW_HOLD_Y, FW_HOLD_BOTH } fw_hold_choice;
-
-typedef struct fw_scenario_drive {
-    fw_hold_choice hold; /* as written; what follows from it is in `drive` */
-    fw_grip_drive drive;
-} fw_scenario_drive;
-
 typedef struct fw_scenario_grip {
     const char *name;
     fw_place place;
@@ -229,13 +237,22 @@ typedef struct fw_phase_drive {
     fw_scenario_drive motion;
 } fw_phase_drive;
 
+/* The whole drive of a piston during a phase. */
+typedef struct fw_phase_piston {
+    fw_place place;
+    int wall;       /* index into the scenario's walls */
+    double damping; /* < 0: as by itself */
+    fw_scenario_drive motion;
+} fw_phase_piston;
+
 typedef struct fw_scenario_phase {
     const char *name;
     fw_place place;
     int64_t from, until;         /* the steps from <= step < until */
     double damping, temperature; /* < 0: those of `dynamics` */
-    int drive_count;
+    int drive_count, piston_count;
     fw_phase_drive *drives;
+    fw_phase_piston *pistons;
 } fw_scenario_phase;
 
 /* What is averaged across the scene; no `every`: nothing is. */

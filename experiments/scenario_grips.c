@@ -6,18 +6,17 @@
 
 /* --- grips --- */
 
-/* A drive whose keys have been filled in: what `hold` and `path` mean together. */
-static fw_status read_drive(const fw_scenario *scenario, const fw_node *node,
-                            fw_scenario_drive *motion, fw_error *error)
+fw_status fw_scenario_read_drive(const fw_scenario *scenario, const fw_node *node, const char *kind,
+                                 const char *name, fw_scenario_drive *motion, fw_error *error)
 {
     const fw_node *path = fw_node_find(node, "path"), *hold = fw_node_find(node, "hold");
     motion->drive.prescribed_x = motion->hold == FW_HOLD_X || motion->hold == FW_HOLD_BOTH;
     motion->drive.prescribed_y = motion->hold == FW_HOLD_Y || motion->hold == FW_HOLD_BOTH;
     if (path && motion->hold == FW_HOLD_NONE)
         return fw_scenario_fail(scenario, path->key_place, error,
-                                "grip '%s' has a path that no component follows, expected 'hold: "
+                                "%s '%s' has a path that no component follows, expected 'hold: "
                                 "x', 'y' or 'both'",
-                                node->key);
+                                kind, name);
     static const char *const forces[] = {"force", "amplitude", "tether"};
     for (int n = 0; n < 3; ++n) {
         const fw_node *force = fw_node_find(node, forces[n]);
@@ -25,9 +24,9 @@ static fw_status read_drive(const fw_scenario *scenario, const fw_node *node,
         if ((motion->drive.prescribed_x && fw_node_number(force->first) != 0) ||
             (motion->drive.prescribed_y && fw_node_number(force->last) != 0))
             return fw_scenario_fail(scenario, force->place, error,
-                                    "grip '%s' has the %s [%g, %g], but 'hold: %s' moves that "
+                                    "%s '%s' has the %s [%g, %g], but 'hold: %s' moves that "
                                     "component whatever force acts; expected 0 there",
-                                    node->key, forces[n], fw_node_number(force->first),
+                                    kind, name, forces[n], fw_node_number(force->first),
                                     fw_node_number(force->last), hold->text);
     }
     return FW_OK;
@@ -44,7 +43,7 @@ static fw_status read_grip(fw_scenario *scenario, const fw_node *node, fw_scenar
                             fw_node_find(node, "body"), &grip->body, error));
     FW_TRY(fw_scenario_read_selection(scenario, node, &scenario->bodies[grip->body], &grip->sites,
                                       error));
-    return read_drive(scenario, node, &grip->motion, error);
+    return fw_scenario_read_drive(scenario, node, "grip", node->key, &grip->motion, error);
 }
 
 fw_status fw_scenario_read_grips(fw_scenario *scenario, fw_error *error)
@@ -76,7 +75,31 @@ static fw_status read_drives(fw_scenario *scenario, const fw_node *named, fw_sce
         drive->place = node->key_place;
         FW_TRY(fw_scenario_find(scenario, grips, "grip", &name, &drive->grip, error));
         FW_TRY(fw_schema_fill(scenario->document, "phase-grip", node, drive, error));
-        FW_TRY(read_drive(scenario, node, &drive->motion, error));
+        FW_TRY(fw_scenario_read_drive(scenario, node, "grip", node->key, &drive->motion, error));
+    }
+    return FW_OK;
+}
+
+static fw_status read_pistons(fw_scenario *scenario, const fw_node *named, fw_scenario_phase *phase,
+                              fw_error *error)
+{
+    if (!named) return FW_OK;
+    int count;
+    const fw_node *walls = fw_scenario_part(scenario, "walls", &count);
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)named->count, sizeof *phase->pistons,
+                                &phase->pistons, error));
+    for (const fw_node *node = named->first; node; node = node->next) {
+        fw_phase_piston *piston = &phase->pistons[phase->piston_count++];
+        const fw_node name = {
+            .text = node->key, .length = strlen(node->key), .place = node->key_place};
+        *piston = (fw_phase_piston){.place = node->key_place, .damping = -1};
+        FW_TRY(fw_scenario_find(scenario, walls, "wall", &name, &piston->wall, error));
+        if (!scenario->walls[piston->wall].is_piston)
+            return fw_scenario_fail(scenario, node->key_place, error,
+                                    "wall '%s' is no piston, expected one with the key 'piston'",
+                                    node->key);
+        FW_TRY(fw_schema_fill(scenario->document, "phase-piston", node, piston, error));
+        FW_TRY(fw_scenario_read_drive(scenario, node, "piston", node->key, &piston->motion, error));
     }
     return FW_OK;
 }
@@ -118,6 +141,7 @@ fw_status fw_scenario_read_phases(fw_scenario *scenario, fw_error *error)
         FW_TRY(fw_schema_fill(scenario->document, "phase", node, phase, error));
         FW_TRY(check_order(scenario, node, phase, error));
         FW_TRY(read_drives(scenario, fw_node_find(node, "grips"), phase, error));
+        FW_TRY(read_pistons(scenario, fw_node_find(node, "pistons"), phase, error));
         from = phase->until;
     }
     return FW_OK;

@@ -50,6 +50,10 @@ fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error);
 /* Shape of a body from the mapping under its key `shape`. */
 fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *node,
                                  fw_scenario_body *body, fw_error *error);
+/* A drive whose keys have been filled in: what `hold` and `path` mean together. `kind` is what is
+ * driven, "grip". */
+fw_status fw_scenario_read_drive(const fw_scenario *scenario, const fw_node *node, const char *kind,
+                                 const char *name, fw_scenario_drive *motion, fw_error *error);
 /* Selection under the key `sites` of `owner`, or all sites where there is none. */
 fw_status fw_scenario_read_selection(const fw_scenario *scenario, const fw_node *owner,
                                      const fw_scenario_body *body, fw_selection *selection,

@@ -69,6 +69,32 @@ static fw_surface read_surface(const fw_node *node)
                         .friction = fw_node_number(fw_node_find(node, "coulomb"))};
 }
 
+static fw_status read_piston(const fw_scenario *scenario, const fw_node *node,
+                             fw_scenario_wall *wall, fw_error *error)
+{
+    const fw_node *piston = fw_node_find(node, "piston"), *path = fw_node_find(node, "path");
+    if (!piston) return FW_OK;
+    wall->is_piston = true;
+    if (path)
+        return fw_scenario_fail(
+            scenario, path->key_place, error,
+            "walls.%s has both 'piston' and 'path'; a piston is moved by forces, "
+            "or by a path within 'piston'",
+            node->key);
+    FW_TRY(
+        fw_scenario_read_drive(scenario, piston, "piston", node->key, &wall->piston.motion, error));
+    const fw_node *velocity = fw_node_find(piston, "velocity");
+    const fw_drive *drive = &wall->piston.motion.drive;
+    if (velocity && ((drive->prescribed_x && wall->piston.velocity.x != 0) ||
+                     (drive->prescribed_y && wall->piston.velocity.y != 0)))
+        return fw_scenario_fail(
+            scenario, velocity->place, error,
+            "piston '%s' has the velocity [%g, %g], expected 0 in the component "
+            "that 'hold' names",
+            node->key, wall->piston.velocity.x, wall->piston.velocity.y);
+    return FW_OK;
+}
+
 static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenario_wall *wall,
                            fw_error *error)
 {
@@ -85,8 +111,9 @@ static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenar
                                 "of the way along it, so turn its points round instead",
                                 node->key);
     fw_error inner;
-    if (fw_wall_def_check(def, &inner) == FW_OK) return FW_OK;
-    return fw_scenario_fail(scenario, find_geometry(node)->place, error, "%s", inner.sentence);
+    if (fw_wall_def_check(def, &inner) != FW_OK)
+        return fw_scenario_fail(scenario, find_geometry(node)->place, error, "%s", inner.sentence);
+    return read_piston(scenario, node, wall, error);
 }
 
 fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error)

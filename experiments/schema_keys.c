@@ -16,7 +16,7 @@
     FW_FORM_SELECTION, .items = FW_FORM_INTEGERS, .layout = "[i, j]", .least = 1,                  \
                        .words = "all|left|right|bottom|top", .inside = "selection"
 
-/* What moves a grip, whole: in the grip itself and in each phase. */
+/* What moves a grip or piston, whole: in itself and in each phase. */
 #define DRIVE(section, object)                                                                     \
     {section,                                                                                      \
      "force",                                                                                      \
@@ -25,7 +25,7 @@
      AT(object, motion.drive.force),                                                               \
      .standard = "[0, 0]",                                                                         \
      .unit = "force",                                                                              \
-     .meaning = "on the whole grip, constant"},                                                    \
+     .meaning = "on the whole of it, constant"},                                                   \
         {section,                                                                                  \
          "amplitude",                                                                              \
          FW_FORM_NUMBERS,                                                                          \
@@ -60,7 +60,7 @@
          AT(object, motion.drive.tether),                                                          \
          .standard = "[0, 0]",                                                                     \
          .unit = "force/length",                                                                   \
-         .meaning = "a spring to where the grip began, per component"},                            \
+         .meaning = "a spring to where it began, per component"},                                  \
         {section,                                                                                  \
          "hold",                                                                                   \
          FW_FORM_WORD,                                                                             \
@@ -135,7 +135,8 @@ const fw_section fw_schema_sections[] = {
      "`all`; one of the sides `left`, `right`, `bottom`, `top`; a list of sites `[[i, j], ...]`; "
      "or a mapping with the keys below, which must all hold. Every site, row and column named must "
      "belong to the body."},
-    {"wall", "`walls.NAME`", "a wall", "A rigid wall, at rest or on a prescribed path."},
+    {"wall", "`walls.NAME`", "a wall",
+     "A rigid wall, at rest, on a prescribed path, or with a mass that forces move."},
     {"surface", "`walls.NAME.surface`", "a surface",
      "`frictionless`, `stick` (a particle that touches is held), `componentwise` (of an elastic "
      "automaton: what would pass is frozen, the rest of the motion left alone, which does not "
@@ -143,6 +144,10 @@ const fw_section fw_schema_sections[] = {
     {"path", "`walls.NAME.path`", "a path",
      "The wall is displaced by velocity (t - from) while from <= t <= until, plus amplitude "
      "sin(360 t / period + phase)."},
+    {"piston", "`walls.NAME.piston`", "a piston",
+     "The wall has a mass and is moved by a drive and by what touches it; it does not turn, and "
+     "passes through other walls. Energy and momentum of bodies and pistons together are exact. "
+     "Not for automata, which move in half-steps."},
     {"force", "`forces.NAME`", "a force", "An external force on selected particles of one body."},
     {"grip", "`grips.NAME`", "a grip",
      "A rigid block of particles of one body, held together by constraint forces. It does not "
@@ -153,6 +158,8 @@ const fw_section fw_schema_sections[] = {
      "ends with the run. What a phase does not say is as without phases."},
     {"phase-grip", "`phases.NAME.grips.NAME`", "the drive of a grip in a phase",
      "Takes the place of the grip's own drive during the phase, as a whole."},
+    {"phase-piston", "`phases.NAME.pistons.NAME`", "the drive of a piston in a phase",
+     "Takes the place of the piston's own drive during the phase, as a whole."},
     {"profile", "`profile`", "a profile",
      "Averages across the scene, in bins of one coordinate, over samples of a phase and over the "
      "seeds of the study: what `fretwork profile` prints. Movable particles only."},
@@ -509,6 +516,15 @@ const fw_key fw_schema_keys[] = {
      .meaning = "what it does along its tangent"},
     {"wall", "path", FW_FORM_MAPPING, .inside = "path", AT(fw_scenario_wall, def.path),
      .otherwise = "at rest", .meaning = "how it moves"},
+    {"wall", "piston", FW_FORM_MAPPING, .inside = "piston", AT(fw_scenario_wall, piston),
+     .otherwise = "moved by nothing but its path", .meaning = "its mass, and the forces on it"},
+    {"piston", "mass", FW_FORM_NUMBER, REQUIRED, ABOVE_ZERO, AT(fw_scenario_piston, mass),
+     .unit = "mass", .meaning = "of the whole wall"},
+    {"piston", "damping", FW_FORM_NUMBER, AT_LEAST(0), AT(fw_scenario_piston, damping),
+     .standard = "0", .unit = "1/time", .meaning = "rate at which its velocity decays"},
+    {"piston", "velocity", FW_FORM_NUMBERS, .layout = "[x, y]", AT(fw_scenario_piston, velocity),
+     .standard = "[0, 0]", .unit = "length/time", .meaning = "at the start"},
+    DRIVE("piston", fw_scenario_piston),
     {"surface", "coulomb", FW_FORM_NUMBER, ALTERNATIVE, FROM_TO(0, 1000), NOT_STORED,
      .meaning = "friction coefficient: the tangential force is at most this times the reaction"},
     {"surface", "penalty", FW_FORM_NUMBER, ALTERNATIVE, ABOVE_ZERO, NOT_STORED,
@@ -577,6 +593,13 @@ const fw_key fw_schema_keys[] = {
     {"phase", "grips", FW_FORM_NAMED, .inside = "phase-grip", .most = FW_NAMED_MOST, NOT_STORED,
      .otherwise = "each as driven by itself", .meaning = "other drives, by name of the grip"},
     DRIVE("phase-grip", fw_phase_drive),
+    {"phase", "pistons", FW_FORM_NAMED, .inside = "phase-piston", .most = FW_NAMED_MOST, NOT_STORED,
+     .otherwise = "each as driven by itself",
+     .meaning = "other drives, by name of the wall that is a piston"},
+    {"phase-piston", "damping", FW_FORM_NUMBER, AT_LEAST(0), AT(fw_phase_piston, damping),
+     .otherwise = "the piston's own", .unit = "1/time",
+     .meaning = "rate at which its velocity decays"},
+    DRIVE("phase-piston", fw_phase_piston),
     {"profile", "axis", FW_FORM_WORD, .words = "x|y", AT(fw_scenario_profile, axis),
      .standard = "x", .meaning = "the coordinate that is cut into bins"},
     {"profile", "phase", FW_FORM_NAME, AT(fw_scenario_profile, phase), .otherwise = "the whole run",

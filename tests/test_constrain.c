@@ -102,7 +102,11 @@ static void try_once(const kind *k, uint64_t *seed, tally *sum)
                                      .coasting = random_between(seed, -0.3, 0.3),
                                      .facet = 1 + (int)random_between(seed, 0, count),
                                      .stuck = random_between(seed, 0, 1) < 0.5};
-    fw_constraint c = fw_constrain((fw_vec2){0, 0}, &free, barriers, count, barriers,
+    /* Rows of an earlier try, in part of the cases: needed or not, the laws are the same. */
+    fw_row_list kept = {0};
+    if (random_between(seed, 0, 1) < 0.3)
+        kept = (fw_row_list){.count = 1, .facet = {(int)random_between(seed, 0, count)}};
+    fw_constraint c = fw_constrain((fw_vec2){0, 0}, &free, &kept, barriers, count, barriers,
                                    k->law == FW_COULOMB ? &memory : NULL);
     if (!c.held) return;
     sum->held += 1;

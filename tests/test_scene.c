@@ -307,6 +307,47 @@ static void resting_block_shows_its_load_as_reaction(void **state)
     fw_scene_destroy(scene);
 }
 
+/* A block slides to a stop on a rough floor, alone in the scene or after another wall, far away,
+ * and on the first or a later piece of its chain. */
+static double stopping_place(int walls_before, int pieces)
+{
+    fw_scene *scene = empty_scene();
+    const fw_vec2 far[] = {{500, 500}, {510, 510}};
+    fw_vec2 floor[8];
+    add_body(scene,
+             (body_options){.columns = 8, .rows = 4, .velocity = {0.05, 0}, .damping = 0.999});
+    for (int n = 0; n < walls_before; ++n)
+        add_wall(scene, FW_BOX, far, 2, 0, FW_OUTSIDE,
+                 (fw_surface){.law = FW_COULOMB, .friction = 1});
+    for (int n = 0; n <= pieces; ++n) floor[n] = (fw_vec2){-100 - 50 * (pieces - 1 - n), 0};
+    floor[pieces].x = 100;
+    add_wall(scene, FW_CHAIN, floor, pieces + 1, 0, FW_INSIDE,
+             (fw_surface){.law = FW_COULOMB, .friction = 0.3});
+    int all[32];
+    for (int i = 0; i < 32; ++i) all[i] = i;
+    const fw_load_def weight = {.kind = FW_LOAD_ACCELERATION,
+                                .particles = all,
+                                .particle_count = 32,
+                                .vector = {0, -2e-4},
+                                .until = INT64_MAX};
+    assert_int_equal(fw_scene_add_load(scene, 0, &weight, NULL), FW_OK);
+    begin(scene);
+    for (int t = 0; t < 1500; ++t) step(scene);
+    const double x = fw_scene_observe_body(scene, 0)->x[0];
+    fw_scene_destroy(scene);
+    return x;
+}
+
+static void friction_is_the_same_on_every_wall_and_piece(void **state)
+{
+    (void)state;
+    const double alone = stopping_place(0, 1);
+    assert_true(alone > 0.5 && alone < 25);
+    assert_close(stopping_place(2, 1), alone, 0);
+    assert_close(stopping_place(0, 3), alone, 1e-12);
+    assert_close(stopping_place(1, 3), alone, 1e-12);
+}
+
 static void coulomb_impact_loses_what_friction_takes(void **state)
 {
     (void)state;
@@ -387,12 +428,11 @@ static void gripped_bar_keeps_its_books(void **state)
                              .drive = {.prescribed_x = true, .prescribed_y = true}};
         fw_grip_def moved = {.name = "right", .particles = right, .particle_count = 10};
         if (driven)
-            moved.drive =
-                (fw_grip_drive){.amplitude = {0.3, 0.2}, .period = 150, .tether = {0.01, 0}};
+            moved.drive = (fw_drive){.amplitude = {0.3, 0.2}, .period = 150, .tether = {0.01, 0}};
         else
-            moved.drive = (fw_grip_drive){.prescribed_x = true,
-                                          .force = {0, 0.1},
-                                          .path = {.amplitude = {0.4, 0}, .period = 200}};
+            moved.drive = (fw_drive){.prescribed_x = true,
+                                     .force = {0, 0.1},
+                                     .path = {.amplitude = {0.4, 0}, .period = 200}};
         fw_error error;
         assert_int_equal(fw_scene_add_grip(scene, 0, &still, &error), FW_OK);
         assert_int_equal(fw_scene_add_grip(scene, 0, &moved, &error), FW_OK);
@@ -457,6 +497,7 @@ int main(void)
         cmocka_unit_test(circles_inside_and_outside_keep_energy),
         cmocka_unit_test(slope_slides_above_the_angle_of_friction),
         cmocka_unit_test(resting_block_shows_its_load_as_reaction),
+        cmocka_unit_test(friction_is_the_same_on_every_wall_and_piece),
         cmocka_unit_test(coulomb_impact_loses_what_friction_takes),
         cmocka_unit_test(moving_wall_does_work),
         cmocka_unit_test(gripped_bar_keeps_its_books),

@@ -1,0 +1,351 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_piston.c - walls with a mass: what moves alone follows closed forms, what meets bodies keeps
+ * energy and momentum with them, whatever the surface and shape. */
+#include "tests/laws.h"
+
+#include "contact/scene.h"
+#include "core/lb_solid.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static fw_error error;
+
+static void add_sheet(fw_scene *scene, int columns, int rows, fw_vec2 velocity, double rest_mass,
+                      double damping)
+{
+    fw_sites sites;
+    assert_int_equal(fw_sites_rectangle(&sites, columns, rows, NULL), FW_OK);
+    fw_vec2 *velocities = malloc((size_t)sites.count * sizeof *velocities);
+    for (int l = 0; l < sites.count; ++l) velocities[l] = velocity;
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    def.sites = &sites;
+    def.velocity = velocities;
+    def.rest_mass = fw_sym2_scalar(rest_mass);
+    def.damping = damping;
+    fw_solid *solid;
+    int body;
+    if (fw_lb_solid_create(&solid, &def, &error) != FW_OK) fail_msg("%s", error.sentence);
+    assert_int_equal(fw_scene_adopt_body(scene, "sheet", solid, &body, &error), FW_OK);
+    free(velocities);
+    fw_sites_clear(&sites);
+}
+
+static fw_scene *empty_scene(void)
+{
+    fw_scene *scene;
+    assert_int_equal(fw_scene_create(&scene, (fw_vec2){0, 0}, 1e6, NULL), FW_OK);
+    return scene;
+}
+
+static const fw_surface smooth = {.law = FW_FRICTIONLESS};
+
+/* A box that is free outside, with the piston that moves it, or at rest. */
+static void add_block(fw_scene *scene, const char *name, fw_vec2 low, fw_vec2 high,
+                      fw_surface surface, const fw_piston_def *piston)
+{
+    const fw_vec2 corners[] = {low, high};
+    fw_wall_def def = fw_wall_def_default();
+    def.name = name;
+    def.points = corners;
+    def.side = FW_OUTSIDE;
+    def.surface = surface;
+    const fw_status status = piston ? fw_scene_add_piston(scene, &def, piston, &error)
+                                    : fw_scene_add_wall(scene, &def, &error);
+    if (status != FW_OK) fail_msg("%s", error.sentence);
+}
+
+static void begin(fw_scene *scene)
+{
+    if (fw_scene_begin(scene, &error) != FW_OK) fail_msg("%s", error.sentence);
+}
+
+static void run(fw_scene *scene, int steps)
+{
+    for (int t = 0; t < steps; ++t)
+        if (fw_scene_step(scene, &error) != FW_OK) fail_msg("%s", error.sentence);
+}
+
+static const fw_piston_account *account_of(const fw_scene *scene, int wall)
+{
+    return fw_piston_observe_account(fw_scene_observe_piston(scene, wall));
+}
+
+/* Books of the bodies, of each piston, and that what one gives the other takes. */
+static void assert_books_balance(const fw_scene *scene, double tolerance)
+{
+    const fw_ledger ledger = fw_scene_ledger(scene);
+    const fw_energies e = fw_scene_energies(scene);
+    const double size = fabs(ledger.energy_at_start) + fabs(ledger.wall_work) + ledger.dissipated;
+    assert_close(e.kinetic + e.elastic, fw_ledger_energy(&ledger), tolerance * (1e-3 + size));
+    const fw_vec2 p = fw_scene_momentum(scene), wanted = fw_ledger_momentum(&ledger);
+    double impulses = 1;
+    for (int w = 0; w < fw_scene_wall_count(scene); ++w) {
+        const fw_vec2 impulse = fw_scene_wall_account(scene, w)->impulse;
+        impulses += fabs(impulse.x) + fabs(impulse.y);
+    }
+    assert_close(p.x, wanted.x, tolerance * impulses);
+    assert_close(p.y, wanted.y, tolerance * impulses);
+    for (int w = 0; w < fw_scene_wall_count(scene); ++w) {
+        const fw_piston *piston = fw_scene_observe_piston(scene, w);
+        if (!piston) continue;
+        const fw_piston_account *a = fw_piston_observe_account(piston);
+        const fw_wall_account *wall = fw_scene_wall_account(scene, w);
+        const double flow = fabs(a->work) + fabs(a->pushed_by) + a->heat;
+        assert_close(fw_piston_energy_error(piston), 0, tolerance * (1e-3 + flow));
+        assert_close(a->pushed_by, -wall->work, tolerance * (1e-3 + flow));
+        const fw_vec2 lost = fw_piston_momentum_error(piston);
+        assert_close(lost.x, 0, tolerance * (1 + fabs(a->impulse.x) + fabs(a->pushed.x)));
+        assert_close(lost.y, 0, tolerance * (1 + fabs(a->impulse.y) + fabs(a->pushed.y)));
+        assert_close(a->pushed.x, -wall->impulse.x, tolerance * (1 + fabs(wall->impulse.x)));
+        assert_close(a->pushed.y, -wall->impulse.y, tolerance * (1 + fabs(wall->impulse.y)));
+    }
+}
+
+/* --- alone --- */
+
+static void constant_force_gives_constant_acceleration(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {.mass = 4, .drive = {.force = {0.02, -0.01}}};
+    add_sheet(scene, 2, 2, (fw_vec2){0, 0}, 0, 1);
+    add_block(scene, "block", (fw_vec2){5, 5}, (fw_vec2){6, 6}, smooth, &def);
+    begin(scene);
+    run(scene, 1000);
+    const fw_piston_account *a = account_of(scene, 0);
+    assert_close(a->displacement.x, 0.5 * 0.02 / 4 * 1e6, 1e-8);
+    assert_close(a->displacement.y, -0.5 * 0.01 / 4 * 1e6, 1e-8);
+    assert_close(a->velocity.x, 0.02 / 4 * 1000, 1e-11);
+    assert_books_balance(scene, 1e-12);
+    assert_int_equal(fw_scene_unresolved(scene), 0);
+    fw_scene_destroy(scene);
+}
+
+/* To F/(M damping), up to the order of the time step squared. */
+static void damped_piston_reaches_its_terminal_velocity(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {.mass = 4, .damping = 0.02, .drive = {.force = {0.02, 0}}};
+    add_sheet(scene, 2, 2, (fw_vec2){0, 0}, 0, 1);
+    add_block(scene, "block", (fw_vec2){5, 5}, (fw_vec2){6, 6}, smooth, &def);
+    begin(scene);
+    run(scene, 3000);
+    assert_close(account_of(scene, 0)->velocity.x, 0.25, 0.25 * 0.02 * 0.02);
+    assert_books_balance(scene, 1e-12);
+    fw_scene_destroy(scene);
+}
+
+/* omega of the implicit spring is below (k/M)^(1/2) by (omega dt)^2/24 (its step is a rotation by 2
+ * atan(omega dt/2)); its energy k u^2/2 + M v^2/2 does not change at all. */
+static void tethered_piston_swings_for_ever(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    fw_piston_def def = {.mass = 2, .drive = {.force = {0.3, 0}}};
+    add_sheet(scene, 2, 2, (fw_vec2){0, 0}, 0, 1);
+    add_block(scene, "block", (fw_vec2){5, 5}, (fw_vec2){6, 6}, smooth, &def);
+    begin(scene);
+    run(scene, 1);
+    fw_piston *piston = fw_scene_piston(scene, 0);
+    const fw_drive spring = {.tether = {0.02, 0}};
+    assert_int_equal(fw_piston_set_drive(piston, &spring, 0, &error), FW_OK);
+    double first = 0;
+    int turns = 0;
+    for (int t = 0; t < 100000; ++t) {
+        const double before = account_of(scene, 0)->velocity.x;
+        run(scene, 1);
+        const fw_piston_account *a = account_of(scene, 0);
+        const double energy =
+            fw_piston_kinetic_energy(piston) + 0.5 * 0.02 * a->displacement.x * a->displacement.x;
+        if (t == 0) first = energy;
+        assert_close(energy, first, 1e-11 * first);
+        turns += before > 0 && a->velocity.x <= 0;
+    }
+    const double angle = 2 * atan(0.5 * sqrt(0.02 / 2));
+    assert_close(turns, 100000 * angle / 6.283185307179586, 1);
+    fw_scene_destroy(scene);
+}
+
+/* --- with bodies --- */
+
+/* Two masses on a line swap what the textbook says, to the last digits. */
+static void piston_and_particle_collide_elastically(void **state)
+{
+    (void)state;
+    const double masses[] = {0.1, 1, 16, 1e4};
+    for (size_t n = 0; n < sizeof masses / sizeof masses[0]; ++n) {
+        fw_scene *scene = empty_scene();
+        const double m = 0.5 * 1.3 * 1.3, big = masses[n], v = 0.0371;
+        const fw_piston_def def = {.mass = big};
+        add_sheet(scene, 1, 1, (fw_vec2){v, 0.01}, 1.3, 1);
+        add_block(scene, "block", (fw_vec2){1, -50}, (fw_vec2){2, 50}, smooth, &def);
+        begin(scene);
+        run(scene, 100);
+        const fw_solid *solid = fw_scene_observe_body(scene, 0);
+        const fw_vec2 p = fw_solid_momentum(solid);
+        assert_close(p.x / m, v * (m - big) / (m + big), 1e-14);
+        assert_close(p.y / m, 0.01, 1e-15);
+        assert_close(account_of(scene, 0)->velocity.x, 2 * m * v / (m + big), 1e-14);
+        assert_books_balance(scene, 1e-12);
+        fw_scene_destroy(scene);
+    }
+}
+
+/* A sheet between a wall and a piston that strikes it, again and again. */
+static void impacts_keep_energy_and_momentum_on_every_surface(void **state)
+{
+    (void)state;
+    static const fw_surface surfaces[] = {{.law = FW_FRICTIONLESS},
+                                          {.law = FW_STICK},
+                                          {.law = FW_COULOMB, .friction = 0.3},
+                                          {.law = FW_PENALTY, .stiffness = 0.3}};
+    static const double masses[] = {0.3, 3, 40, 1000};
+    for (size_t s = 0; s < 4; ++s)
+        for (size_t n = 0; n < 4; ++n) {
+            fw_scene *scene = empty_scene();
+            const fw_piston_def def = {.mass = masses[n], .drive = {.tether = {0.002, 0.001}}};
+            add_sheet(scene, 12, 7, (fw_vec2){0.031, 0.017}, 0.2, 1);
+            add_block(scene, "stop", (fw_vec2){-40, -400}, (fw_vec2){-1.3, 400}, smooth, NULL);
+            add_block(scene, "piston", (fw_vec2){13.7, -200}, (fw_vec2){20, 200}, surfaces[s],
+                      &def);
+            begin(scene);
+            double deepest = 0;
+            for (int t = 0; t < 3000; ++t) {
+                run(scene, 1);
+                deepest = fmax(deepest, fw_scene_penetration(scene, 0));
+            }
+            assert_books_balance(scene, 2e-12);
+            assert_true(fw_scene_wall_account(scene, 1)->held > 0 || s == 3);
+            assert_true(fabs(account_of(scene, 1)->pushed_by) > 1e-4);
+            if (s != 3) assert_below(deepest, 1e-11);
+            if (s == 0) assert_int_equal(fw_scene_unresolved(scene), 0);
+            print_message("surface %d, mass %g: unresolved %d of 3000\n", (int)s, masses[n],
+                          (int)fw_scene_unresolved(scene));
+            fw_scene_destroy(scene);
+        }
+}
+
+/* A heavy disc, free to go anywhere, is struck by a sheet. */
+static void round_piston_keeps_energy_and_momentum(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {.mass = 50};
+    const fw_vec2 centre = {17.3, 4.4};
+    fw_wall_def disc = fw_wall_def_default();
+    disc.name = "disc";
+    disc.shape = FW_CIRCLE;
+    disc.points = &centre;
+    disc.point_count = 1;
+    disc.radius = 3;
+    disc.side = FW_OUTSIDE;
+    add_sheet(scene, 12, 7, (fw_vec2){0.031, 0}, 0.2, 1);
+    assert_int_equal(fw_scene_add_piston(scene, &disc, &def, &error), FW_OK);
+    begin(scene);
+    run(scene, 600);
+    const fw_piston_account *a = account_of(scene, 0);
+    assert_true(a->velocity.x > 0.01);
+    assert_books_balance(scene, 1e-11);
+    const fw_vec2 p = fw_scene_momentum(scene);
+    assert_close(p.x + 50 * a->velocity.x, fw_scene_ledger(scene).momentum_at_start.x, 1e-12);
+    assert_below(fw_scene_penetration(scene, 0), 1e-11);
+    fw_scene_destroy(scene);
+}
+
+/* n columns of a damped block yield to N like (rows - 1)/n links; the wall below carries N. */
+static void pressed_block_yields_by_its_compliance(void **state)
+{
+    (void)state;
+    const double load = 0.2;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {.mass = 5, .drive = {.force = {0, -load}}, .damping = 0.05};
+    add_sheet(scene, 20, 10, (fw_vec2){0, 0}, 0, 0.95);
+    add_block(scene, "floor", (fw_vec2){-50, -5}, (fw_vec2){50, 0}, smooth, NULL);
+    add_block(scene, "press", (fw_vec2){-50, 9}, (fw_vec2){50, 12}, smooth, &def);
+    begin(scene);
+    run(scene, 6000);
+    double sum = 0, deviation = 0;
+    for (int t = 0; t < 200; ++t) {
+        run(scene, 1);
+        const double reaction = fw_scene_wall_account(scene, 0)->reaction.y;
+        sum += reaction;
+        deviation = fmax(deviation, fabs(reaction - load));
+    }
+    assert_close(sum / 200, load, 1e-9 * load);
+    assert_below(deviation, 1e-9);
+    assert_close(account_of(scene, 1)->displacement.y, -load * 9 / 20, 1e-9);
+    assert_books_balance(scene, 1e-11);
+    fw_scene_destroy(scene);
+}
+
+/* A prescribed component follows its path and pays with the drive's work what the bodies take. */
+static void held_piston_follows_its_path(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {
+        .mass = 5,
+        .drive = {.prescribed_x = true,
+                  .prescribed_y = true,
+                  .path = {.amplitude = {0.5, 0}, .period = 400, .until = INFINITY}}};
+    add_sheet(scene, 8, 5, (fw_vec2){0, 0}, 0.2, 0.99);
+    add_block(scene, "stop", (fw_vec2){-40, -400}, (fw_vec2){-0.5, 400}, smooth, NULL);
+    add_block(scene, "piston", (fw_vec2){7.2, -200}, (fw_vec2){20, 200}, smooth, &def);
+    begin(scene);
+    run(scene, 1100);
+    const fw_piston_account *a = account_of(scene, 1);
+    assert_close(a->displacement.x, 0.5 * sin(6.283185307179586 * 1100 / 400), 1e-12);
+    assert_close(a->work, fw_scene_wall_account(scene, 1)->work, 1e-12);
+    assert_true(a->work > 1e-3);
+    assert_true(fw_piston_kinetic_energy(fw_scene_observe_piston(scene, 1)) == 0);
+    /* Let go, it begins with the velocity that it had. */
+    const fw_drive none = {.force = {0, 0}};
+    const double speed = a->velocity.x;
+    assert_int_equal(fw_piston_set_drive(fw_scene_piston(scene, 1), &none, 0, &error), FW_OK);
+    assert_close(fw_piston_kinetic_energy(fw_scene_observe_piston(scene, 1)), 2.5 * speed * speed,
+                 1e-15);
+    run(scene, 300);
+    assert_books_balance(scene, 1e-12);
+    fw_scene_destroy(scene);
+}
+
+static void bad_pistons_are_refused(void **state)
+{
+    (void)state;
+    const struct {
+        fw_piston_def def;
+        const char *words;
+    } bad[] = {{{.mass = 0}, "mass 0"},
+               {{.mass = -1}, "mass -1"},
+               {{.mass = NAN}, "mass"},
+               {{.mass = 1, .damping = -0.1}, "damping -0.1"},
+               {{.mass = 1, .drive = {.tether = {-1, 0}}}, "tether"},
+               {{.mass = 1, .drive = {.force = {INFINITY, 0}}}, "not finite"},
+               {{.mass = 1, .velocity = {NAN, 0}}, "velocity"},
+               {{.mass = 1, .velocity = {1, 0}, .drive = {.prescribed_x = true}}, "held"}};
+    for (size_t n = 0; n < sizeof bad / sizeof bad[0]; ++n) {
+        fw_piston *piston;
+        assert_int_equal(fw_piston_create(&piston, "press", &bad[n].def, &error), FW_BAD_INPUT);
+        assert_null(piston);
+        if (!strstr(error.sentence, bad[n].words) || !strstr(error.sentence, "piston press"))
+            fail_msg("'%s' does not speak of '%s'", error.sentence, bad[n].words);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(constant_force_gives_constant_acceleration),
+        cmocka_unit_test(damped_piston_reaches_its_terminal_velocity),
+        cmocka_unit_test(tethered_piston_swings_for_ever),
+        cmocka_unit_test(piston_and_particle_collide_elastically),
+        cmocka_unit_test(impacts_keep_energy_and_momentum_on_every_surface),
+        cmocka_unit_test(round_piston_keeps_energy_and_momentum),
+        cmocka_unit_test(pressed_block_yields_by_its_compliance),
+        cmocka_unit_test(held_piston_follows_its_path),
+        cmocka_unit_test(bad_pistons_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
