@@ -168,10 +168,9 @@ const fw_section fw_schema_sections[] = {
      "seeds, and what is expected is held against the mean. `summary.csv` in the results has the "
      "numbers of each seed."},
     {"sweep", "`study.sweep`", "a sweep",
-     "One study after the other, each with its results in `DIR/PARAMETER=VALUE`, and "
-     "`DIR/sweep.csv` "
-     "with means and standard errors of what is expected and of the layer's measures against the "
-     "parameter."},
+     "One study after the other, each with its results in `DIR/PARAMETER=VALUE`. "
+     "`DIR/sweep.csv` has means and standard errors of what is expected, and of the layer's "
+     "measures, against the parameter."},
     {"dynamics", "`dynamics`", "a set of dynamics",
      "How movable particles and linear lattices move: m dv/dt = F - m damping v + noise, in steps "
      "of velocity Verlet, or of BAOAB where there is damping. Everything that counts steps (`run`, "
@@ -748,8 +747,7 @@ const fw_key fw_schema_keys[] = {
          "instants side by side; series: observables over time; profile: the bodies, coloured "
          "by a field, above their profile, the control beside them; loop: force along the "
          "interface against slip; analysis: a map or curves of one of `analysis`; sweep: "
-         "quantities "
-         "against the parameter of a sweep"},
+         "quantities against the parameter of a sweep"},
     {"picture", "title", FW_FORM_TEXT, AT(fw_scenario_picture, title),
      .otherwise = "the scenario's", .meaning = "written above it"},
     {"picture", "instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024,
