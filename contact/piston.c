@@ -26,6 +26,11 @@ static fw_status check(const char *name, double mass, double damping, const fw_d
     return fw_drive_check(drive, "piston", name, error);
 }
 
+static fw_vec2 held_by(const fw_drive *drive)
+{
+    return (fw_vec2){drive->prescribed_x, drive->prescribed_y};
+}
+
 fw_status fw_piston_create(fw_piston **piston, const char *name, const fw_piston_def *def,
                            fw_error *error)
 {
@@ -49,6 +54,7 @@ fw_status fw_piston_create(fw_piston **piston, const char *name, const fw_piston
     made->damping = def->damping;
     made->drive = def->drive;
     made->account.velocity = def->velocity;
+    made->account.held = held_by(&def->drive);
     made->energy_at_start = fw_piston_kinetic_energy(made);
     made->momentum_at_start = fw_piston_momentum(made);
     *piston = made;
@@ -73,19 +79,19 @@ const fw_piston_account *fw_piston_observe_account(const fw_piston *piston)
 }
 
 /* What of a vector belongs to the components that forces move. */
-static fw_vec2 driven(const fw_drive *drive, fw_vec2 v)
+static fw_vec2 driven(const fw_piston_account *account, fw_vec2 v)
 {
-    return (fw_vec2){drive->prescribed_x ? 0 : v.x, drive->prescribed_y ? 0 : v.y};
+    return (fw_vec2){(1 - account->held.x) * v.x, (1 - account->held.y) * v.y};
 }
 
 fw_vec2 fw_piston_momentum(const fw_piston *piston)
 {
-    return fw_vec2_scale(piston->mass, driven(&piston->drive, piston->account.velocity));
+    return fw_vec2_scale(piston->mass, driven(&piston->account, piston->account.velocity));
 }
 
 double fw_piston_kinetic_energy(const fw_piston *piston)
 {
-    const fw_vec2 v = driven(&piston->drive, piston->account.velocity);
+    const fw_vec2 v = driven(&piston->account, piston->account.velocity);
     return 0.5 * piston->mass * fw_vec2_dot(v, v);
 }
 
@@ -113,6 +119,7 @@ fw_status fw_piston_set_drive(fw_piston *piston, const fw_drive *drive, double d
     fw_piston_account *account = &piston->account;
     piston->drive = *drive;
     piston->damping = damping;
+    account->held = held_by(drive);
     account->work += fw_piston_kinetic_energy(piston) - kinetic;
     account->impulse =
         fw_vec2_add(account->impulse, fw_vec2_subtract(fw_piston_momentum(piston), momentum));
@@ -159,7 +166,7 @@ void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double t
     const fw_vec2 force = {drive->prescribed_x ? -push.x : free.x,
                            drive->prescribed_y ? -push.y : free.y};
     const fw_vec2 kick = fw_vec2_scale(0.5 * tick / mass, fw_vec2_add(force, push));
-    const fw_vec2 halfway = driven(drive, fw_vec2_add(account->velocity, kick));
+    const fw_vec2 halfway = driven(account, fw_vec2_add(account->velocity, kick));
     const fw_vec2 after = fw_vec2_add(fw_vec2_scale(c, halfway), kick);
     account->velocity = (fw_vec2){drive->prescribed_x ? motion.x / tick : after.x,
                                   drive->prescribed_y ? motion.y / tick : after.y};

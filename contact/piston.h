@@ -25,6 +25,7 @@ typedef struct fw_piston_def {
 typedef struct fw_piston_account {
     fw_vec2 displacement; /* since the beginning */
     fw_vec2 velocity;
+    fw_vec2 held;     /* 1 in components that were prescribed in the last tick, else 0 */
     fw_vec2 force;    /* D of the last tick */
     fw_vec2 reaction; /* mean of D over the last two ticks, free of the held mode */
     double torque;    /* of the bodies' push about the middle of the piston, last tick */

@@ -85,6 +85,17 @@ static fw_status check_finite(const fw_scene *scene, fw_error *error)
                        solid->y[lost], solid->external_x[lost], solid->external_y[lost],
                        scene->limit, scene->middle.x, scene->middle.y);
     }
+    for (int w = 0; w < scene->wall_count && scene->piston_count > 0; ++w) {
+        const fw_vec2 at = fw_scene_wall_displacement(scene, w);
+        if (!scene->walls[w].piston || (fabs(at.x) <= scene->limit && fabs(at.y) <= scene->limit))
+            continue;
+        return fw_fail(
+            error, FW_DIVERGED,
+            "step %lld: piston %s is displaced by (%g, %g) under the push (%g, %g) of the "
+            "bodies, expected finite numbers within %g",
+            (long long)scene->clock.step, fw_wall_name(scene->walls[w].wall), at.x, at.y,
+            scene->walls[w].push.x, scene->walls[w].push.y, scene->limit);
+    }
     return FW_OK;
 }
 

@@ -62,8 +62,8 @@ fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, f
  * there are pistons and a body that moves in half-steps. */
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
 
-/* One step of time (two ticks where an automaton takes part). FW_DIVERGED names a particle whose
- * numbers are no longer finite, or that escaped. */
+/* One step of time (two ticks where an automaton takes part). FW_DIVERGED names a particle or
+ * piston whose numbers are no longer finite, or that escaped. */
 fw_status fw_scene_step(fw_scene *scene, fw_error *error);
 
 int64_t fw_scene_steps(const fw_scene *scene); /* since the beginning */

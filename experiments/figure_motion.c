@@ -61,9 +61,8 @@ static fw_view_bounds bounds_of_motion(const fw_figure_motion_plan *plan)
         fw_range_include(&bounds.x, plan->paths[k].x, plan->paths[k].count, false);
         fw_range_include(&bounds.y, plan->paths[k].y, plan->paths[k].count, false);
     }
-    if (plan->view_count > 0) {
-        fw_view_bounds_include_walls(&bounds, &plan->views[plan->view_count - 1], 6);
-    }
+    for (int k = 0; k < plan->view_count; ++k)
+        fw_view_bounds_include_walls(&bounds, &plan->views[k], 6);
     return bounds;
 }
 
@@ -198,6 +197,9 @@ static void draw(const fw_figure_motion_plan *plan, const motion_layout *layout)
     const fw_panel *panel = &layout->panel;
     fw_canvas_clip(panel->canvas, panel->box);
     if (plan->view_count > 0) fw_view_draw_walls(&plan->views[plan->view_count - 1], panel);
+    for (int k = 0; k < plan->view_count - 1; ++k)
+        fw_view_draw_moved(&plan->views[k], &plan->views[plan->view_count - 1], panel,
+                           (fw_stroke){colour_of_instant(plan, k), .35, FW_DASH_NONE});
     bool lone = has_lone_particles(plan);
     if (!lone) draw_instants(plan, panel);
     for (int k = 0; k < plan->path_count; ++k) draw_path(&plan->paths[k], panel);

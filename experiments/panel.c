@@ -105,7 +105,7 @@ static void draw_y_axis(const fw_panel *panel, double label_place)
         (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_LEFT, FW_TEXT_BASELINE, 0, false});
     if (!axis->label) return;
     double depth = label_place > 0 ? label_place : fw_axis_depth(axis, false);
-    double size = fw_canvas_fitting_size(axis->label, FW_TEXT_SIZE, panel->box.height + 6);
+    double size = fw_canvas_fitting_size(axis->label, FW_TEXT_SIZE, panel->box.height);
     fw_canvas_text(panel->canvas, (fw_vec2){left - depth, panel->box.top + panel->box.height / 2},
                    axis->label,
                    (fw_text_look){size, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 90, false});

@@ -205,24 +205,35 @@ void fw_view_draw_walls(const fw_view *view, const fw_panel *panel)
     }
 }
 
+static void draw_outline(const fw_view_wall *wall, const fw_panel *panel, fw_stroke line)
+{
+    if (wall->def->shape == FW_CIRCLE) {
+        fw_canvas_circle(panel->canvas, corner_of(wall, panel, 0),
+                         wall->def->radius * fw_panel_scale(panel), line);
+        return;
+    }
+    int count = corner_count(wall->def), edges = is_closed(wall->def) ? count : count - 1;
+    for (int edge = 0; edge < edges; ++edge) {
+        bool goes_on = is_closed(wall->def) || edge + 1 < edges;
+        /* With the next edge, for the sake of the corner between them. */
+        fw_vec2 path[3] = {corner_of(wall, panel, edge), corner_of(wall, panel, edge + 1),
+                           corner_of(wall, panel, edge + (goes_on ? 2 : 1))};
+        fw_canvas_polyline(panel->canvas, path, goes_on ? 3 : 2, false, line);
+    }
+}
+
 void fw_view_draw_surfaces(const fw_view *view, const fw_panel *panel)
 {
-    const fw_stroke line = {surface, .35, FW_DASH_NONE};
+    for (int k = 0; k < view->wall_count; ++k)
+        draw_outline(&view->walls[k], panel, (fw_stroke){surface, .35, FW_DASH_NONE});
+}
+
+void fw_view_draw_moved(const fw_view *view, const fw_view *last, const fw_panel *panel,
+                        fw_stroke stroke)
+{
     for (int k = 0; k < view->wall_count; ++k) {
-        const fw_view_wall *wall = &view->walls[k];
-        if (wall->def->shape == FW_CIRCLE) {
-            fw_canvas_circle(panel->canvas, corner_of(wall, panel, 0),
-                             wall->def->radius * fw_panel_scale(panel), line);
-            continue;
-        }
-        int count = corner_count(wall->def), edges = is_closed(wall->def) ? count : count - 1;
-        for (int edge = 0; edge < edges; ++edge) {
-            bool goes_on = is_closed(wall->def) || edge + 1 < edges;
-            /* With the next edge, for the sake of the corner between them. */
-            fw_vec2 path[3] = {corner_of(wall, panel, edge), corner_of(wall, panel, edge + 1),
-                               corner_of(wall, panel, edge + (goes_on ? 2 : 1))};
-            fw_canvas_polyline(panel->canvas, path, goes_on ? 3 : 2, false, line);
-        }
+        const fw_vec2 from = view->walls[k].displacement, to = last->walls[k].displacement;
+        if (from.x != to.x || from.y != to.y) draw_outline(&view->walls[k], panel, stroke);
     }
 }
 

@@ -61,6 +61,9 @@ long fw_view_count(const fw_view *view);
 void fw_view_draw_walls(const fw_view *view, const fw_panel *panel);
 /* The surfaces themselves, to be drawn over the bodies. */
 void fw_view_draw_surfaces(const fw_view *view, const fw_panel *panel);
+/* Outlines of the walls that stand elsewhere in `last`, a later view of the same scene. */
+void fw_view_draw_moved(const fw_view *view, const fw_view *last, const fw_panel *panel,
+                        fw_stroke stroke);
 void fw_view_draw_links(const fw_view_body *body, const fw_panel *panel, fw_stroke stroke);
 /* Discs in one colour, radius in mm. */
 void fw_view_draw_discs(const fw_view_body *body, const fw_panel *panel, double radius,

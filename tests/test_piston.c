@@ -311,6 +311,22 @@ static void held_piston_follows_its_path(void **state)
     fw_scene_destroy(scene);
 }
 
+/* Nothing stands in its way. */
+static void piston_that_escapes_stops_the_run(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {.mass = 1, .drive = {.force = {1e4, 0}}};
+    add_sheet(scene, 2, 2, (fw_vec2){0, 0}, 0, 1);
+    add_block(scene, "block", (fw_vec2){5, 5}, (fw_vec2){6, 6}, smooth, &def);
+    begin(scene);
+    fw_status status = FW_OK;
+    for (int t = 0; t < 20 && status == FW_OK; ++t) status = fw_scene_step(scene, &error);
+    assert_int_equal(status, FW_DIVERGED);
+    assert_non_null(strstr(error.sentence, "step 15: piston block is displaced by"));
+    fw_scene_destroy(scene);
+}
+
 static void bad_pistons_are_refused(void **state)
 {
     (void)state;
@@ -345,6 +361,7 @@ int main(void)
         cmocka_unit_test(round_piston_keeps_energy_and_momentum),
         cmocka_unit_test(pressed_block_yields_by_its_compliance),
         cmocka_unit_test(held_piston_follows_its_path),
+        cmocka_unit_test(piston_that_escapes_stops_the_run),
         cmocka_unit_test(bad_pistons_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -110,6 +110,26 @@ static const char phased[] =
     "measure: [energy, momentum, slip, grip-work, grip-way, noise-heat, contact-return-force]\n"
     "record: {velocity: true, force: true, fields: [return-force]}\n" RUN "}\n";
 
+static const char pressed[] =
+    "title: pistons press a hot crystal and a sheet in two phases\n"
+    "materials: {grain: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}}\n"
+    "dynamics: {time-step: 0.01, damping: 0.4, temperature: 0.1}\n"
+    "bodies:\n"
+    "  slab: {material: grain, lattice: hexagonal, shape: {rectangle: [6, 5]}}\n"
+    "walls:\n"
+    "  left: {box: [-9, -9, -0.01, 20], side: outside, surface: {coulomb: 0.3},"
+    " piston: {mass: 4, damping: 0.3, force: [30, 1], tether: [0, 2]}}\n"
+    "  right: {box: [5.52, -9, 20, 20], side: outside, surface: {penalty: 80},"
+    " piston: {mass: 3, velocity: [-1, 0], hold: y}}\n"
+    "phases:\n"
+    "  press: {until: 9}\n"
+    "  swing: {until: 24, pistons: {left: {force: [20, 0], amplitude: [0, 30], period: 0.04,"
+    " damping: 0}, right: {hold: both, path: {velocity: [-0.5, 0.1]}}}}\n"
+    "measure: [energy, momentum, wall-work, friction-heat, wall-energy, piston-velocity, "
+    "piston-work, piston-heat,"
+    " piston-way, piston-torque, contacts-so-far]\n"
+    "record: {velocity: true, force: true}\n" RUN "}\n";
+
 /* More particles than one thread takes at a time. */
 static const char large[] =
     "title: a large sheet rubs\n"
@@ -319,6 +339,15 @@ static void phases_of_grips_and_their_profile(void **state)
     check_scenario(phased, labels, any_threads);
 }
 
+static void pistons_in_phases(void **state)
+{
+    (void)state;
+    static const char *const labels[] = {"friction-heat",        "wall-energy",
+                                         "piston-heat.left",     "piston-way.right",
+                                         "contacts-so-far.left", NULL};
+    check_scenario(pressed, labels, any_threads);
+}
+
 static void soft_walls_and_noise(void **state)
 {
     (void)state;
@@ -359,6 +388,7 @@ int main(void)
         cmocka_unit_test(reversed_time),
         cmocka_unit_test(particles_in_a_heat_bath),
         cmocka_unit_test(phases_of_grips_and_their_profile),
+        cmocka_unit_test(pistons_in_phases),
         cmocka_unit_test(soft_walls_and_noise),
         cmocka_unit_test(large_bodies_with_threads_switched),
         cmocka_unit_test(half_steps),
