@@ -29,6 +29,7 @@ const fw_quantity fw_layer_quantities[] = {
     [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "the same, in which the return force is above twice that of far", NULL, NULL},
     [FW_LAYER_TEMPERATURE] = {"layer-temperature", FW_SCOPE_STUDY, "", "energy", "of the contact, relative to its mean motion in each sample", NULL, NULL},
     [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "way of the first grip along the second in the phase before the samples", NULL, NULL},
+    [FW_LAYER_OFFSET] = {"layer-offset", FW_SCOPE_STUDY, "", "length", "size of the mean displacement of the first grip along the second while samples are taken: how far the bodies have walked off each other", NULL, NULL},
     [FW_LAYER_FRICTION_FORCE] = {"layer-friction-force", FW_SCOPE_STUDY, "", "force", "mean size of the force along the interface while samples are taken", NULL, NULL},
     [FW_LAYER_NORMAL_FORCE] = {"layer-normal-force", FW_SCOPE_STUDY, "", "force", "mean force across the interface while samples are taken, pressing counts positive", NULL, NULL},
     [FW_LAYER_FRICTION_COEFFICIENT] = {"layer-friction-coefficient", FW_SCOPE_STUDY, "", "1", "energy of the loop over its way and the normal force", NULL, NULL},
@@ -166,14 +167,16 @@ static void measure_friction(double *values, const fw_experiment *experiment,
     int64_t before = 0;
     for (int p = 0; p < scenario->phase_count; ++p)
         if (scenario->phases[p].until == plan->from) before = scenario->phases[p].from;
-    double size = 0, press = 0;
+    double size = 0, press = 0, offset = 0;
     for (int64_t row = rows.first; row < rows.end; ++row) {
+        offset += at(m, row, slip);
         size += fabs(at(m, row, force));
         press += fabs(at(m, row, normal));
     }
     const double count = (double)(rows.end - rows.first);
     const double area = loop_of(rows, force, slip);
     values[FW_LAYER_SLIP_PATH] = path_of(rows_between(m, before, plan->from), slip);
+    values[FW_LAYER_OFFSET] = fabs(offset / count);
     values[FW_LAYER_FRICTION_FORCE] = size / count;
     values[FW_LAYER_NORMAL_FORCE] = press / count;
     values[FW_LAYER_LOOP_ENERGY] = area / cycles_of(experiment);
