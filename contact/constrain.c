@@ -1,40 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* constrain.c - normal contact and friction of one particle with several walls.
+/* constrain.c - contact of one particle with several walls; friction stands in rub.c.
  * State: none but the particle's own memory. Rows are only ever added, so the search ends.
  * Start reading at fw_constrain(). */
-#include "contact/constrain.h"
+#include "contact/constrain_parts.h"
 
 #include <math.h>
 
-/* Filter of the sticking force: how much of the change of the particle's own momentum is let
- * through. The number comes from an independent reference. */
-static const double STICK_FILTER = 0.343;
-
-/* One active barrier. */
-typedef struct row {
-    const fw_barrier *barrier;
-    fw_vec2 normal;
-    double bound;  /* n.w >= bound */
-    double lambda; /* normal force */
-    double grasp;  /* by how much friction grows with the wall's motion along the tangent */
-    bool fast;     /* held in all components */
-} row;
-
-typedef struct problem {
-    fw_vec2 position;
-    const fw_prediction *free;
-    int count;
-    row rows[FW_TOUCH_MOST];
-    fw_vec2 w;
-} problem;
-
-static fw_vec2 relative_position(const problem *p, const fw_barrier *barrier)
+static fw_vec2 relative_position(const constrain_problem *p, const fw_barrier *barrier)
 {
     return fw_vec2_subtract(p->position, barrier->place);
 }
 
 /* Normal of a round facet at the middle of the step. */
-static fw_vec2 midpoint_normal(const problem *p, const fw_barrier *barrier)
+static fw_vec2 midpoint_normal(const constrain_problem *p, const fw_barrier *barrier)
 {
     fw_vec2 middle = fw_vec2_add(fw_vec2_subtract(relative_position(p, barrier), barrier->facet->a),
                                  fw_vec2_scale(0.5, fw_vec2_subtract(p->w, barrier->motion)));
@@ -44,38 +22,38 @@ static fw_vec2 midpoint_normal(const problem *p, const fw_barrier *barrier)
 }
 
 /* A particle that rounding put a few last bits behind the surface is asked to come back to it. */
-static double bound_of(const problem *p, const row *r)
+static double bound_of(const constrain_problem *p, const constrain_row *r)
 {
     double bound = fw_vec2_dot(r->normal, r->barrier->motion);
     double gap = fw_facet_gap(r->barrier->facet, relative_position(p, r->barrier));
     return gap < 0 ? bound - gap : bound;
 }
 
-static void update_row(const problem *p, row *r)
+void constrain_update_row(const constrain_problem *p, constrain_row *r)
 {
     r->normal = r->barrier->facet->kind == FW_ROUND ? midpoint_normal(p, r->barrier)
                                                     : r->barrier->facet->normal;
     r->bound = bound_of(p, r);
 }
 
-static fw_vec2 displacement_for(const problem *p, fw_vec2 force)
+fw_vec2 constrain_displacement_for(const constrain_problem *p, fw_vec2 force)
 {
     return fw_vec2_add(p->free->displacement, fw_sym2_apply(p->free->mobility, force));
 }
 
 /* The force with which the particle moves by w. */
-static fw_vec2 force_for(const problem *p)
+fw_vec2 constrain_force_for(const constrain_problem *p)
 {
     return fw_sym2_apply(fw_sym2_invert(p->free->mobility),
                          fw_vec2_subtract(p->w, p->free->displacement));
 }
 
-static bool is_feasible(const problem *p, fw_vec2 w, int a, int b)
+static bool is_feasible(const constrain_problem *p, fw_vec2 w, int a, int b)
 {
     double scale = fabs(p->free->displacement.x) + fabs(p->free->displacement.y);
     for (int k = 0; k < p->count; ++k) {
         if (k == a || k == b) continue;
-        const row *r = &p->rows[k];
+        const constrain_row *r = &p->rows[k];
         if (fw_vec2_dot(r->normal, w) < r->bound - 1e-14 * (scale + fabs(r->bound))) return false;
     }
     return true;
@@ -83,13 +61,13 @@ static bool is_feasible(const problem *p, fw_vec2 w, int a, int b)
 
 /* Only row k active. The last line takes out what rounding left along the normal: for a wall
  * along an axis the particle stays where it is to the last bit. */
-static bool solve_one(problem *p, int k)
+static bool solve_one(constrain_problem *p, int k)
 {
-    row *r = &p->rows[k];
+    constrain_row *r = &p->rows[k];
     double excess = r->bound - fw_vec2_dot(r->normal, p->free->displacement);
     double lambda = excess / fw_sym2_form(r->normal, p->free->mobility, r->normal);
     if (!(lambda >= 0)) return false;
-    fw_vec2 w = displacement_for(p, fw_vec2_scale(lambda, r->normal));
+    fw_vec2 w = constrain_displacement_for(p, fw_vec2_scale(lambda, r->normal));
     w = fw_vec2_subtract(w, fw_vec2_scale(fw_vec2_dot(r->normal, w) - r->bound, r->normal));
     if (!is_feasible(p, w, k, k)) return false;
     for (int j = 0; j < p->count; ++j) p->rows[j].lambda = 0;
@@ -99,9 +77,9 @@ static bool solve_one(problem *p, int k)
 }
 
 /* Rows a and b active: w follows from the normals alone, the forces from the mobility. */
-static bool solve_two(problem *p, int a, int b)
+static bool solve_two(constrain_problem *p, int a, int b)
 {
-    row *ra = &p->rows[a], *rb = &p->rows[b];
+    constrain_row *ra = &p->rows[a], *rb = &p->rows[b];
     double det = fw_vec2_cross(ra->normal, rb->normal);
     if (fabs(det) < 1e-12) return false;
     fw_vec2 w = {(ra->bound * rb->normal.y - rb->bound * ra->normal.y) / det,
@@ -119,7 +97,7 @@ static bool solve_two(problem *p, int a, int b)
 }
 
 /* In the plane at most two rows are active: try all ones and pairs. */
-static bool solve_rows(problem *p)
+static bool solve_rows(constrain_problem *p)
 {
     for (int k = 0; k < p->count; ++k)
         if (solve_one(p, k)) return true;
@@ -131,7 +109,7 @@ static bool solve_rows(problem *p)
 
 /* Puts w where it ends at the radius where it began (at the circle itself, if rounding had put the
  * particle behind it). */
-static void keep_radius(problem *p, const row *r)
+void constrain_keep_radius(constrain_problem *p, const constrain_row *r)
 {
     const fw_facet *facet = r->barrier->facet;
     fw_vec2 from = fw_vec2_subtract(relative_position(p, r->barrier), facet->a);
@@ -144,9 +122,9 @@ static void keep_radius(problem *p, const row *r)
 
 /* A single circle and an isotropic mobility have a closed form: r_new = ((1+s) r + w)/(1-s) lies
  * at the radius of r. Rounding is taken out by scaling to that radius. */
-static bool solve_circle(problem *p)
+static bool solve_circle(constrain_problem *p)
 {
-    row *r = &p->rows[0];
+    constrain_row *r = &p->rows[0];
     const fw_sym2 mobility = p->free->mobility;
     if (p->count != 1 || r->barrier->facet->kind != FW_ROUND || mobility.xy != 0 ||
         mobility.xx != mobility.yy)
@@ -160,23 +138,23 @@ static bool solve_circle(problem *p)
     if (!(s < 1)) return false;
     fw_vec2 to = fw_vec2_scale(1 / (1 - s), fw_vec2_add(fw_vec2_scale(1 + s, from), w));
     p->w = fw_vec2_add(fw_vec2_subtract(to, from), r->barrier->motion);
-    keep_radius(p, r);
-    update_row(p, r);
+    constrain_keep_radius(p, r);
+    constrain_update_row(p, r);
     r->lambda = fw_vec2_dot(r->normal, fw_vec2_subtract(p->w, p->free->displacement)) / mobility.xx;
     return r->lambda >= 0;
 }
 
 /* The fixed point of w and its midpoint normals. False where it is not reached. */
-static bool solve_normals(problem *p)
+static bool solve_normals(constrain_problem *p)
 {
     if (solve_circle(p)) return true;
     bool curved = false;
     for (int k = 0; k < p->count; ++k) curved |= p->rows[k].barrier->facet->kind == FW_ROUND;
-    for (int k = 0; k < p->count; ++k) update_row(p, &p->rows[k]);
+    for (int k = 0; k < p->count; ++k) constrain_update_row(p, &p->rows[k]);
     if (!curved) return solve_rows(p);
     for (int round = 0; round < 100; ++round) {
         fw_vec2 before = p->w;
-        for (int k = 0; k < p->count; ++k) update_row(p, &p->rows[k]);
+        for (int k = 0; k < p->count; ++k) constrain_update_row(p, &p->rows[k]);
         if (!solve_rows(p)) return false;
         double change = fabs(p->w.x - before.x) + fabs(p->w.y - before.y);
         if (change <= 1e-16 + 1e-14 * (fabs(p->w.x) + fabs(p->w.y))) return true;
@@ -187,28 +165,28 @@ static bool solve_normals(problem *p)
 }
 
 /* The whole force that w takes belongs to row k. */
-static void book_whole(problem *p, int k)
+static void book_whole(constrain_problem *p, int k)
 {
     for (int j = 0; j < p->count; ++j) {
         p->rows[j].lambda = 0;
         p->rows[j].fast = j == k;
     }
-    p->rows[k].lambda = fw_vec2_dot(p->rows[k].normal, force_for(p));
+    p->rows[k].lambda = fw_vec2_dot(p->rows[k].normal, constrain_force_for(p));
 }
 
 /* Held fast to a wall: all components follow it. */
-static void hold_fast(problem *p, int k)
+static void hold_fast(constrain_problem *p, int k)
 {
     p->w = p->rows[k].barrier->motion;
     book_whole(p, k);
 }
 
 /* The paper's words for the automaton: what would pass is frozen, the rest is left alone. */
-static void freeze_components(problem *p)
+static void freeze_components(constrain_problem *p)
 {
     p->w = p->free->displacement;
     for (int k = 0; k < p->count; ++k) {
-        row *r = &p->rows[k];
+        constrain_row *r = &p->rows[k];
         double excess = fw_vec2_dot(r->normal, p->w) - r->bound;
         if (excess < 0) p->w = fw_vec2_subtract(p->w, fw_vec2_scale(excess, r->normal));
     }
@@ -218,11 +196,12 @@ static void freeze_components(problem *p)
 }
 
 /* Does w keep to all rows? */
-static bool keeps_rows(const problem *p)
+static bool keeps_rows(const constrain_problem *p)
 {
     for (int k = 0; k < p->count; ++k) {
-        const row *r = &p->rows[k];
+        const constrain_row *r = &p->rows[k];
         const fw_facet *facet = r->barrier->facet;
+        if (r->lame) continue;
         if (facet->kind == FW_ROUND) {
             fw_vec2 end = fw_vec2_add(relative_position(p, r->barrier),
                                       fw_vec2_subtract(p->w, r->barrier->motion));
@@ -234,9 +213,9 @@ static bool keeps_rows(const problem *p)
     return true;
 }
 
-static bool solve(problem *p)
+static bool solve_together(constrain_problem *p)
 {
-    for (int k = 0; k < p->count; ++k) update_row(p, &p->rows[k]);
+    for (int k = 0; k < p->count; ++k) constrain_update_row(p, &p->rows[k]);
     for (int k = 0; k < p->count; ++k)
         if (p->rows[k].barrier->surface.law == FW_STICK) {
             hold_fast(p, k);
@@ -253,115 +232,61 @@ static bool solve(problem *p)
     return solve_normals(p);
 }
 
+/* Of a particle that a piston presses against walls that do not yield: they hold it, and it stops
+ * the piston. */
+static bool stop_pistons(constrain_problem *p)
+{
+    constrain_problem firm = *p;
+    firm.count = 0;
+    for (int k = 0; k < p->count; ++k)
+        if (!p->rows[k].barrier->yields) firm.rows[firm.count++] = p->rows[k];
+    if (firm.count == 0 || firm.count == p->count || !solve_together(&firm)) return false;
+    double deepest = 0, most_opposite = 0;
+    for (int k = 0, n = 0; k < p->count; ++k) {
+        constrain_row *r = &p->rows[k];
+        if (!r->barrier->yields) {
+            *r = firm.rows[n++];
+            continue;
+        }
+        *r = (constrain_row){
+            .barrier = r->barrier, .normal = r->normal, .bound = r->bound, .lame = true};
+        const double along = fw_vec2_dot(r->normal, firm.w);
+        if (r->bound - along <= deepest) continue;
+        deepest = r->bound - along;
+        /* The bound is the wall's motion, and more where the particle is behind it. */
+        const double limit = along - (r->bound - fw_vec2_dot(r->normal, r->barrier->motion));
+        p->stop =
+            (fw_stop){.piston = 1 + r->barrier->facet->wall, .normal = r->normal, .limit = limit};
+    }
+    for (int n = 0; n < firm.count; ++n) {
+        const double along = fw_vec2_dot(firm.rows[n].normal, p->stop.normal);
+        if (along >= most_opposite) continue;
+        most_opposite = along;
+        p->stop.against = firm.rows[n].barrier->facet->wall;
+    }
+    p->w = firm.w;
+    return p->stop.piston > 0;
+}
+
+static bool solve(constrain_problem *p)
+{
+    for (int k = 0; k < p->count; ++k) p->rows[k].lame = false;
+    return solve_together(p) || stop_pistons(p);
+}
+
 /* The first barrier that the present displacement passes and that is not a row yet, or NULL. */
-static const fw_barrier *find_passed(const problem *p, const fw_barrier *barriers, int count)
+static const fw_barrier *find_passed(const constrain_problem *p, const fw_barrier *barriers,
+                                     int count)
 {
     for (int n = 0; n < count; ++n) {
         const fw_barrier *barrier = &barriers[n];
         bool known = barrier->surface.law == FW_PENALTY;
-        for (int k = 0; k < p->count; ++k) known |= p->rows[k].barrier == barrier;
+        for (int k = 0; k < p->count; ++k) known |= p->rows[k].barrier->number == barrier->number;
         if (!known && fw_facet_is_passed(barrier->facet, relative_position(p, barrier),
                                          fw_vec2_subtract(p->w, barrier->motion)))
             return barrier;
     }
     return NULL;
-}
-
-/* After friction on a circle: back to the radius, with the forces along the normal and tangent of
- * the new middle of the step. Returns the tangential one. */
-static double follow_curve(problem *p, row *r)
-{
-    keep_radius(p, r);
-    update_row(p, r);
-    fw_vec2 force = force_for(p);
-    r->lambda = fw_vec2_dot(r->normal, force);
-    return fw_vec2_dot(fw_vec2_turn(r->normal), force);
-}
-
-/* How far a sticking particle is let move: F = -2 Psi + P at first, then
- * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. `slope` is how that
- * changes with the wall's own motion, from which coasting and slip are counted. */
-static double sticking_target(const fw_contact_memory *memory, bool same_wall, double coasting,
-                              double slip, double *slope)
-{
-    const bool again = same_wall && memory->stuck;
-    const double part = again ? STICK_FILTER / 4 : 0.5;
-    const double target = part * (again ? coasting - memory->coasting : coasting);
-    const double low = fmin(slip, 0), high = fmax(slip, 0);
-    *slope = -part;
-    if (target > low && target < high) return target;
-    const double end = target <= low ? low : high;
-    *slope = end == 0 ? 0 : -1;
-    return end;
-}
-
-static double clip(double value, double bound)
-{
-    return fmin(fmax(value, -bound), bound);
-}
-
-/* Friction on the one row that is active, or that was in the step before (lambda = 0 now). Returns
- * the tangential force, and puts lambda and w to what they are with it. */
-static double rub(problem *p, row *r, const fw_barrier *all, fw_contact_memory *memory)
-{
-    const fw_barrier *barrier = r->barrier;
-    const row smooth = *r; /* without friction */
-    const fw_vec2 smooth_path = p->w;
-    const bool same_wall =
-        memory->facet > 0 && all[memory->facet - 1].facet->wall == barrier->facet->wall;
-    const double before = same_wall ? memory->reaction : 0, half = 0.5 * barrier->surface.friction;
-    const fw_vec2 tangent = fw_vec2_turn(r->normal);
-    const fw_sym2 mobility = p->free->mobility;
-    const double nn = fw_sym2_form(r->normal, mobility, r->normal),
-                 nt = fw_sym2_form(r->normal, mobility, tangent),
-                 tt = fw_sym2_form(tangent, mobility, tangent);
-    const double coasting =
-        fw_vec2_dot(tangent, fw_vec2_subtract(p->free->coasting, barrier->motion));
-    bool active = r->lambda > 0;
-    double tension = 0, wanted = 0, slope;
-    if (active) {
-        double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
-        const double lambda = r->lambda;
-        const double yielding = tt - nt * nt / nn;
-        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / yielding;
-        r->grasp = (1 + slope) / yielding;
-        tension = wanted;
-        for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
-            tension = clip(wanted, half * (r->lambda + before));
-            r->lambda = fmax(0, lambda - tension * nt / nn);
-        }
-        /* Friction that lifts the particle off the wall acts on a free one. */
-        active = r->lambda > 0;
-    }
-    if (!active) {
-        double slip =
-            fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, barrier->motion));
-        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / tt;
-        r->grasp = (1 + slope) / tt;
-        tension = clip(wanted, half * before);
-        r->lambda = 0;
-    }
-    p->w = displacement_for(
-        p, fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(tension, tangent)));
-    if (active)
-        p->w = fw_vec2_subtract(p->w,
-                                fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
-    const bool stuck = tension == wanted;
-    if (!stuck) r->grasp = 0;
-    if (barrier->facet->kind == FW_ROUND && active) {
-        tension = follow_curve(p, r);
-        /* A step that is long against the radius turns the tangent so far that friction would push
-         * along with the slip: then there is none. */
-        if (tension *
-                fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, barrier->motion)) >
-            0) {
-            *r = smooth;
-            p->w = smooth_path;
-            tension = 0;
-        }
-    }
-    *memory = (fw_contact_memory){r->lambda, coasting, barrier->number + 1, stuck};
-    return tension;
 }
 
 static fw_sym2 square_of(fw_vec2 v, double factor)
@@ -372,9 +297,9 @@ static fw_sym2 square_of(fw_vec2 v, double factor)
 /* - dF/d(motion of its wall) of row k: along the normal d lambda_k/d b_k, from the inverse of N A
  * N^T of the active rows (of three or more any two will do), along the tangent what friction says.
  */
-static fw_sym2 stiffness_of(const problem *p, int k)
+static fw_sym2 stiffness_of(const constrain_problem *p, int k)
 {
-    const row *r = &p->rows[k], *other = NULL;
+    const constrain_row *r = &p->rows[k], *other = NULL;
     const fw_sym2 mobility = p->free->mobility,
                   tangential = square_of(fw_vec2_turn(r->normal), r->grasp);
     if (r->fast) return fw_sym2_invert(mobility);
@@ -391,25 +316,25 @@ static fw_sym2 stiffness_of(const problem *p, int k)
     return fw_sym2_add(square_of(r->normal, stiffness), tangential);
 }
 
-static fw_row_list rows_of(const problem *p)
+static fw_row_list rows_of(const constrain_problem *p)
 {
-    fw_row_list rows = {.count = p->count};
+    fw_row_list rows = {.count = p->count, .stop = p->stop};
     for (int k = 0; k < p->count; ++k) rows.facet[k] = p->rows[k].barrier->number;
     return rows;
 }
 
-static fw_constraint report(const problem *p, const double *tension)
+static fw_constraint report(const constrain_problem *p, const double *tension)
 {
     fw_constraint c = {.displacement = p->w, .rows = rows_of(p)};
     for (int k = 0; k < p->count; ++k) {
-        const row *r = &p->rows[k];
+        const constrain_row *r = &p->rows[k];
         if (!r->fast && r->lambda == 0 && tension[k] == 0) continue;
         const fw_vec2 motion = r->barrier->motion;
         fw_vec2 normal_force = fw_vec2_scale(r->lambda, r->normal);
         fw_vec2 friction = fw_vec2_scale(tension[k], fw_vec2_turn(r->normal));
         if (r->fast) {
             normal_force = (fw_vec2){0, 0};
-            friction = force_for(p);
+            friction = constrain_force_for(p);
         }
         fw_touch touch = {.wall = r->barrier->facet->wall,
                           .force = fw_vec2_add(normal_force, friction)};
@@ -423,7 +348,7 @@ static fw_constraint report(const problem *p, const double *tension)
     return c;
 }
 
-static bool adds_friction(const problem *p, int *k)
+static bool adds_friction(const constrain_problem *p, int *k)
 {
     int active = 0;
     for (int n = 0; n < p->count; ++n)
@@ -435,12 +360,12 @@ static bool adds_friction(const problem *p, int *k)
 }
 
 /* Adds rows until the path passes nothing more. False where no displacement was found. */
-static bool find_rows(problem *p, const fw_barrier *near, int near_count)
+static bool find_rows(constrain_problem *p, const fw_barrier *near, int near_count)
 {
     for (const fw_barrier *passed = find_passed(p, near, near_count); passed;
          passed = find_passed(p, near, near_count)) {
         if (p->count == FW_TOUCH_MOST) return false;
-        p->rows[p->count++] = (row){.barrier = passed};
+        p->rows[p->count++] = (constrain_row){.barrier = passed};
         if (!solve(p)) return false;
     }
     return true;
@@ -448,19 +373,19 @@ static bool find_rows(problem *p, const fw_barrier *near, int near_count)
 
 /* The step after a release, in which the wall still rubs, unless that would turn the path through
  * a wall. (A mobility that is a matrix turns it away from the tangent.) */
-static fw_constraint rub_once_more(problem *p, const fw_barrier *near, int near_count,
+static fw_constraint rub_once_more(constrain_problem *p, const fw_barrier *near, int near_count,
                                    const fw_barrier *all, fw_contact_memory *memory)
 {
     const fw_barrier *barrier = &all[memory->facet - 1];
     double tension[FW_TOUCH_MOST] = {0};
-    row *r = &p->rows[0];
-    *r = (row){.barrier = barrier};
-    update_row(p, r);
-    tension[0] = rub(p, r, all, memory);
+    constrain_row *r = &p->rows[0];
+    *r = (constrain_row){.barrier = barrier};
+    constrain_update_row(p, r);
+    tension[0] = constrain_rub(p, r, all, memory);
+    p->count = 1;
     const bool turned = fw_facet_is_passed(barrier->facet, relative_position(p, barrier),
                                            fw_vec2_subtract(p->w, barrier->motion)) ||
                         find_passed(p, near, near_count);
-    p->count = 1;
     if (!turned) return report(p, tension);
     *memory = (fw_contact_memory){0};
     return (fw_constraint){0};
@@ -468,19 +393,19 @@ static fw_constraint rub_once_more(problem *p, const fw_barrier *near, int near_
 
 /* Begins with the rows of an earlier try, of which none may be needed any more. False where no
  * displacement was found. */
-static bool keep_rows(problem *p, const fw_row_list *kept, const fw_barrier *all)
+static bool keep_rows(constrain_problem *p, const fw_row_list *kept, const fw_barrier *all)
 {
     bool needed = false;
     for (int k = 0; kept && k < kept->count; ++k) {
-        row *r = &p->rows[p->count++];
+        constrain_row *r = &p->rows[p->count++];
         r->barrier = &all[kept->facet[k]];
-        update_row(p, r);
-        needed |= fw_vec2_dot(r->normal, p->w) < r->bound;
+        constrain_update_row(p, r);
+        needed |= r->barrier->surface.law == FW_STICK || fw_vec2_dot(r->normal, p->w) < r->bound;
     }
     return !needed || solve(p);
 }
 
-static bool is_free(const problem *p)
+static bool is_free(const constrain_problem *p)
 {
     for (int k = 0; k < p->count; ++k)
         if (p->rows[k].lambda != 0 || p->rows[k].fast) return false;
@@ -491,27 +416,31 @@ fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw
                            const fw_barrier *near, int near_count, const fw_barrier *all,
                            fw_contact_memory *memory)
 {
-    problem p = {.position = position, .free = free, .w = free->displacement};
+    constrain_problem p = {.position = position, .free = free, .w = free->displacement};
     double tension[FW_TOUCH_MOST] = {0};
     if (free->mobility.xx == 0) return (fw_constraint){0}; /* a resting colour */
     bool resolved = keep_rows(&p, kept, all) && find_rows(&p, near, near_count);
     if (resolved && is_free(&p)) {
-        const fw_row_list rows = rows_of(&p);
+        fw_row_list rows = rows_of(&p);
         fw_constraint c = {0};
-        if (memory && memory->reaction > 0)
+        rows.let_go = kept && kept->let_go;
+        if (memory && memory->reaction > 0 && !rows.let_go) {
             c = rub_once_more(&p, near, near_count, all, memory);
-        else if (memory)
+            rows.let_go = !c.held;
+        } else if (memory) {
             *memory = (fw_contact_memory){0};
+        }
         c.rows = rows;
         return c;
     }
     int k = 0;
     const bool rubs = resolved && memory && adds_friction(&p, &k);
-    if (rubs) tension[k] = rub(&p, &p.rows[k], all, memory);
+    if (rubs) tension[k] = constrain_rub(&p, &p.rows[k], all, memory);
     /* Friction may have turned the path through another wall. */
     if (rubs || p.count > 1)
         resolved = resolved && keeps_rows(&p) && !find_passed(&p, near, near_count);
     if (!resolved) {
+        while (k < p.count - 1 && p.rows[k].lame) ++k;
         hold_fast(&p, k);
         tension[k] = 0;
     }

@@ -20,6 +20,7 @@ typedef struct fw_barrier {
     fw_surface surface;
     fw_vec2 place;  /* displacement of its wall from its definition, at the start of the step */
     fw_vec2 motion; /* how far the wall moves in this step */
+    bool yields;    /* the wall is a piston, which can be stopped along the normal */
 } fw_barrier;
 
 /* What a particle remembers from step to step; all zero for one that touches nothing. Part of the
@@ -37,15 +38,27 @@ typedef struct fw_touch {
     fw_vec2 force;
     double work;       /* done by the wall's own motion */
     double dissipated; /* turned into heat by friction, >= 0 */
-    fw_sym2 stiffness; /* by how much the force grows with the wall's motion, near enough */
+    fw_sym2 stiffness; /* d force/d motion of the wall, where rows neither come nor go */
 } fw_touch;
 
 enum { FW_TOUCH_MOST = 4 };
 
-/* Facets that are rows of a particle's problem in this step, whether they push or not. */
+/* A particle that has no way out between a piston and walls that do not yield stops the piston:
+ * the motion W of which then keeps normal . W <= limit. */
+typedef struct fw_stop {
+    int piston;  /* 1 + number of its wall; 0: there is none */
+    int against; /* the wall that stands behind the particle */
+    fw_vec2 normal;
+    double limit;
+} fw_stop;
+
+/* What is known of a particle's problem from earlier tries of the same step, in which pistons moved
+ * otherwise. */
 typedef struct fw_row_list {
     int count;
-    int facet[FW_TOUCH_MOST]; /* numbers in the scene */
+    int facet[FW_TOUCH_MOST]; /* numbers in the scene: its rows, whether they push or not */
+    fw_stop stop;
+    bool let_go; /* friction after the release turned out to lead through a wall */
 } fw_row_list;
 
 typedef struct fw_constraint {
@@ -59,9 +72,9 @@ typedef struct fw_constraint {
 } fw_constraint;
 
 /* `near` are the candidates, `all` the scene's barriers by number (a particle rubs on in the step
- * after its release, however far its candidates were looked for). `kept` are rows from the start,
- * found in an earlier try of the same step with other motions of the walls: rows are only ever
- * added. `memory` is updated; it may be NULL where no wall has Coulomb friction. */
+ * after its release, however far its candidates were looked for). `kept` are its rows from the
+ * start, from earlier tries of the same step; NULL in scenes without pistons, where there is one
+ * try. `memory` is updated; it may be NULL where no wall has Coulomb friction. */
 fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_row_list *kept,
                            const fw_barrier *near, int near_count, const fw_barrier *all,
                            fw_contact_memory *memory);

@@ -99,14 +99,15 @@ double fw_piston_energy_error(const fw_piston *piston)
 {
     const fw_piston_account *a = &piston->account;
     return fw_piston_kinetic_energy(piston) -
-           (piston->energy_at_start + a->work + a->pushed_by - a->heat);
+           (piston->energy_at_start + a->work + a->pushed_by - a->unmatched_work - a->heat);
 }
 
 fw_vec2 fw_piston_momentum_error(const fw_piston *piston)
 {
     const fw_piston_account *a = &piston->account;
-    const fw_vec2 given = fw_vec2_add(fw_vec2_add(piston->momentum_at_start, a->impulse),
-                                      fw_vec2_add(a->pushed, a->drag));
+    const fw_vec2 felt = fw_vec2_subtract(a->pushed, a->unmatched);
+    const fw_vec2 given =
+        fw_vec2_add(fw_vec2_add(piston->momentum_at_start, a->impulse), fw_vec2_add(felt, a->drag));
     return fw_vec2_subtract(fw_piston_momentum(piston), given);
 }
 
@@ -165,8 +166,11 @@ void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double t
     const fw_vec2 free = fw_drive_force(drive, account->displacement, motion, time);
     const fw_vec2 force = {drive->prescribed_x ? -push.x : free.x,
                            drive->prescribed_y ? -push.y : free.y};
-    const fw_vec2 kick = fw_vec2_scale(0.5 * tick / mass, fw_vec2_add(force, push));
-    const fw_vec2 halfway = driven(account, fw_vec2_add(account->velocity, kick));
+    /* w = dt (1 + c) u1 / 2 tells u1, and that the force on the piston: D + R, if all fits. */
+    const fw_vec2 halfway = driven(account, fw_vec2_scale(2 / (tick * (1 + c)), motion));
+    const fw_vec2 kick = driven(account, fw_vec2_subtract(halfway, account->velocity));
+    const fw_vec2 felt = fw_vec2_subtract(fw_vec2_scale(2 * mass / tick, kick), force);
+    const fw_vec2 unmatched = driven(account, fw_vec2_subtract(push, felt));
     const fw_vec2 after = fw_vec2_add(fw_vec2_scale(c, halfway), kick);
     account->velocity = (fw_vec2){drive->prescribed_x ? motion.x / tick : after.x,
                                   drive->prescribed_y ? motion.y / tick : after.y};
@@ -179,6 +183,8 @@ void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double t
     account->work += fw_vec2_dot(force, motion);
     account->pushed = fw_vec2_add(account->pushed, fw_vec2_scale(tick, push));
     account->pushed_by += fw_vec2_dot(push, motion);
+    account->unmatched = fw_vec2_add(account->unmatched, fw_vec2_scale(tick, unmatched));
+    account->unmatched_work += fw_vec2_dot(unmatched, motion);
     account->displacement = fw_vec2_add(account->displacement, motion);
     account->way = fw_vec2_add(account->way, (fw_vec2){fabs(motion.x), fabs(motion.y)});
 }

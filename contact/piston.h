@@ -25,17 +25,20 @@ typedef struct fw_piston_def {
 typedef struct fw_piston_account {
     fw_vec2 displacement; /* since the beginning */
     fw_vec2 velocity;
-    fw_vec2 held;     /* 1 in components that were prescribed in the last tick, else 0 */
-    fw_vec2 force;    /* D of the last tick */
-    fw_vec2 reaction; /* mean of D over the last two ticks, free of the held mode */
-    double torque;    /* of the bodies' push about the middle of the piston, last tick */
-    fw_vec2 impulse;  /* sum D dt */
-    double work;      /* sum D.w */
-    fw_vec2 pushed;   /* sum R dt */
-    double pushed_by; /* sum R.w, the work of the bodies */
-    fw_vec2 drag;     /* momentum taken by damping, with its sign */
-    double heat;      /* energy taken by damping, >= 0 */
-    fw_vec2 way;      /* length of its way, per component */
+    fw_vec2 held;          /* 1 in components that are prescribed now, else 0 */
+    fw_vec2 force;         /* D of the last tick */
+    fw_vec2 reaction;      /* mean of D over the last two ticks, free of the held mode */
+    double torque;         /* of the bodies' push about the middle of the piston, last tick */
+    fw_vec2 impulse;       /* sum D dt */
+    double work;           /* sum D.w */
+    fw_vec2 pushed;        /* sum R dt */
+    double pushed_by;      /* sum R.w, the work of the bodies */
+    fw_vec2 unmatched;     /* the part of `pushed` that does not fit the motion found, and ... */
+    double unmatched_work; /* ... of `pushed_by`: rounding, but for ticks that ... */
+    double unresolved;     /* ... ended without a motion that fits: so many */
+    fw_vec2 drag;          /* momentum taken by damping, with its sign */
+    double heat;           /* energy taken by damping, >= 0 */
+    fw_vec2 way;           /* length of its way, per component */
 } fw_piston_account;
 
 typedef struct fw_piston fw_piston;
@@ -53,8 +56,8 @@ const fw_piston_account *fw_piston_observe_account(const fw_piston *piston);
 /* Of the components that are not prescribed. */
 double fw_piston_kinetic_energy(const fw_piston *piston);
 fw_vec2 fw_piston_momentum(const fw_piston *piston);
-/* Both minus what they were at the start and what the account says of work, heat and impulses: the
- * piston's books, closed to rounding. */
+/* Both minus what they were at the start and what the account says of work, heat and impulses, all
+ * but what is unmatched: the piston's books, closed to rounding. */
 double fw_piston_energy_error(const fw_piston *piston);
 fw_vec2 fw_piston_momentum_error(const fw_piston *piston);
 
@@ -69,7 +72,8 @@ fw_status fw_piston_set_drive(fw_piston *piston, const fw_drive *drive, double d
 fw_vec2 fw_piston_displacement(const fw_piston *piston, fw_vec2 push, double time, double tick);
 fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick);
 
-/* Ends the tick: it has moved by `motion` under that push. */
+/* Ends the tick: it has moved by `motion` under that push. The velocity follows from the motion;
+ * what part of the push that leaves over is booked as unmatched. */
 void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double torque, double time,
                        double tick);
 

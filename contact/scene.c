@@ -94,7 +94,7 @@ static fw_status check_finite(const fw_scene *scene, fw_error *error)
             "step %lld: piston %s is displaced by (%g, %g) under the push (%g, %g) of the "
             "bodies, expected finite numbers within %g",
             (long long)scene->clock.step, fw_wall_name(scene->walls[w].wall), at.x, at.y,
-            scene->walls[w].push.x, scene->walls[w].push.y, scene->limit);
+            scene->walls[w].search.push.x, scene->walls[w].search.push.y, scene->limit);
     }
     return FW_OK;
 }

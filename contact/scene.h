@@ -91,8 +91,7 @@ const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall);
 fw_ledger fw_scene_ledger(const fw_scene *scene);
 fw_energies fw_scene_energies(const fw_scene *scene);
 fw_vec2 fw_scene_momentum(const fw_scene *scene);
-/* How often a particle had to be held fast since no consistent set of walls was found, or the
- * pistons' motion did not come to agree with the forces on them. */
+/* Steps in which a particle had to be held fast since no consistent set of walls was found. */
 int64_t fw_scene_unresolved(const fw_scene *scene);
 /* How deep any skin particle of the body (-1: of any body) lies behind a wall; 0 if none does. */
 double fw_scene_penetration(const fw_scene *scene, int body);

@@ -22,6 +22,15 @@ void scene_follow_wall(fw_scene *scene, int w, int ticks)
         fw_vec2_subtract(fw_wall_displacement(wall->wall, now + scene->tick), wall->place);
 }
 
+/* Can the wall be stopped by what stands before that facet? */
+static bool yields_to(const scene_wall *wall, const fw_facet *facet, double tick)
+{
+    if (!wall->piston) return false;
+    const fw_sym2 mobility = fw_piston_mobility(wall->piston, tick);
+    const fw_vec2 n = facet->kind == FW_ROUND ? (fw_vec2){1, 1} : facet->normal;
+    return fw_sym2_form(n, mobility, n) > 0;
+}
+
 static void place_barriers(fw_scene *scene, int ticks)
 {
     for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
@@ -29,6 +38,8 @@ static void place_barriers(fw_scene *scene, int ticks)
         fw_barrier *barrier = &scene->barriers[f];
         barrier->place = scene->walls[barrier->facet->wall].place;
         barrier->motion = scene->walls[barrier->facet->wall].motion;
+        barrier->yields =
+            yields_to(&scene->walls[barrier->facet->wall], barrier->facet, scene->tick);
     }
 }
 
@@ -96,6 +107,13 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
     }
 }
 
+/* In this try, or in an earlier one of the step. */
+static bool stops_piston(const scene_body *body, const scene_contact *contact)
+{
+    return body->rows &&
+           (contact->constraint.rows.stop.piston > 0 || body->rows[contact->entry].stop.piston > 0);
+}
+
 /* Soft walls push as the path asks, and the path follows the push: w = hard(w_p + A F(w)). F falls
  * with w by at most half the stiffness, so steps of 1/(1 + A K/2) end quickly. */
 static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_number, int entry,
@@ -107,8 +125,8 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
     fw_prediction free = fw_skin_predictions(body->skin)[entry];
     const fw_vec2 alone = free.displacement;
     const fw_contact_memory before = body->memory ? body->memory[particle] : (fw_contact_memory){0};
-    scene_contact contact = {.particle = particle,
-                             .mobility = fmax(free.mobility.xx, free.mobility.yy)};
+    scene_contact contact = {
+        .particle = particle, .entry = entry, .mobility = fmax(free.mobility.xx, free.mobility.yy)};
     const double yielding = 0.5 * scene->soft_stiffness * contact.mobility;
     fw_vec2 w = alone;
     for (int round = 0; round < ROUNDS; ++round) {
@@ -124,8 +142,8 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
             break;
         w = fw_vec2_add(w, fw_vec2_scale(1 / (1 + yielding), change));
     }
-    if (body->rows) body->rows[entry] = contact.constraint.rows;
-    if (contact.constraint.held || contact.soft.x != 0 || contact.soft.y != 0)
+    if (contact.constraint.held || contact.soft.x != 0 || contact.soft.y != 0 ||
+        stops_piston(body, &contact))
         body->contacts[body->contact_count++] = contact;
     return FW_OK;
 }
@@ -164,13 +182,22 @@ void scene_book_contacts(fw_scene *scene)
     }
 }
 
+static bool knows_rows(const scene_body *body, fw_run run)
+{
+    for (int entry = run.first; body->rows && entry < run.first + run.count; ++entry)
+        if (body->rows[entry].count > 0) return true;
+    return false;
+}
+
 static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *error)
 {
     body->contact_count = 0;
     if (scene->wall_count == 0) return FW_OK;
     for (int n = 0; n < fw_skin_run_count(body->skin); ++n) {
         fw_run run = fw_skin_run(body->skin, n);
-        if (run.facet_count == 0 && !body->memory && scene->soft_count == 0) continue;
+        if (run.facet_count == 0 && !body->memory && scene->soft_count == 0 &&
+            !knows_rows(body, run))
+            continue;
         list_near(scene, run);
         for (int entry = run.first; entry < run.first + run.count; ++entry)
             if (!body->gripped || !body->gripped[fw_skin_particles(body->skin)[entry]])

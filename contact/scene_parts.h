@@ -9,7 +9,7 @@
 #include "contact/skin.h"
 
 typedef struct scene_contact {
-    int particle;
+    int particle, entry;      /* of the solid, of the skin */
     fw_constraint constraint; /* of hard walls; with where the particle goes in any case */
     fw_vec2 soft;             /* force of penalty walls ... */
     fw_vec2 soft_path;        /* ... for this displacement: that of the constraint, to rounding */
@@ -24,8 +24,8 @@ typedef struct scene_body {
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
     scene_contact *contacts;   /* of this tick, ascending; room for all particles of the skin */
     int contact_count;
-    fw_row_list *rows;                /* of this tick, per entry of the skin, and ... */
-    fw_contact_memory *memory_before; /* ... `memory` at its beginning; NULL without pistons */
+    fw_row_list *rows; /* known in this tick, per entry of the skin; NULL without pistons */
+    fw_contact_memory *memory_before; /* at the beginning of the tick, per entry of the skin */
     uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
     fw_hold *holds;                   /* of contacts and grips, ascending; room for all particles */
     int hold_count;
@@ -36,6 +36,24 @@ typedef struct scene_bracket {
     double low, high;
 } scene_bracket;
 
+/* The search for the motion of a piston in this tick. */
+typedef struct scene_search {
+    fw_vec2 push; /* of the bodies on the piston, moving as the wall's `motion` says ... */
+    fw_sym2
+        stiffness;  /* ... and - d push/d motion, where no particle comes or goes; steers Newton */
+    double torque;  /* of the push about the piston's middle */
+    fw_stop stop;   /* the tightest of all that stop it; piston 0: none does */
+    double stopped; /* with which force, along the normal of the stop */
+    double deepest; /* by how much a new row passes its particle at most, along ... */
+    fw_vec2 deepest_normal;
+    bool takes, draws_back; /* what becomes of new rows */
+    bool fits;              /* the motion of the last try */
+    scene_bracket x, y;
+    double least_error; /* relative, since the last particle was taken hold of */
+    int stale;          /* tries since then that did not improve it */
+    double part;        /* of Newton's step that is taken */
+} scene_search;
+
 typedef struct scene_wall {
     fw_wall *wall;
     int first_facet;
@@ -43,10 +61,7 @@ typedef struct scene_wall {
     fw_vec2 place, motion; /* in this tick */
     fw_vec2 force_before;  /* of the last tick */
     fw_piston *piston;     /* what moves it; NULL: its path */
-    fw_vec2 push;          /* of the bodies on the piston, moving by `motion` ... */
-    fw_sym2 stiffness;     /* ... and by how much that falls with the motion, near enough */
-    double torque;         /* of the push about the piston's middle */
-    scene_bracket bracket_x, bracket_y; /* of the motion that is looked for */
+    scene_search search;   /* of a piston */
 } scene_wall;
 
 typedef struct scene_load {

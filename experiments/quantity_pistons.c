@@ -73,6 +73,16 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
     put(out, fw_piston_momentum_error(piston_of(experiment, subject)));
 }
 
+static void unresolved(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->unresolved;
+}
+
+static void unmatched(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->unmatched_work;
+}
+
 /* clang-format off */
 const fw_quantity fw_piston_quantities[] = {
     {"piston-displacement", FW_SCOPE_PISTON, "x y", "length", "since the start", NULL, displacement},
@@ -86,6 +96,8 @@ const fw_quantity fw_piston_quantities[] = {
     {"piston-way", FW_SCOPE_PISTON, "x y", "length", "length of its way since the start, per component", NULL, way},
     {"piston-energy-error", FW_SCOPE_PISTON, "", "energy", "kinetic energy of the piston minus what work and heat say", NULL, energy_error},
     {"piston-momentum-error", FW_SCOPE_PISTON, "x y", "momentum", "momentum of the piston minus what the impulses say", NULL, momentum_error},
+    {"piston-unresolved", FW_SCOPE_PISTON, "", "1", "steps since the start in which no motion was found that fits the forces on the piston", NULL, unresolved},
+    {"piston-unmatched", FW_SCOPE_PISTON, "", "energy", "work of the bodies on the piston that does not fit its motion: rounding, but for unresolved steps", NULL, unmatched},
     {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
 };
 /* clang-format on */

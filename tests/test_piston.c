@@ -153,7 +153,7 @@ static void tethered_piston_swings_for_ever(void **state)
     assert_int_equal(fw_piston_set_drive(piston, &spring, 0, &error), FW_OK);
     double first = 0;
     int turns = 0;
-    for (int t = 0; t < 100000; ++t) {
+    for (int t = 0; t < 20000; ++t) {
         const double before = account_of(scene, 0)->velocity.x;
         run(scene, 1);
         const fw_piston_account *a = account_of(scene, 0);
@@ -164,7 +164,7 @@ static void tethered_piston_swings_for_ever(void **state)
         turns += before > 0 && a->velocity.x <= 0;
     }
     const double angle = 2 * atan(0.5 * sqrt(0.02 / 2));
-    assert_close(turns, 100000 * angle / 6.283185307179586, 1);
+    assert_close(turns, 20000 * angle / 6.283185307179586, 1);
     fw_scene_destroy(scene);
 }
 
@@ -220,9 +220,8 @@ static void impacts_keep_energy_and_momentum_on_every_surface(void **state)
             assert_true(fw_scene_wall_account(scene, 1)->held > 0 || s == 3);
             assert_true(fabs(account_of(scene, 1)->pushed_by) > 1e-4);
             if (s != 3) assert_below(deepest, 1e-11);
-            if (s == 0) assert_int_equal(fw_scene_unresolved(scene), 0);
-            print_message("surface %d, mass %g: unresolved %d of 3000\n", (int)s, masses[n],
-                          (int)fw_scene_unresolved(scene));
+            assert_int_equal(fw_scene_unresolved(scene), 0);
+            assert_true(account_of(scene, 1)->unresolved == 0);
             fw_scene_destroy(scene);
         }
 }
@@ -248,9 +247,165 @@ static void round_piston_keeps_energy_and_momentum(void **state)
     const fw_piston_account *a = account_of(scene, 0);
     assert_true(a->velocity.x > 0.01);
     assert_books_balance(scene, 1e-11);
+    assert_true(a->unresolved == 0);
     const fw_vec2 p = fw_scene_momentum(scene);
     assert_close(p.x + 50 * a->velocity.x, fw_scene_ledger(scene).momentum_at_start.x, 1e-12);
     assert_below(fw_scene_penetration(scene, 0), 1e-11);
+    fw_scene_destroy(scene);
+}
+
+/* --- presses --- */
+
+static const fw_surface rough = {.law = FW_COULOMB, .friction = 0.3};
+
+static void add_piston(fw_scene *scene, fw_wall_shape shape, const fw_vec2 *points, int count,
+                       double radius, fw_surface surface, const fw_piston_def *def)
+{
+    fw_wall_def wall = fw_wall_def_default();
+    wall.name = "piston";
+    wall.shape = shape;
+    wall.points = points;
+    wall.point_count = count;
+    wall.radius = radius;
+    wall.side = FW_OUTSIDE;
+    wall.surface = surface;
+    if (fw_scene_add_piston(scene, &wall, def, &error) != FW_OK) fail_msg("%s", error.sentence);
+}
+
+static double uniform(uint64_t *seed, double from, double to)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return from + (to - from) * (double)(*seed >> 11) * 0x1p-53;
+}
+
+/* A sheet lies on a floor, and a piston of any shape, mass, surface and drive comes down on it. */
+static void press_anyhow(uint64_t seed)
+{
+    static const fw_surface surfaces[] = {{.law = FW_FRICTIONLESS},
+                                          {.law = FW_STICK},
+                                          {.law = FW_COULOMB, .friction = 0.4},
+                                          {.law = FW_PENALTY, .stiffness = 0.5}};
+    fw_scene *scene = empty_scene();
+    const int kind = (int)uniform(&seed, 0, 4);
+    const fw_surface surface = surfaces[(int)uniform(&seed, 0, 4)];
+    const double x = uniform(&seed, 1, 7), tilt = uniform(&seed, -0.3, 0.3);
+    const double top = uniform(&seed, 5.01, 5.5);
+    const fw_vec2 box[] = {{x - 20, top}, {x + 20, top + 5}};
+    const fw_vec2 wedge[] = {{x - 9, top + 4}, {x, top}, {x + 9, top + 4 + 9 * tilt}};
+    const fw_vec2 centre = {x, top + 6.02};
+    const fw_vec2 blade[] = {{x + 20, top + 20 * tilt + 6}, {x - 20, top - 20 * tilt + 6}};
+    const double mass = exp(uniform(&seed, -1, 5));
+    fw_piston_def def = {
+        .mass = mass,
+        .damping = uniform(&seed, 0, 1) < 0.5 ? 0 : 0.05,
+        .velocity = {0, uniform(&seed, -0.1, 0)},
+        .drive = {.force = {uniform(&seed, -0.02, 0.02), -0.1}, .tether = {0.01, 0}}};
+    def.drive.prescribed_x = uniform(&seed, 0, 1) < 0.4;
+    if (def.drive.prescribed_x) def.drive.force.x = def.drive.tether.x = 0;
+    add_sheet(scene, 9, 6, (fw_vec2){0, 0}, uniform(&seed, 0, 1), 0.98);
+    add_block(scene, "floor", (fw_vec2){-50, -5}, (fw_vec2){50, 0},
+              uniform(&seed, 0, 1) < 0.5 ? smooth : rough, NULL);
+    const bool soft_corner = surface.law == FW_PENALTY && kind != 0 && kind != 2;
+    if (kind == 0) add_piston(scene, FW_BOX, box, 2, 0, surface, &def);
+    if (kind == 1) add_piston(scene, FW_POLYGON, wedge, 3, 0, surface, &def);
+    if (kind == 2) add_piston(scene, FW_CIRCLE, &centre, 1, 6, surface, &def);
+    if (kind == 3)
+        add_piston(scene, FW_CHAIN, blade, 2, 0, surface.law == FW_PENALTY ? smooth : surface,
+                   &def);
+    begin(scene);
+    for (int t = 0; t < 300; ++t) {
+        run(scene, 1);
+        if (surface.law != FW_PENALTY) assert_below(fw_scene_penetration(scene, 0), 1e-10);
+    }
+    assert_books_balance(scene, 1e-11);
+    assert_int_equal(fw_scene_unresolved(scene), 0);
+    /* A soft corner pushes to one side or the other, and nothing between may fit. */
+    if (!soft_corner) assert_true(account_of(scene, 1)->unresolved == 0);
+    if (!soft_corner) assert_below(fabs(account_of(scene, 1)->unmatched_work), 1e-12);
+    fw_scene_destroy(scene);
+}
+
+static void any_press_keeps_its_books(void **state)
+{
+    (void)state;
+    for (uint64_t seed = 1; seed <= 60; ++seed) press_anyhow(seed * 0x9E3779B97F4A7C15u);
+}
+
+/* A light piston, driven hard, is stopped by a block; a ball that it never comes to flies on. */
+static void a_piston_strikes_only_what_it_reaches(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {.mass = 0.5, .drive = {.prescribed_x = true, .force = {0, -1}}};
+    add_sheet(scene, 6, 10, (fw_vec2){0, 0}, 0, 1);
+    fw_lb_solid_def ball = fw_lb_solid_def_default();
+    fw_sites site;
+    fw_solid *solid;
+    int body;
+    const fw_vec2 velocity = {0, 0.05};
+    assert_int_equal(fw_sites_rectangle(&site, 1, 1, NULL), FW_OK);
+    ball.sites = &site;
+    ball.lattice.origin = (fw_vec2){10, 8.1};
+    ball.velocity = &velocity;
+    ball.rest_mass = fw_sym2_scalar(1);
+    assert_int_equal(fw_lb_solid_create(&solid, &ball, &error), FW_OK);
+    assert_int_equal(fw_scene_adopt_body(scene, "ball", solid, &body, &error), FW_OK);
+    fw_sites_clear(&site);
+    add_block(scene, "floor", (fw_vec2){-50, -5}, (fw_vec2){6, 0}, smooth, NULL);
+    add_block(scene, "press", (fw_vec2){-50, 9}, (fw_vec2){50, 12}, smooth, &def);
+    begin(scene);
+    run(scene, 1);
+    assert_true(account_of(scene, 1)->displacement.y > -0.1);
+    assert_close(fw_solid_momentum(fw_scene_observe_body(scene, 1)).y, 0.025, 1e-15);
+    fw_scene_destroy(scene);
+}
+
+/* What lies in one row between a piston and a floor has no way out: it stops the piston, and the
+ * floor carries the load. */
+static void one_row_carries_the_load(void **state)
+{
+    (void)state;
+    for (int thrown = 0; thrown < 2; ++thrown) {
+        fw_scene *scene = empty_scene();
+        const fw_piston_def def = {
+            .mass = 5,
+            .velocity = {0, thrown ? -0.05 : 0},
+            .drive = {.prescribed_x = true, .force = {0, thrown ? 0 : -0.2}}};
+        add_sheet(scene, 10, 1, (fw_vec2){0, 0}, 0, 0.95);
+        add_block(scene, "floor", (fw_vec2){-50, -5}, (fw_vec2){50, 0}, smooth, NULL);
+        add_block(scene, "press", (fw_vec2){-50, 0.33 * thrown}, (fw_vec2){50, 4}, smooth, &def);
+        begin(scene);
+        run(scene, 200);
+        const fw_piston_account *a = account_of(scene, 1);
+        if (thrown) {
+            assert_close(a->velocity.y, 0.05, 1e-15);
+        } else {
+            assert_close(a->displacement.y, 0, 0);
+            assert_close(fw_scene_wall_account(scene, 0)->reaction.y, 0.2, 1e-14);
+        }
+        assert_true(fw_scene_penetration(scene, 0) == 0);
+        assert_true(a->unresolved == 0);
+        assert_books_balance(scene, 1e-12);
+        fw_scene_destroy(scene);
+    }
+}
+
+/* Each on columns of its own. */
+static void two_platens_press_one_block(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_piston_def def = {
+        .mass = 5, .damping = 0.05, .drive = {.prescribed_x = true, .force = {0, -0.1}}};
+    add_sheet(scene, 11, 6, (fw_vec2){0, 0}, 0, 0.95);
+    add_block(scene, "floor", (fw_vec2){-50, -5}, (fw_vec2){50, 0}, smooth, NULL);
+    add_block(scene, "left", (fw_vec2){-1, 5}, (fw_vec2){4.5, 8}, smooth, &def);
+    add_block(scene, "right", (fw_vec2){4.6, 5}, (fw_vec2){11, 8}, smooth, &def);
+    begin(scene);
+    run(scene, 3000);
+    assert_close(fw_scene_wall_account(scene, 0)->reaction.y, 0.2, 1e-9);
+    assert_true(account_of(scene, 1)->unresolved + account_of(scene, 2)->unresolved == 0);
+    assert_books_balance(scene, 1e-11);
     fw_scene_destroy(scene);
 }
 
@@ -359,6 +514,10 @@ int main(void)
         cmocka_unit_test(piston_and_particle_collide_elastically),
         cmocka_unit_test(impacts_keep_energy_and_momentum_on_every_surface),
         cmocka_unit_test(round_piston_keeps_energy_and_momentum),
+        cmocka_unit_test(any_press_keeps_its_books),
+        cmocka_unit_test(a_piston_strikes_only_what_it_reaches),
+        cmocka_unit_test(one_row_carries_the_load),
+        cmocka_unit_test(two_platens_press_one_block),
         cmocka_unit_test(pressed_block_yields_by_its_compliance),
         cmocka_unit_test(held_piston_follows_its_path),
         cmocka_unit_test(piston_that_escapes_stops_the_run),
