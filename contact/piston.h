@@ -23,8 +23,8 @@ typedef struct fw_piston_def {
 
 /* What the piston did and what was done to it. All of it is state. */
 typedef struct fw_piston_account {
-    fw_vec2 displacement; /* since the beginning */
-    fw_vec2 velocity;
+    fw_vec2 displacement;  /* since the beginning */
+    fw_vec2 velocity;      /* of a prescribed component: of the last tick, 0 before the first */
     fw_vec2 held;          /* 1 in components that are prescribed now, else 0 */
     fw_vec2 force;         /* D of the last tick */
     fw_vec2 reaction;      /* mean of D over the last two ticks, free of the held mode */

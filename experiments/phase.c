@@ -106,14 +106,19 @@ static fw_status set_pistons(fw_experiment *experiment, const fw_scenario_phase 
         const fw_scenario_piston *own = &scenario->walls[w].piston;
         const fw_drive *drive = &own->motion.drive;
         double damping = own->damping;
+        fw_place place = scenario->walls[w].place;
         if (!scenario->walls[w].is_piston) continue;
         for (int n = 0; n < phase->piston_count; ++n) {
             const fw_phase_piston *other = &phase->pistons[n];
             if (other->wall != w) continue;
             drive = &other->motion.drive;
             if (other->damping >= 0) damping = other->damping;
+            place = other->place;
         }
-        FW_TRY(fw_piston_set_drive(fw_scene_piston(experiment->scene, w), drive, damping, error));
+        fw_error inner;
+        const fw_status status =
+            fw_piston_set_drive(fw_scene_piston(experiment->scene, w), drive, damping, &inner);
+        if (status != FW_OK) return fw_scenario_fail(scenario, place, error, "%s", inner.sentence);
     }
     return FW_OK;
 }

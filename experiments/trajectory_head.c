@@ -121,7 +121,7 @@ fw_status fw_head_restore(const fw_folder *folder, fw_error *error)
     fw_status status = FW_OK;
     int descriptor = open(path, O_RDWR);
     if (size < sizeof whole + SIGNATURE_SIZE)
-        status = fw_fail(error, FW_BAD_INPUT, "%s/%s is empty", path, name);
+        status = fw_fail(error, FW_BAD_INPUT, "%s, beside %s, is empty", name, path);
     else if (descriptor < 0)
         status = fail(error, "open", path, errno);
     if (status == FW_OK) {

@@ -338,6 +338,32 @@ static double stopping_place(int walls_before, int pieces)
     return x;
 }
 
+/* Pulled sideways with less than friction can hold: it settles, and then does not move at all. */
+static void block_sticks_on_a_round_hill(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene();
+    const fw_vec2 centre = {4, -30};
+    int all[45];
+    for (int i = 0; i < 45; ++i) all[i] = i;
+    add_body(scene, (body_options){.columns = 9, .rows = 5, .origin = {0.013, 0}, .damping = 0.95});
+    add_wall(scene, FW_CIRCLE, &centre, 1, 29.7, FW_OUTSIDE,
+             (fw_surface){.law = FW_COULOMB, .friction = 0.6});
+    const fw_load_def pull = {.kind = FW_LOAD_ACCELERATION,
+                              .particles = all,
+                              .particle_count = 45,
+                              .vector = {1e-4, -1e-3},
+                              .until = INT64_MAX};
+    assert_int_equal(fw_scene_add_load(scene, 0, &pull, NULL), FW_OK);
+    begin(scene);
+    for (int t = 0; t < 3000; ++t) step(scene);
+    const double settled = fw_scene_observe_body(scene, 0)->x[0];
+    for (int t = 0; t < 2000; ++t) step(scene);
+    assert_true(fw_scene_wall_account(scene, 0)->contacts > 0);
+    assert_close(fw_scene_observe_body(scene, 0)->x[0], settled, 1e-12);
+    fw_scene_destroy(scene);
+}
+
 static void friction_is_the_same_on_every_wall_and_piece(void **state)
 {
     (void)state;
@@ -497,6 +523,7 @@ int main(void)
         cmocka_unit_test(circles_inside_and_outside_keep_energy),
         cmocka_unit_test(slope_slides_above_the_angle_of_friction),
         cmocka_unit_test(resting_block_shows_its_load_as_reaction),
+        cmocka_unit_test(block_sticks_on_a_round_hill),
         cmocka_unit_test(friction_is_the_same_on_every_wall_and_piece),
         cmocka_unit_test(coulomb_impact_loses_what_friction_takes),
         cmocka_unit_test(moving_wall_does_work),
