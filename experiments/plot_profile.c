@@ -19,8 +19,8 @@ enum { CHARTS = 2, REGIONS = 4 };
 static const struct {
     fw_profile_column column;
     const char *label;
-} drawn[CHARTS] = {{FW_PROFILE_RETURN_FORCE, "mean return force"},
-                   {FW_PROFILE_EXCHANGES, "bond exchanges / time"}};
+} drawn[CHARTS] = {{FW_PROFILE_RETURN_FORCE, "return force (force)"},
+                   {FW_PROFILE_EXCHANGES, "bond exchanges (1/time)"}};
 
 /* One column of the figure: the experiment, or its control. */
 typedef struct side {
@@ -90,7 +90,8 @@ static fw_figure_stack_plan plan_of(side *s, const fw_profile_table *table, cons
                                   .colouring = {.label = field, .trim = .002},
                                   .charts = s->charts,
                                   .chart_count = CHARTS,
-                                  .label = table->axis == 'x' ? "x" : "y",
+                                  .label = table->axis == 'x' ? "x (length)" : "y (length)",
+                                  .y_label = table->axis == 'x' ? "y (length)" : "x (length)",
                                   .regions = s->regions,
                                   .region_count = 3};
 }
@@ -116,16 +117,30 @@ static fw_status open_control(fw_plot_result *control, const fw_plot_result *res
     return *found ? fw_plot_result_open(control, folder, error) : FW_OK;
 }
 
+/* The axis of the profile runs from left to right, whichever it is. */
+static void lay_across(fw_plot_view *view, char axis)
+{
+    if (axis == 'x') return;
+    for (int b = 0; b < view->view.body_count; ++b) {
+        const double *x = view->bodies[b].x;
+        view->bodies[b].x = view->bodies[b].y;
+        view->bodies[b].y = x;
+    }
+    view->view.wall_count = 0; /* their shapes lie as they lie */
+}
+
 static fw_status fill_sides(side sides[2], const fw_plot_result *result,
                             const fw_plot_result *control, const fw_profile_table *table,
                             const fw_plot_picture *picture, fw_error *error)
 {
     FW_TRY(fw_plot_view_load(&sides[0].view, result, picture->frames[0], picture->field, error));
+    lay_across(&sides[0].view, table->axis);
     FW_TRY(fill_curves(&sides[0], table, false, error));
     mark_regions(&sides[0], &result->scenario->profile);
     if (!control) return FW_OK;
     const int64_t frame = fw_plot_nearest_frame(control, result->steps[picture->frames[0]]);
     FW_TRY(fw_plot_view_load(&sides[1].view, control, frame, picture->field, error));
+    lay_across(&sides[1].view, table->axis);
     FW_TRY(fill_curves(&sides[1], table, true, error));
     mark_regions(&sides[1], &result->scenario->profile);
     return FW_OK;
@@ -146,10 +161,11 @@ static fw_status draw_sides(const fw_plot_result *result, const fw_plot_picture 
         char caption[2048];
         snprintf(caption, sizeof caption,
                  "Above: the particles after step %lld, coloured by their %s. Below: profiles "
-                 "across %c, means over the samples and %lld seeds with standard errors as bars. "
-                 "%s",
+                 "across %c, means over the samples and %lld seed%s with standard errors as bars. "
+                 "All quantities in reduced units. %s",
                  (long long)result->steps[picture->frames[0]], picture->field, table->axis,
-                 (long long)result->scenario->study.seeds, page.caption ? page.caption : "");
+                 (long long)result->scenario->study.seeds,
+                 result->scenario->study.seeds == 1 ? "" : "s", page.caption ? page.caption : "");
         page.caption = caption;
         if (control) page.width = 240;
         status = control ? fw_figure_columns(&page, plans, 2, error)
@@ -223,8 +239,9 @@ fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture 
         for (int n = 0; n < count; ++n) force[n] = -force[n];
         const fw_curve curve = {.count = count, .x = slip, .y = force, .look = FW_CURVE_LINE};
         const fw_chart chart = {
-            .label = "tangential force", .curves = &curve, .curve_count = 1, .height = 90};
-        status = fw_figure_curves(&picture->page, &chart, "slip of the grips", NULL, 0, error);
+            .label = "tangential force (force)", .curves = &curve, .curve_count = 1, .height = 90};
+        status =
+            fw_figure_curves(&picture->page, &chart, "slip of the grips (length)", NULL, 0, error);
     }
     free(slip);
     free(force);
