@@ -89,11 +89,11 @@ static fw_status draw_start(const fw_experiment *experiment, const char *file, f
                               .body_count = experiment->member_count,
                               .walls = frame.walls,
                               .wall_count = fw_scene_wall_count(experiment->scene)};
-        const fw_figure_field_plan plan = {.view = &view};
+        const fw_figure_motion_plan plan = {.views = &view, .view_count = 1};
         fw_page page = fw_page_default();
         page.file = file;
         page.title = experiment->scenario->title;
-        status = fw_figure_field(&page, &plan, error);
+        status = fw_figure_motion(&page, &plan, error);
     }
     release_frame(&frame, experiment->member_count);
     return status;

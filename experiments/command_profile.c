@@ -38,8 +38,8 @@ static fw_status find_axis(const fw_playback *playback, const fw_arguments *argu
     const char *wish = arguments->axis;
     if (!wish || (wish[0] == *axis && wish[1] == '\0')) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT,
-                   "--axis %s, but the run took its profile across %c; `--set profile.axis=` lets "
-                   "a run take another one",
+                   "--axis %s, but the run took its profile across %c; a run takes another one "
+                   "with `fretwork run NAME --set profile.axis=`, x or y",
                    wish, *axis);
 }
 

@@ -2,6 +2,7 @@
 /* command_run.c - run and resume: an experiment with its results, pictures and verdicts. */
 #include "experiments/command.h"
 #include "experiments/interrupt.h"
+#include "experiments/leftovers.h"
 #include "experiments/playback.h"
 #include "experiments/plot.h"
 #include "experiments/provenance.h"
@@ -59,8 +60,13 @@ static fw_status run(const fw_scenario *scenario, const fw_run_options *options,
                      fw_error *error)
 {
     fw_study *study;
-    FW_TRY(fw_study_begin(&study, scenario, options, error));
-    const fw_status status = finish(study, scenario, options->directory, no_plot, error);
+    fw_leftovers *leftovers;
+    FW_TRY(fw_leftovers_find(&leftovers, options->directory, scenario, error));
+    fw_status status = fw_study_begin(&study, scenario, options, error);
+    if (status == FW_OK) fw_leftovers_remove(leftovers);
+    fw_leftovers_destroy(leftovers);
+    FW_TRY(status);
+    status = finish(study, scenario, options->directory, no_plot, error);
     fw_study_destroy(study);
     return status;
 }
@@ -69,8 +75,13 @@ static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *op
                            fw_error *error)
 {
     fw_sweep *sweep;
-    FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
-    const fw_status status = finish_sweep(sweep, scenario, options->directory, no_plot, error);
+    fw_leftovers *leftovers;
+    FW_TRY(fw_leftovers_find(&leftovers, options->directory, scenario, error));
+    fw_status status = fw_sweep_begin(&sweep, scenario, options, error);
+    if (status == FW_OK) fw_leftovers_remove(leftovers);
+    fw_leftovers_destroy(leftovers);
+    FW_TRY(status);
+    status = finish_sweep(sweep, scenario, options->directory, no_plot, error);
     fw_sweep_destroy(sweep);
     return status;
 }

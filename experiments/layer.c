@@ -117,7 +117,7 @@ static int column_of(const fw_measurement *m, const char *quantity, int componen
 
 static double at(const fw_measurement *m, int64_t row, int column)
 {
-    return m->values[row * m->width + column];
+    return column < 0 ? NAN : m->values[row * m->width + column];
 }
 
 static double path_of(fw_rows rows, int column)

@@ -3,6 +3,8 @@
  * Invariant: no two probes have the same quantity and subject; rows ascend in step. */
 #include "experiments/measurement.h"
 
+#include "core/particles.h"
+
 #include "experiments/spelling.h"
 
 #include <stdio.h>
@@ -116,11 +118,23 @@ static bool fits_kind(const request *r, const fw_quantity *quantity, int analysi
     return strcmp(quantity->model, fw_analysis_kind_name(of->what->kind)) == 0;
 }
 
+/* What is measured where two bodies rub needs two that do. */
+static bool has_what_it_takes(const request *r, const fw_quantity *quantity)
+{
+    const fw_solid *particles = fw_experiment_particles(r->experiment);
+    if (strcmp(quantity->name, "slip") == 0) return fw_scene_grip_count(r->experiment->scene) >= 2;
+    if (strcmp(quantity->name, "interface-force") == 0)
+        return particles && fw_particles_group_count(particles) > 1;
+    if (strcmp(quantity->name, "contact-return-force") == 0) return r->experiment->profile != NULL;
+    return true;
+}
+
 /* A quantity by its name alone: of everything that it can be measured of. */
 static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_place place)
 {
     const fw_subject nothing = {-1, -1, -1, -1, -1};
     fw_subject subject = nothing;
+    if (!has_what_it_takes(r, quantity)) return FW_OK;
     switch (quantity->scope) {
     case FW_SCOPE_SCENE:
     case FW_SCOPE_BODIES:
@@ -177,6 +191,9 @@ static fw_status add_drawn(request *r, fw_scenario_name name)
     const fw_quantity *quantity;
     FW_TRY(find_quantity(r, (fw_scenario_name){word[0], name.place}, &quantity));
     bool component = words > 1 && fw_quantity_find_component(quantity, word[words - 1]) >= 0;
+    if (!has_what_it_takes(r, quantity))
+        return fw_scenario_fail(r->experiment->scenario, name.place, r->error,
+                                "there is nothing to measure %s of", quantity->name);
     if (words - component == 1 && !rest) return add_everywhere(r, quantity, name.place);
     fw_subject subject = {-1, -1, -1, -1, -1};
     bool of_body = quantity->scope == FW_SCOPE_BODIES || quantity->scope == FW_SCOPE_BODY;
@@ -312,6 +329,9 @@ static fw_status choose_subject(request *r, const fw_expectation *e, const fw_qu
                                 "%s is not measured of an analysis, expected no key `analysis`",
                                 quantity->name);
     if (quantity->scope == FW_SCOPE_ANALYSIS) return choose_analysis(r, e, quantity, subject);
+    if (!has_what_it_takes(r, quantity))
+        return fw_scenario_fail(scenario, e->quantity.place, r->error,
+                                "there is nothing to measure %s of", quantity->name);
     if (quantity->scope == FW_SCOPE_SCENE) return expect_model(r, quantity, e->quantity.place);
     if (quantity->scope == FW_SCOPE_WALL || quantity->scope == FW_SCOPE_PISTON)
         return choose_wall(r, e, quantity, subject);

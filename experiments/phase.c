@@ -39,6 +39,27 @@ static void keep_layer(const fw_scenario_grip *grip, const fw_solid *solid, int 
     *count = kept;
 }
 
+/* The first of the particles that an earlier grip holds as well: that grip, or -1. */
+static int find_shared(const fw_experiment *experiment, const fw_scenario_grip *grip,
+                       const int *particles, int count, int *shared)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    for (int g = 0; g < fw_scene_grip_count(experiment->scene); ++g) {
+        const fw_grip *earlier = fw_scene_observe_grip(experiment->scene, g);
+        const int *held = fw_grip_particles(earlier);
+        if (scenario->grips[g].body != grip->body) continue;
+        for (int n = 0, k = 0; n < count && k < fw_grip_particle_count(earlier);) {
+            *shared = particles[n];
+            if (particles[n] == held[k]) return g;
+            if (particles[n] < held[k])
+                ++n;
+            else
+                ++k;
+        }
+    }
+    return -1;
+}
+
 static fw_status add_grip(fw_experiment *experiment, const fw_scenario_grip *grip, fw_error *error)
 {
     const fw_member *member = &experiment->members[grip->body];
@@ -47,6 +68,17 @@ static fw_status add_grip(fw_experiment *experiment, const fw_scenario_grip *gri
     for (int n = 0; n < count; ++n) particles[n] += member->first;
     if (grip->layer > 0)
         keep_layer(grip, fw_experiment_solid(experiment, grip->body), particles, &count);
+    int shared = 0;
+    const int earlier = find_shared(experiment, grip, particles, count, &shared);
+    if (earlier >= 0) {
+        const fw_site site = member->sites.site[shared - member->first];
+        free(particles);
+        return fw_scenario_fail(experiment->scenario, grip->place, error,
+                                "grip '%s' holds site [%d, %d] of body '%s', which grip '%s' holds "
+                                "already",
+                                grip->name, site.i, site.j, member->name,
+                                experiment->scenario->grips[earlier].name);
+    }
     const fw_grip_def def = {.name = grip->name,
                              .particles = particles,
                              .particle_count = count,

@@ -240,8 +240,15 @@ fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture 
         const fw_curve curve = {.count = count, .x = slip, .y = force, .look = FW_CURVE_LINE};
         const fw_chart chart = {
             .label = "tangential force (force)", .curves = &curve, .curve_count = 1, .height = 90};
-        status =
-            fw_figure_curves(&picture->page, &chart, "slip of the grips (length)", NULL, 0, error);
+        fw_page page = picture->page;
+        char caption[2048];
+        snprintf(caption, sizeof caption,
+                 "Force of the first body on the second along the interface, against the "
+                 "displacement of the first grip less that of the second. All quantities in "
+                 "reduced units. %s",
+                 page.caption ? page.caption : "");
+        page.caption = caption;
+        status = fw_figure_curves(&page, &chart, "slip of the grips (length)", NULL, 0, error);
     }
     free(slip);
     free(force);

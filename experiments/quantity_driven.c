@@ -157,7 +157,7 @@ const fw_quantity fw_grip_quantities[] = {
 
 const fw_quantity fw_piston_quantities[] = {
     {"piston-displacement", FW_SCOPE_PISTON, "x y", "length", "since the start", NULL, displacement},
-    {"piston-velocity", FW_SCOPE_PISTON, "x y", "length/time", "now", NULL, velocity},
+    {"piston-velocity", FW_SCOPE_PISTON, "x y", "length/time", "of the piston", NULL, velocity},
     {"piston-force", FW_SCOPE_PISTON, "x y", "force", "[D(t) + D(t-1)]/2, all that drives the piston", NULL, force},
     {"piston-impulse", FW_SCOPE_PISTON, "x y", "momentum", "of what drives the piston, since the start", NULL, impulse},
     {"piston-work", FW_SCOPE_PISTON, "", "energy", "of what drives the piston, since the start", NULL, work},

@@ -110,6 +110,23 @@ static fw_status add_field(fw_recorder *r, fw_trajectory_field *fields, fw_scena
     return refuse_field(r, name, error);
 }
 
+/* What a picture shows that names none: a picture of a profile the return force, others what is
+ * recorded in any case, or else the first that a body has. */
+static fw_scenario_name standard_field(const fw_recorder *r, const fw_scenario_picture *picture)
+{
+    const bool profile = picture->kind == FW_PICTURE_PROFILE;
+    if (r->def.field_count > 0 || (!profile && picture->kind != FW_PICTURE_FIELD))
+        return (fw_scenario_name){0};
+    for (int b = 0; b < r->experiment->member_count; ++b) {
+        const fw_solid *solid = fw_experiment_solid(r->experiment, b);
+        if (profile && fw_solid_find_field(solid, "return-force"))
+            return (fw_scenario_name){.text = "return-force"};
+        if (!profile && solid->model->fields && solid->model->fields[0].name)
+            return (fw_scenario_name){.text = solid->model->fields[0].name};
+    }
+    return (fw_scenario_name){0};
+}
+
 /* Those of `record`, and those that pictures show. */
 static fw_status describe_fields(fw_recorder *r, fw_error *error)
 {
@@ -123,6 +140,11 @@ static fw_status describe_fields(fw_recorder *r, fw_error *error)
     for (int p = 0; p < scenario->picture_count; ++p)
         if (scenario->pictures[p].field.text)
             FW_TRY(add_field(r, fields, scenario->pictures[p].field, error));
+    for (int p = 0; p < scenario->picture_count; ++p) {
+        const fw_scenario_name standard = standard_field(r, &scenario->pictures[p]);
+        if (!scenario->pictures[p].field.text && standard.text)
+            FW_TRY(add_field(r, fields, standard, error));
+    }
     return FW_OK;
 }
 

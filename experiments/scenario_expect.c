@@ -191,6 +191,8 @@ static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
         FIELD = 1 << FW_PICTURE_FIELD,
         SERIES = 1 << FW_PICTURE_SERIES,
         ANALYSIS = 1 << FW_PICTURE_ANALYSIS,
+        PROFILE = 1 << FW_PICTURE_PROFILE,
+        LOOP = 1 << FW_PICTURE_LOOP,
         SWEEP = 1 << FW_PICTURE_SWEEP
     };
     static const struct {
@@ -201,7 +203,7 @@ static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
                 {"until", SERIES},
                 {"logarithmic", SERIES | SWEEP},
                 {"instants", MOTION | FORCES | FIELD},
-                {"field", MOTION | FORCES | FIELD},
+                {"field", MOTION | FORCES | FIELD | PROFILE},
                 {"analysis", ANALYSIS}};
     const fw_node *kind = fw_node_find(node, "kind");
     for (size_t n = 0; n < sizeof keys / sizeof keys[0]; ++n) {
@@ -216,6 +218,15 @@ static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
         return fw_scenario_fail(scenario, kind->place, error,
                                 "pictures.%s is of kind 'sweep', but the study has no 'sweep'",
                                 node->key);
+    if (((PROFILE | LOOP) >> picture->kind & 1) && scenario->profile.every == 0)
+        return fw_scenario_fail(scenario, kind->place, error,
+                                "pictures.%s is of kind '%s', but the scenario has no 'profile'",
+                                node->key, kind->text);
+    if (picture->kind == FW_PICTURE_LOOP && scenario->grip_count < 2)
+        return fw_scenario_fail(scenario, kind->place, error,
+                                "pictures.%s is of kind 'loop', force against slip, but the "
+                                "scenario has %d grips, expected two that rub",
+                                node->key, scenario->grip_count);
     const fw_node *until = fw_node_find(node, "until"), *from = fw_node_find(node, "from");
     if (picture->from >= scenario->run.steps && from && scenario->run.steps > 0)
         return fw_scenario_fail(scenario, from->place, error,

@@ -17,6 +17,12 @@ fw_status fw_scenario_read_drive(const fw_scenario *scenario, const fw_node *nod
                                 "%s '%s' has a path that no component follows, expected 'hold: "
                                 "x', 'y' or 'both'",
                                 kind, name);
+    const fw_node *period = fw_node_find(node, "period");
+    if (period && !fw_node_find(node, "amplitude"))
+        return fw_scenario_fail(scenario, period->key_place, error,
+                                "%s '%s' has 'period' but no 'amplitude', without which it means "
+                                "nothing",
+                                kind, name);
     static const char *const forces[] = {"force", "amplitude", "tether"};
     for (int n = 0; n < 3; ++n) {
         const fw_node *force = fw_node_find(node, forces[n]);

@@ -127,6 +127,17 @@ fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error)
             "dynamics.damping is %g in a run that is reversed, expected 0: what "
             "damping took does not come back",
             scenario->dynamics.damping);
+    const fw_node *phases = fw_scenario_part(scenario, "phases", &count);
+    for (const fw_node *phase = phases ? phases->first : NULL; phase && !moves;
+         phase = phase->next) {
+        const fw_node *bath = fw_node_find(phase, "damping");
+        if (!bath) bath = fw_node_find(phase, "temperature");
+        if (bath)
+            return fw_scenario_fail(scenario, bath->key_place, error,
+                                    "phase '%s' has '%s', which is for movable particles and "
+                                    "linear lattices, and no body is one",
+                                    phase->key, bath->key);
+    }
     if (!dynamics || moves) return FW_OK;
     return fw_scenario_fail(scenario, dynamics->key_place, error,
                             "'dynamics' is for movable particles and linear lattices, and no body "

@@ -731,8 +731,10 @@ const fw_key fw_schema_keys[] = {
     {"expectation", "above", FW_FORM_NUMBER, AT(fw_expectation, above), .otherwise = "no bound",
      .meaning = "it must be larger"},
     {"expectation", "trend", FW_FORM_WORD, .words = "rises|falls", NOT_STORED, .otherwise = "none",
-     .meaning = "over a sweep: from each value to the next larger one its mean rises (falls) by "
-                "more than the standard error of the difference"},
+     .meaning =
+         "over a sweep: from each value to the next larger one its mean rises (falls) by "
+         "more than the standard error of the difference; with one seed, by more than 1e-9 of "
+         "its size"},
     {"expectation", "source", FW_FORM_TEXT, AT(fw_expectation, source), .otherwise = "none",
      .meaning = "where the expected number comes from"},
     {"expectation", "note", FW_FORM_TEXT, AT(fw_expectation, note), .otherwise = "none",
@@ -754,7 +756,7 @@ const fw_key fw_schema_keys[] = {
      AT_LEAST(0), NOT_STORED, .otherwise = "chosen by the program", .unit = "steps",
      .meaning = "which are drawn, ascending"},
     {"picture", "field", FW_FORM_NAME, AT(fw_scenario_picture, field),
-     .otherwise = "chosen by the program",
+     .otherwise = "the first that is recorded, else return-force or the solid's first",
      .meaning = "field of the solid that is drawn as colour; it is recorded without being "
                 "named in `record`"},
     {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_PATH, .most = 64,

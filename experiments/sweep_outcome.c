@@ -94,8 +94,11 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
         const fw_verdict *low = &cases[n].verdicts.item[number];
         const fw_verdict *high = &cases[next].verdicts.item[number];
         const double change = high->measured - low->measured;
-        const double unsure = hypot(low->error, high->error);
-        const double margin = sign * change - (isfinite(unsure) ? unsure : 0);
+        const double scatter = hypot(low->error, high->error);
+        /* Of one seed: what may be rounding is no trend. */
+        const double rounding = 1e-9 * (fabs(low->measured) + fabs(high->measured));
+        const double unsure = isfinite(scatter) ? scatter : rounding;
+        const double margin = sign * change - unsure;
         if (margin >= worst) continue; /* what is not finite is taken: it cannot hide */
         worst = isfinite(margin) ? margin : -INFINITY;
         verdict.measured = change;

@@ -401,13 +401,14 @@ static void mistakes_are_refused(void **state)
     static const struct {
         const char *setting, *sentence;
     } rows[] = {
-        {"grips.more={body: left, sites: left}", "which another grip holds already"},
+        {"grips.more={body: left, sites: left}", "which grip 'left' holds already"},
         {"grips.left.sites={rows: [90, 91]}", "rows are [90, 91]"},
         {"phases.drive.until=400", "phases out of order: 'drive' ends at step 400"},
         {"phases.sample.until=2400", "phases out of order: 'sample' ends at step 2400"},
         {"phases.sample.until=2600", "phases out of order: 'sample' ends at step 2600"},
         {"phases.drive.grips.middle={force: [1, 0]}", "there is no grip 'middle'"},
         {"grips.left.path={velocity: [1, 0]}", "a path that no component follows"},
+        {"grips.left.period=3", "has 'period' but no 'amplitude'"},
         {"grips.left.hold=x", "moves that component whatever force acts"},
         {"profile.window=[90, 99]", "the profile has no particles: none lies at 90 <= y <= 99"},
         {"profile.middle=90", "the profile has no particles at the contact"},
