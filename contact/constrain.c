@@ -232,40 +232,56 @@ static bool solve_together(constrain_problem *p)
     return solve_normals(p);
 }
 
+/* The wall that stands behind a particle, as seen along the normal of a piston: the most opposite
+ * of those that push, or one that holds it fast; -1: there is none. */
+static int find_behind(const constrain_problem *firm, fw_vec2 normal)
+{
+    int behind = -1;
+    double most_opposite = -1e-9;
+    for (int n = 0; n < firm->count; ++n) {
+        const constrain_row *r = &firm->rows[n];
+        const double along = fw_vec2_dot(r->normal, normal);
+        if (along < most_opposite || (r->fast && behind < 0)) {
+            most_opposite = fmin(along, most_opposite);
+            behind = r->barrier->facet->wall;
+        }
+    }
+    return behind;
+}
+
 /* Of a particle that a piston presses against walls that do not yield: they hold it, and it stops
- * the piston. */
+ * the piston. False where it is not they that hold it. */
 static bool stop_pistons(constrain_problem *p)
 {
     constrain_problem firm = *p;
+    double deepest = 0;
+    fw_stop stop = {0};
     firm.count = 0;
     for (int k = 0; k < p->count; ++k)
         if (!p->rows[k].barrier->yields) firm.rows[firm.count++] = p->rows[k];
     if (firm.count == 0 || firm.count == p->count || !solve_together(&firm)) return false;
-    double deepest = 0, most_opposite = 0;
-    for (int k = 0, n = 0; k < p->count; ++k) {
-        constrain_row *r = &p->rows[k];
-        if (!r->barrier->yields) {
-            *r = firm.rows[n++];
-            continue;
-        }
-        *r = (constrain_row){
-            .barrier = r->barrier, .normal = r->normal, .bound = r->bound, .lame = true};
+    for (int k = 0; k < p->count; ++k) {
+        const constrain_row *r = &p->rows[k];
         const double along = fw_vec2_dot(r->normal, firm.w);
-        if (r->bound - along <= deepest) continue;
+        if (!r->barrier->yields || r->bound - along <= deepest) continue;
         deepest = r->bound - along;
         /* The bound is the wall's motion, and more where the particle is behind it. */
         const double limit = along - (r->bound - fw_vec2_dot(r->normal, r->barrier->motion));
-        p->stop =
-            (fw_stop){.piston = 1 + r->barrier->facet->wall, .normal = r->normal, .limit = limit};
+        stop =
+            (fw_stop){1 + r->barrier->facet->wall, find_behind(&firm, r->normal), r->normal, limit};
     }
-    for (int n = 0; n < firm.count; ++n) {
-        const double along = fw_vec2_dot(firm.rows[n].normal, p->stop.normal);
-        if (along >= most_opposite) continue;
-        most_opposite = along;
-        p->stop.against = firm.rows[n].barrier->facet->wall;
+    if (stop.piston == 0 || stop.against < 0) return false;
+    for (int k = 0, n = 0; k < p->count; ++k) {
+        constrain_row *r = &p->rows[k];
+        if (r->barrier->yields)
+            *r = (constrain_row){
+                .barrier = r->barrier, .normal = r->normal, .bound = r->bound, .lame = true};
+        else
+            *r = firm.rows[n++];
     }
+    p->stop = stop;
     p->w = firm.w;
-    return p->stop.piston > 0;
+    return true;
 }
 
 static bool solve(constrain_problem *p)
@@ -400,7 +416,7 @@ static bool keep_rows(constrain_problem *p, const fw_row_list *kept, const fw_ba
         constrain_row *r = &p->rows[p->count++];
         r->barrier = &all[kept->facet[k]];
         constrain_update_row(p, r);
-        needed |= r->barrier->surface.law == FW_STICK || fw_vec2_dot(r->normal, p->w) < r->bound;
+        needed |= fw_vec2_dot(r->normal, p->w) < r->bound;
     }
     return !needed || solve(p);
 }

@@ -157,8 +157,8 @@ fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick)
                      drive->prescribed_y ? 0 : 1 / (inertia + 0.5 * drive->tether.y)};
 }
 
-void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double torque, double time,
-                       double tick)
+void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,
+                       double time, double tick)
 {
     fw_piston_account *account = &piston->account;
     const fw_drive *drive = &piston->drive;
@@ -182,9 +182,9 @@ void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double t
     account->impulse = fw_vec2_add(account->impulse, fw_vec2_scale(tick, force));
     account->work += fw_vec2_dot(force, motion);
     account->pushed = fw_vec2_add(account->pushed, fw_vec2_scale(tick, push));
-    account->pushed_by += fw_vec2_dot(push, motion);
+    account->pushed_by += work;
     account->unmatched = fw_vec2_add(account->unmatched, fw_vec2_scale(tick, unmatched));
-    account->unmatched_work += fw_vec2_dot(unmatched, motion);
+    account->unmatched_work += work - fw_vec2_dot(fw_vec2_subtract(push, unmatched), motion);
     account->displacement = fw_vec2_add(account->displacement, motion);
     account->way = fw_vec2_add(account->way, (fw_vec2){fabs(motion.x), fabs(motion.y)});
 }

@@ -32,7 +32,7 @@ typedef struct fw_piston_account {
     fw_vec2 impulse;       /* sum D dt */
     double work;           /* sum D.w */
     fw_vec2 pushed;        /* sum R dt */
-    double pushed_by;      /* sum R.w, the work of the bodies */
+    double pushed_by;      /* the work of the bodies, sum R.w */
     fw_vec2 unmatched;     /* the part of `pushed` that does not fit the motion found, and ... */
     double unmatched_work; /* ... of `pushed_by`: rounding, but for ticks that ... */
     double unresolved;     /* ... ended without a motion that fits: so many */
@@ -72,9 +72,10 @@ fw_status fw_piston_set_drive(fw_piston *piston, const fw_drive *drive, double d
 fw_vec2 fw_piston_displacement(const fw_piston *piston, fw_vec2 push, double time, double tick);
 fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick);
 
-/* Ends the tick: it has moved by `motion` under that push. The velocity follows from the motion;
- * what part of the push that leaves over is booked as unmatched. */
-void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double torque, double time,
-                       double tick);
+/* Ends the tick: it has moved by `motion` under that push, and the bodies have done that work on it
+ * (push . motion, but where soft corners push as no single force could). The velocity follows from
+ * the motion; what that leaves over of push and work is booked as unmatched. */
+void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,
+                       double time, double tick);
 
 #endif

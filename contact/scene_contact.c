@@ -172,6 +172,7 @@ void scene_book_contacts(fw_scene *scene)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
         scene->walls[w].force_before = scene->accounts[w].force;
+        scene->walls[w].work_before = scene->accounts[w].work;
         scene->accounts[w].force = (fw_vec2){0, 0};
         scene->accounts[w].contacts = 0;
     }

@@ -60,6 +60,7 @@ typedef struct scene_wall {
     fw_box bounds;         /* at the place of the definition */
     fw_vec2 place, motion; /* in this tick */
     fw_vec2 force_before;  /* of the last tick */
+    double work_before;    /* done on bodies until the last tick */
     fw_piston *piston;     /* what moves it; NULL: its path */
     scene_search search;   /* of a piston */
 } scene_wall;

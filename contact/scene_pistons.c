@@ -130,16 +130,16 @@ static int look_at_rows(fw_scene *scene, scene_body *body, const scene_contact *
     for (int k = 0; k < found->count; ++k) {
         const int facet = found->facet[k];
         scene_wall *wall = &scene->walls[scene->barriers[facet].facet->wall];
-        if (knows(known, facet)) continue;
         fw_vec2 normal;
-        const double excess = wall->piston ? excess_of(scene, body, contact, facet, &normal) : 0;
+        /* Walls that do not yield are found anew in each try, where they stand. */
+        if (!wall->piston || knows(known, facet)) continue;
+        const double excess = excess_of(scene, body, contact, facet, &normal);
         if (!take) {
-            if (wall->piston && excess > wall->search.deepest) {
+            if (excess > wall->search.deepest) {
                 wall->search.deepest = excess;
                 wall->search.deepest_normal = normal;
             }
-        } else if (wall->piston && wall->search.deepest > 0 &&
-                   excess < (1 - TOGETHER) * wall->search.deepest) {
+        } else if (wall->search.deepest > 0 && excess < (1 - TOGETHER) * wall->search.deepest) {
             wall->search.draws_back = true;
             left += 1;
         } else if (known->count < FW_TOUCH_MOST) {
@@ -208,26 +208,44 @@ static void push_by(fw_scene *scene, const scene_body *body, const scene_contact
     }
 }
 
+/* Is the particle still where it stopped the piston? */
+static bool still_stops(const scene_contact *contact, const fw_stop *stop)
+{
+    const fw_vec2 w = contact->constraint.displacement;
+    const double along = fw_vec2_dot(stop->normal, w);
+    return fabs(along - stop->limit) <=
+           1e-12 * (fabs(stop->limit) + fabs(w.x) + fabs(w.y)) + 1e-300;
+}
+
+/* Stops count while they are there: those of this try, and those that keep the piston from it. */
+static void look_at_stop(fw_scene *scene, scene_body *body, const scene_contact *contact)
+{
+    fw_row_list *known = &body->rows[contact->entry];
+    if (contact->constraint.rows.stop.piston > 0)
+        known->stop = contact->constraint.rows.stop;
+    else if (known->stop.piston > 0 && !still_stops(contact, &known->stop))
+        known->stop = (fw_stop){0};
+    if (known->stop.piston == 0) return;
+    fw_stop *tightest = &scene->walls[known->stop.piston - 1].search.stop;
+    if (tightest->piston == 0 || known->stop.limit < tightest->limit) *tightest = known->stop;
+}
+
 /* What the contacts of this try do to the pistons, and what stops them. */
-static void add_up_pushes(fw_scene *scene)
+static void add_up_pushes(fw_scene *scene, bool stands)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
         scene->walls[w].search.push = (fw_vec2){0, 0};
         scene->walls[w].search.stiffness = (fw_sym2){0, 0, 0};
         scene->walls[w].search.torque = 0;
+        scene->walls[w].search.stop = (fw_stop){0};
     }
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
         for (int n = 0; n < body->contact_count; ++n) {
             const scene_contact *contact = &body->contacts[n];
-            fw_row_list *known = &body->rows[contact->entry];
-            const fw_stop *stop = &contact->constraint.rows.stop;
             push_by(scene, body, contact);
-            known->let_go |= contact->constraint.rows.let_go;
-            if (stop->piston == 0) continue;
-            known->stop = *stop;
-            fw_stop *tightest = &scene->walls[stop->piston - 1].search.stop;
-            if (tightest->piston == 0 || stop->limit < tightest->limit) *tightest = *stop;
+            body->rows[contact->entry].let_go |= contact->constraint.rows.let_go;
+            if (stands) look_at_stop(scene, body, contact);
         }
     }
 }
@@ -331,10 +349,15 @@ static bool bears(const scene_body *body, const scene_contact *contact, int wall
            contact->constraint.touch_count + 2 <= FW_TOUCH_MOST;
 }
 
+/* What a force does beside the work of its wall's own motion is lost. */
 static void add_touch(fw_constraint *constraint, int wall, fw_vec2 force, fw_vec2 motion)
 {
+    const fw_vec2 slip = fw_vec2_subtract(constraint->displacement, motion);
     constraint->touch[constraint->touch_count++] =
-        (fw_touch){.wall = wall, .force = force, .work = fw_vec2_dot(force, motion)};
+        (fw_touch){.wall = wall,
+                   .force = force,
+                   .work = fw_vec2_dot(force, motion),
+                   .dissipated = -fw_vec2_dot(force, slip)};
 }
 
 /* The particles that stop a piston share its force and pass it on to the walls behind them. */
@@ -365,9 +388,24 @@ static void pass_on(fw_scene *scene, int w)
 
 /* --- all together --- */
 
-/* The last try stands although it does not fit; the books say so. */
-static void note_failure(fw_scene *scene)
+/* Of several stops the search keeps to the tightest; another may be run over. */
+static void look_for_overrun(fw_scene *scene)
 {
+    for (int b = 0; b < scene->body_count; ++b)
+        for (int n = 0; n < scene->bodies[b].contact_count; ++n) {
+            const fw_stop *stop = &scene->bodies[b].rows[scene->bodies[b].contacts[n].entry].stop;
+            if (stop->piston == 0) continue;
+            scene_wall *wall = &scene->walls[stop->piston - 1];
+            const double beyond = fw_vec2_dot(stop->normal, wall->motion) - stop->limit;
+            const double size = fabs(wall->motion.x) + fabs(wall->motion.y) + fabs(stop->limit);
+            if (beyond > 1e-9 * size) wall->search.fits = false;
+        }
+}
+
+/* The last try stands even where it does not fit; the books say so. */
+static void note_failures(fw_scene *scene)
+{
+    look_for_overrun(scene);
     for (int w = 0; w < scene->wall_count; ++w)
         if (scene->walls[w].piston && !scene->walls[w].search.fits)
             fw_piston_account_of(scene->walls[w].piston)->unresolved += 1;
@@ -383,16 +421,14 @@ fw_status scene_move_pistons(fw_scene *scene, fw_error *error)
         FW_TRY(scene_constrain_bodies(scene, error));
         const bool stands = take_hold(scene);
         bool fits = stands;
-        add_up_pushes(scene);
-        if (tries == TRIES) {
-            note_failure(scene);
-            break;
-        }
+        add_up_pushes(scene, stands);
+        if (tries == TRIES) break;
         for (int w = 0; w < scene->wall_count && stands; ++w)
             if (scene->walls[w].piston) fits &= improve(scene, &scene->walls[w], agreement(tries));
         if (fits) break;
         forget_try(scene);
     }
+    note_failures(scene);
     for (int w = 0; w < scene->wall_count; ++w)
         if (scene->walls[w].piston && scene->walls[w].search.stopped > 0) pass_on(scene, w);
     return FW_OK;
@@ -403,8 +439,9 @@ void scene_advance_pistons(fw_scene *scene)
     const double now = fw_scene_time(scene);
     for (int w = 0; w < scene->wall_count; ++w) {
         const scene_wall *wall = &scene->walls[w];
+        const double work = scene->accounts[w].work - wall->work_before;
         if (wall->piston)
-            fw_piston_advance(wall->piston, wall->motion, wall->search.push, wall->search.torque,
-                              now, scene->tick);
+            fw_piston_advance(wall->piston, wall->motion, wall->search.push, -work,
+                              wall->search.torque, now, scene->tick);
     }
 }

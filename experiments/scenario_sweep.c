@@ -52,7 +52,9 @@ static fw_status check_setting(const fw_scenario *scenario, const fw_node *item,
 {
     const char *unused;
     FW_TRY(substitute(scenario, item, 1, &unused, error));
-    if (strncmp(item->text, "study.", strlen("study.")) != 0) return FW_OK;
+    if (strcspn(item->text, ".=") != strlen("study") ||
+        strncmp(item->text, "study", strlen("study")) != 0)
+        return FW_OK;
     return fw_scenario_fail(scenario, item->place, error,
                             "the setting '%s' changes the study that it is part of, expected "
                             "another key",
@@ -69,6 +71,18 @@ static fw_status read_settings(fw_scenario *scenario, const fw_node *list, fw_er
         sweep->settings[sweep->setting_count++] = item->text;
     }
     return FW_OK;
+}
+
+/* It stands in one line of the table, and beside the axis of pictures. */
+static fw_status check_unit(const fw_scenario *scenario, const fw_node *unit, fw_error *error)
+{
+    enum { LONGEST = 63 };
+    bool plain = !unit || unit->length <= LONGEST;
+    for (const char *c = unit ? unit->text : ""; *c; ++c) plain &= (unsigned char)*c >= ' ';
+    if (plain) return FW_OK;
+    return fw_scenario_fail(scenario, unit->place, error,
+                            "study.sweep.unit is '%s', expected at most %d bytes in one line",
+                            fw_text_quote(unit->text, unit->length).text, LONGEST);
 }
 
 /* What is compared must be measured in every case. */
@@ -124,6 +138,7 @@ fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error)
     if (!node) return FW_OK;
     sweep->place = node->key_place;
     FW_TRY(fw_schema_fill(scenario->document, "sweep", node, sweep, error));
+    FW_TRY(check_unit(scenario, fw_node_find(node, "unit"), error));
     FW_TRY(read_values(scenario, fw_node_find(node, "values"), error));
     const fw_node *set = fw_node_find(node, "set"), *one = fw_node_find(node, "case");
     if (!set && !one)

@@ -731,10 +731,8 @@ const fw_key fw_schema_keys[] = {
     {"expectation", "above", FW_FORM_NUMBER, AT(fw_expectation, above), .otherwise = "no bound",
      .meaning = "it must be larger"},
     {"expectation", "trend", FW_FORM_WORD, .words = "rises|falls", NOT_STORED, .otherwise = "none",
-     .meaning =
-         "over a sweep: from each value to the next larger one its mean rises (falls) by "
-         "more than the standard error of the difference; with one seed, by more than 1e-9 of "
-         "its size"},
+     .meaning = "over a sweep: from each value to the next larger one its mean rises (falls) by "
+                "more than the standard error of the difference, and than 1e-9 of its size"},
     {"expectation", "source", FW_FORM_TEXT, AT(fw_expectation, source), .otherwise = "none",
      .meaning = "where the expected number comes from"},
     {"expectation", "note", FW_FORM_TEXT, AT(fw_expectation, note), .otherwise = "none",

@@ -104,12 +104,31 @@ static fw_status clear_folders(const fw_sweep *sweep, bool overwrite, fw_error *
     return FW_OK;
 }
 
+/* A case that another process is writing, as `fretwork resume` of it alone would. */
+static fw_status refuse_held(const fw_sweep *sweep, fw_error *error)
+{
+    char path[FW_PATH_SIZE];
+    for (int n = 0; n < sweep->case_count; ++n) {
+        fw_folder *folder;
+        fw_error ignored;
+        FW_TRY(fw_sweep_path(sweep->options.directory, sweep->cases[n].name, path, error));
+        if (fw_folder_visit(&folder, path, &ignored) != FW_OK) continue;
+        const bool result = fw_trajectory_is_in(folder);
+        fw_folder_close(folder);
+        if (!result) continue;
+        FW_TRY(fw_folder_open(&folder, path, error));
+        fw_folder_close(folder);
+    }
+    return FW_OK;
+}
+
 static fw_status take_folder(fw_sweep *sweep, fw_error *error)
 {
     const char *directory = sweep->options.directory;
     char path[FW_PATH_SIZE], *text;
     if (!directory) return FW_OK;
     FW_TRY(fw_folder_create(&sweep->folder, directory, error));
+    FW_TRY(refuse_held(sweep, error));
     if (!sweep->options.overwrite) FW_TRY(clear_folders(sweep, false, error));
     FW_TRY(clear_folders(sweep, true, error));
     FW_TRY(fw_sweep_path(directory, FW_SWEEP_SCENARIO, path, error));

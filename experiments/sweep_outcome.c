@@ -95,12 +95,12 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
         const fw_verdict *high = &cases[next].verdicts.item[number];
         const double change = high->measured - low->measured;
         const double scatter = hypot(low->error, high->error);
-        /* Of one seed: what may be rounding is no trend. */
+        /* What may be rounding is no trend, however many seeds agree on it. */
         const double rounding = 1e-9 * (fabs(low->measured) + fabs(high->measured));
-        const double unsure = isfinite(scatter) ? scatter : rounding;
-        const double margin = sign * change - unsure;
+        const double unsure = isfinite(scatter) ? fmax(scatter, rounding) : rounding;
+        const double margin = isfinite(change) ? sign * change - unsure : -INFINITY;
         if (margin >= worst) continue; /* what is not finite is taken: it cannot hide */
-        worst = isfinite(margin) ? margin : -INFINITY;
+        worst = margin;
         verdict.measured = change;
         verdict.error = unsure;
         verdict.in = cases[next].name;

@@ -171,11 +171,11 @@ static void judge(fw_verdict *verdict)
                      e->has_below ? "<" : ">", e->has_below ? e->below : e->above);
         break;
     case FW_VERDICT_RISES:
-        verdict->holds = x > unsure;
+        verdict->holds = isfinite(x) && x > unsure;
         snprintf(verdict->expected, sizeof verdict->expected, "rises");
         break;
     case FW_VERDICT_FALLS:
-        verdict->holds = x < -unsure;
+        verdict->holds = isfinite(x) && x < -unsure;
         snprintf(verdict->expected, sizeof verdict->expected, "falls");
         break;
     }

@@ -152,6 +152,11 @@ static const struct {
     {"bodies.sheet.velocity=[-v, 0.5*v]", "study.seeds=v",
      "11:11: the setting 'study.seeds=v' changes the study that it is part of, expected another "
      "key"},
+    {"bodies.sheet.velocity=[-v, 0.5*v]", "study={seeds: v}",
+     "11:11: the setting 'study={seeds: v}' changes the study that it is part of, expected another "
+     "key"},
+    {"unit: length/time", "unit: \"len\\ngth\"",
+     "9:11: study.sweep.unit is 'len gth', expected at most 63 bytes in one line"},
     {"when: 0.2", "when: 0.3",
      "14:30: 'when' is 0.3, which is not one of the values of v in study.sweep"},
     {"trend: rises", "trend: rises, when: 0.1",
@@ -308,6 +313,25 @@ static void trends_are_judged_beyond_their_errors(void **state)
         fw_verdict_judge(&verdict);
         assert_int_equal(verdict.holds, rows[n].falls);
     }
+}
+
+/* While a case is being written by itself, its sweep is not replaced. */
+static void a_case_that_is_held_is_not_replaced(void **state)
+{
+    char folder[64], path[128];
+    fw_folder *held;
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "flights.yaml", flights);
+    outcome seen = run_program(folder, "run flights.yaml -q --no-plot -o it");
+    expect_end(&seen, 0, "");
+    snprintf(path, sizeof path, "%s/it/v=0.05", folder);
+    assert_fine(fw_folder_open(&held, path, &error));
+    seen = run_program(folder, "run flights.yaml -q --no-plot --overwrite -o it");
+    expect_end(&seen, 2, "it/v=0.05");
+    assert_true(exists(folder, "it/v=0.05/trajectory.h5") && exists(folder, "it/sweep.csv"));
+    fw_folder_close(held);
+    remove_folder(folder);
 }
 
 /* The table has the numbers that single runs show. */
@@ -477,6 +501,7 @@ int main(void)
         cmocka_unit_test(sweep_words_without_a_sweep_are_refused),
         cmocka_unit_test(cases_are_asked_and_compared),
         cmocka_unit_test(trends_are_judged_beyond_their_errors),
+        cmocka_unit_test(a_case_that_is_held_is_not_replaced),
         cmocka_unit_test(table_holds_what_the_cases_show),
         cmocka_unit_test(csv_gives_every_text_back),
         cmocka_unit_test(results_of_runs_and_sweeps_do_not_mix),
