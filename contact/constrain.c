@@ -41,7 +41,6 @@ fw_vec2 constrain_displacement_for(const constrain_problem *p, fw_vec2 force)
     return fw_vec2_add(p->free->displacement, fw_sym2_apply(p->free->mobility, force));
 }
 
-/* The force with which the particle moves by w. */
 fw_vec2 constrain_force_for(const constrain_problem *p)
 {
     return fw_sym2_apply(fw_sym2_invert(p->free->mobility),
@@ -107,8 +106,6 @@ static bool solve_rows(constrain_problem *p)
     return false;
 }
 
-/* Puts w where it ends at the radius where it began (at the circle itself, if rounding had put the
- * particle behind it). */
 void constrain_keep_radius(constrain_problem *p, const constrain_row *r)
 {
     const fw_facet *facet = r->barrier->facet;

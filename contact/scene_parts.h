@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
- * scene_soft.c and scene_pistons.c (its contact phase), scene_make.c (making, restoring) and
- * scene_ask.c, and by nobody else. */
+ * scene_soft.c, scene_pistons.c and scene_stops.c (its contact phase), scene_make.c (making,
+ * restoring) and scene_ask.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -110,6 +110,14 @@ fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
 fw_status scene_move_pistons(fw_scene *scene, fw_error *error);
 /* Ends the tick of the pistons. */
 void scene_advance_pistons(fw_scene *scene);
+/* A force on a particle at `position` pushes the piston back. */
+void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness);
+/* What a contact of this try says of stops: for the particle, and for the piston. */
+void scene_look_at_stop(fw_scene *scene, scene_body *body, const scene_contact *contact);
+/* The particles that stop the piston of a wall share its force and pass it on. */
+void scene_pass_on_stop(fw_scene *scene, int wall);
+/* Pistons that have run over a stop do not fit. */
+void scene_look_for_overrun(fw_scene *scene);
 /* Place and motion of a wall in this tick, for bodies each of whose particles moves once in so many
  * ticks. */
 void scene_follow_wall(fw_scene *scene, int wall, int ticks);

@@ -177,7 +177,7 @@ static bool take_hold(fw_scene *scene)
 
 /* --- how they push --- */
 
-static void push(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness)
+void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness)
 {
     const fw_vec2 middle = fw_vec2_add(
         wall->place, fw_vec2_scale(0.5, fw_vec2_add(wall->bounds.low, wall->bounds.high)));
@@ -198,36 +198,15 @@ static void push_by(fw_scene *scene, const scene_body *body, const scene_contact
     const fw_vec2 position = fw_solid_position(body->solid, contact->particle);
     for (int t = 0; t < contact->constraint.touch_count; ++t) {
         const fw_touch *touch = &contact->constraint.touch[t];
-        push(&scene->walls[touch->wall], position, touch->force, touch->stiffness);
+        scene_push_piston(&scene->walls[touch->wall], position, touch->force, touch->stiffness);
     }
     for (int w = 0; w < scene->wall_count && scene->soft_count > 0; ++w) {
         scene_wall *wall = &scene->walls[w];
         const fw_vec2 force = scene_soft_force_of(wall, position, contact->soft_path);
         if (force.x != 0 || force.y != 0)
-            push(wall, position, force, soft_stiffness(scene, wall, contact->mobility));
+            scene_push_piston(wall, position, force,
+                              soft_stiffness(scene, wall, contact->mobility));
     }
-}
-
-/* Is the particle still where it stopped the piston? */
-static bool still_stops(const scene_contact *contact, const fw_stop *stop)
-{
-    const fw_vec2 w = contact->constraint.displacement;
-    const double along = fw_vec2_dot(stop->normal, w);
-    return fabs(along - stop->limit) <=
-           1e-12 * (fabs(stop->limit) + fabs(w.x) + fabs(w.y)) + 1e-300;
-}
-
-/* Stops count while they are there: those of this try, and those that keep the piston from it. */
-static void look_at_stop(fw_scene *scene, scene_body *body, const scene_contact *contact)
-{
-    fw_row_list *known = &body->rows[contact->entry];
-    if (contact->constraint.rows.stop.piston > 0)
-        known->stop = contact->constraint.rows.stop;
-    else if (known->stop.piston > 0 && !still_stops(contact, &known->stop))
-        known->stop = (fw_stop){0};
-    if (known->stop.piston == 0) return;
-    fw_stop *tightest = &scene->walls[known->stop.piston - 1].search.stop;
-    if (tightest->piston == 0 || known->stop.limit < tightest->limit) *tightest = known->stop;
 }
 
 /* What the contacts of this try do to the pistons, and what stops them. */
@@ -245,7 +224,7 @@ static void add_up_pushes(fw_scene *scene, bool stands)
             const scene_contact *contact = &body->contacts[n];
             push_by(scene, body, contact);
             body->rows[contact->entry].let_go |= contact->constraint.rows.let_go;
-            if (stands) look_at_stop(scene, body, contact);
+            if (stands) scene_look_at_stop(scene, body, contact);
         }
     }
 }
@@ -339,73 +318,12 @@ static bool improve(const fw_scene *scene, scene_wall *wall, double tolerance)
     return false;
 }
 
-/* --- stops --- */
-
-static bool bears(const scene_body *body, const scene_contact *contact, int wall,
-                  const fw_stop *stop)
-{
-    const fw_stop *own = &body->rows[contact->entry].stop;
-    return own->piston == wall + 1 && own->limit <= stop->limit &&
-           contact->constraint.touch_count + 2 <= FW_TOUCH_MOST;
-}
-
-/* What a force does beside the work of its wall's own motion is lost. */
-static void add_touch(fw_constraint *constraint, int wall, fw_vec2 force, fw_vec2 motion)
-{
-    const fw_vec2 slip = fw_vec2_subtract(constraint->displacement, motion);
-    constraint->touch[constraint->touch_count++] =
-        (fw_touch){.wall = wall,
-                   .force = force,
-                   .work = fw_vec2_dot(force, motion),
-                   .dissipated = -fw_vec2_dot(force, slip)};
-}
-
-/* The particles that stop a piston share its force and pass it on to the walls behind them. */
-static void pass_on(fw_scene *scene, int w)
-{
-    scene_wall *wall = &scene->walls[w];
-    const fw_stop stop = wall->search.stop;
-    int bearers = 0;
-    for (int b = 0; b < scene->body_count; ++b)
-        for (int n = 0; n < scene->bodies[b].contact_count; ++n)
-            bearers += bears(&scene->bodies[b], &scene->bodies[b].contacts[n], w, &stop);
-    if (bearers == 0) return;
-    const fw_vec2 share = fw_vec2_scale(wall->search.stopped / bearers, stop.normal);
-    for (int b = 0; b < scene->body_count; ++b) {
-        const scene_body *body = &scene->bodies[b];
-        for (int n = 0; n < body->contact_count; ++n) {
-            scene_contact *contact = &body->contacts[n];
-            if (!bears(body, contact, w, &stop)) continue;
-            const int against = body->rows[contact->entry].stop.against;
-            add_touch(&contact->constraint, w, share, wall->motion);
-            add_touch(&contact->constraint, against, fw_vec2_scale(-1, share),
-                      scene->walls[against].motion);
-            push(wall, fw_solid_position(body->solid, contact->particle), share,
-                 (fw_sym2){0, 0, 0});
-        }
-    }
-}
-
 /* --- all together --- */
-
-/* Of several stops the search keeps to the tightest; another may be run over. */
-static void look_for_overrun(fw_scene *scene)
-{
-    for (int b = 0; b < scene->body_count; ++b)
-        for (int n = 0; n < scene->bodies[b].contact_count; ++n) {
-            const fw_stop *stop = &scene->bodies[b].rows[scene->bodies[b].contacts[n].entry].stop;
-            if (stop->piston == 0) continue;
-            scene_wall *wall = &scene->walls[stop->piston - 1];
-            const double beyond = fw_vec2_dot(stop->normal, wall->motion) - stop->limit;
-            const double size = fabs(wall->motion.x) + fabs(wall->motion.y) + fabs(stop->limit);
-            if (beyond > 1e-9 * size) wall->search.fits = false;
-        }
-}
 
 /* The last try stands even where it does not fit; the books say so. */
 static void note_failures(fw_scene *scene)
 {
-    look_for_overrun(scene);
+    scene_look_for_overrun(scene);
     for (int w = 0; w < scene->wall_count; ++w)
         if (scene->walls[w].piston && !scene->walls[w].search.fits)
             fw_piston_account_of(scene->walls[w].piston)->unresolved += 1;
@@ -430,7 +348,8 @@ fw_status scene_move_pistons(fw_scene *scene, fw_error *error)
     }
     note_failures(scene);
     for (int w = 0; w < scene->wall_count; ++w)
-        if (scene->walls[w].piston && scene->walls[w].search.stopped > 0) pass_on(scene, w);
+        if (scene->walls[w].piston && scene->walls[w].search.stopped > 0)
+            scene_pass_on_stop(scene, w);
     return FW_OK;
 }
 
