@@ -144,8 +144,11 @@ static void check_graves(const char *graves)
     assert_int_equal(system(arguments), 0);
 }
 
-/* Kills so many writers of a kind; `seed` chooses the moments. */
-static casualties kill_writers(void (*write)(const char *folder), int writers, uint64_t seed)
+/* Kills so many writers of a kind, and more, ten times as many at most, until there are enough of
+ * those that were meant: how often a moment is hit depends on the disk. `seed` chooses the moments.
+ */
+static casualties kill_writers(void (*write)(const char *folder), int writers, uint64_t seed,
+                               bool (*enough)(const casualties *count))
 {
     casualties count = {0};
     char graves[64], whole[128];
@@ -157,7 +160,8 @@ static casualties kill_writers(void (*write)(const char *folder), int writers, u
     assert_fine(run_write_until(trajectory, RUN_SAMPLES));
     assert_fine(fw_trajectory_finish(trajectory, FW_RUN_FINISHED, &error));
     fw_trajectory_destroy(trajectory);
-    for (int number = 0; number < writers; ++number) {
+    int number = 0;
+    for (; number < writers || (number < 10 * writers && !enough(&count)); ++number) {
         char folder[64];
         int status;
         make_folder(folder, sizeof folder);
@@ -171,13 +175,13 @@ static casualties kill_writers(void (*write)(const char *folder), int writers, u
         if (!WIFSIGNALED(status)) fail_msg("the writer failed in phase %d", WEXITSTATUS(status));
         bury(folder, graves, number, &count);
         remove_folder(folder);
-        if (number % FILES_PER_CHECK == FILES_PER_CHECK - 1 || number == writers - 1)
-            check_graves(graves);
+        if (number % FILES_PER_CHECK == FILES_PER_CHECK - 1) check_graves(graves);
     }
+    if (number % FILES_PER_CHECK != 0) check_graves(graves);
     remove_folder(graves);
     print_message("%d killed: %d before there was a file, %d while it was cut, %d running, "
                   "%d interrupted, %d finished; %lld frames\n",
-                  writers, count.unborn, count.torn, count.running, count.interrupted,
+                  number, count.unborn, count.torn, count.running, count.interrupted,
                   count.finished, (long long)count.frames);
     return count;
 }
