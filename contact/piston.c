@@ -157,6 +157,12 @@ fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick)
                      drive->prescribed_y ? 0 : 1 / (inertia + 0.5 * drive->tether.y)};
 }
 
+bool fw_piston_yields(const fw_piston *piston, fw_vec2 direction)
+{
+    const fw_vec2 along = driven(&piston->account, direction);
+    return along.x != 0 || along.y != 0;
+}
+
 void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,
                        double time, double tick)
 {

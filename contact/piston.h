@@ -72,6 +72,9 @@ fw_status fw_piston_set_drive(fw_piston *piston, const fw_drive *drive, double d
 fw_vec2 fw_piston_displacement(const fw_piston *piston, fw_vec2 push, double time, double tick);
 fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick);
 
+/* Whether forces move it along that direction, at least in part. */
+bool fw_piston_yields(const fw_piston *piston, fw_vec2 direction);
+
 /* Ends the tick: it has moved by `motion` under that push, and the bodies have done that work on it
  * (push . motion, but where soft corners push as no single force could). The velocity follows from
  * the motion; what that leaves over of push and work is booked as unmatched. */

@@ -23,12 +23,11 @@ void scene_follow_wall(fw_scene *scene, int w, int ticks)
 }
 
 /* Can the wall be stopped by what stands before that facet? */
-static bool yields_to(const scene_wall *wall, const fw_facet *facet, double tick)
+static bool yields(const scene_wall *wall, const fw_facet *facet)
 {
-    if (!wall->piston) return false;
-    const fw_sym2 mobility = fw_piston_mobility(wall->piston, tick);
-    const fw_vec2 n = facet->kind == FW_ROUND ? (fw_vec2){1, 1} : facet->normal;
-    return fw_sym2_form(n, mobility, n) > 0;
+    const fw_vec2 anywhere = {1, 1};
+    return wall->piston &&
+           fw_piston_yields(wall->piston, facet->kind == FW_ROUND ? anywhere : facet->normal);
 }
 
 static void place_barriers(fw_scene *scene, int ticks)
@@ -38,8 +37,7 @@ static void place_barriers(fw_scene *scene, int ticks)
         fw_barrier *barrier = &scene->barriers[f];
         barrier->place = scene->walls[barrier->facet->wall].place;
         barrier->motion = scene->walls[barrier->facet->wall].motion;
-        barrier->yields =
-            yields_to(&scene->walls[barrier->facet->wall], barrier->facet, scene->tick);
+        barrier->yields = yields(&scene->walls[barrier->facet->wall], barrier->facet);
     }
 }
 
@@ -178,7 +176,8 @@ void scene_book_contacts(fw_scene *scene)
     }
     for (int b = 0; b < scene->body_count; ++b) {
         const scene_body *body = &scene->bodies[b];
-        place_barriers(scene, body->solid->model->ticks_per_step);
+        for (int w = 0; w < scene->wall_count; ++w)
+            scene_follow_wall(scene, w, body->solid->model->ticks_per_step);
         for (int n = 0; n < body->contact_count; ++n) book(scene, body, &body->contacts[n]);
     }
 }

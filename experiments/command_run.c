@@ -56,32 +56,24 @@ static fw_status finish_sweep(fw_sweep *sweep, const fw_scenario *scenario, cons
     return tell(scenario, fw_sweep_verdicts(sweep), directory, no_plot, error);
 }
 
-static fw_status run(const fw_scenario *scenario, const fw_run_options *options, bool no_plot,
-                     fw_error *error)
+static fw_status run(const fw_scenario *scenario, const fw_run_options *options,
+                     const fw_leftovers *leftovers, bool no_plot, fw_error *error)
 {
     fw_study *study;
-    fw_leftovers *leftovers;
-    FW_TRY(fw_leftovers_find(&leftovers, options->directory, scenario, error));
-    fw_status status = fw_study_begin(&study, scenario, options, error);
-    if (status == FW_OK) fw_leftovers_remove(leftovers);
-    fw_leftovers_destroy(leftovers);
-    FW_TRY(status);
-    status = finish(study, scenario, options->directory, no_plot, error);
+    FW_TRY(fw_study_begin(&study, scenario, options, error));
+    fw_leftovers_remove(leftovers);
+    const fw_status status = finish(study, scenario, options->directory, no_plot, error);
     fw_study_destroy(study);
     return status;
 }
 
-static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *options, bool no_plot,
-                           fw_error *error)
+static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *options,
+                           const fw_leftovers *leftovers, bool no_plot, fw_error *error)
 {
     fw_sweep *sweep;
-    fw_leftovers *leftovers;
-    FW_TRY(fw_leftovers_find(&leftovers, options->directory, scenario, error));
-    fw_status status = fw_sweep_begin(&sweep, scenario, options, error);
-    if (status == FW_OK) fw_leftovers_remove(leftovers);
-    fw_leftovers_destroy(leftovers);
-    FW_TRY(status);
-    status = finish_sweep(sweep, scenario, options->directory, no_plot, error);
+    FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
+    fw_leftovers_remove(leftovers);
+    const fw_status status = finish_sweep(sweep, scenario, options->directory, no_plot, error);
     fw_sweep_destroy(sweep);
     return status;
 }
@@ -100,9 +92,12 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .cautions = stderr};
-    const fw_status status = fw_scenario_is_sweep(scenario)
-                                 ? run_sweep(scenario, &options, arguments->no_plot, error)
-                                 : run(scenario, &options, arguments->no_plot, error);
+    fw_leftovers *leftovers;
+    fw_status status = fw_leftovers_find(&leftovers, directory, scenario, error);
+    if (status == FW_OK)
+        status = (fw_scenario_is_sweep(scenario) ? run_sweep : run)(scenario, &options, leftovers,
+                                                                    arguments->no_plot, error);
+    fw_leftovers_destroy(leftovers);
     fw_scenario_destroy(scenario);
     return status;
 }

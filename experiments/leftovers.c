@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* leftovers.c - what an earlier result leaves behind. State: a list of paths, files before the
- * folders that hold them. Start reading at add_result(). */
+/* leftovers.c - what an earlier result leaves behind. State: files, and folders of results after
+ * the other files that they hold. Start reading at add_result(). */
 #include "experiments/leftovers.h"
 
 #include "experiments/playback.h"
@@ -12,23 +12,28 @@
 #include <stdlib.h>
 #include <string.h>
 
+typedef struct leftover {
+    char *path;
+    bool is_folder; /* with a result in it */
+} leftover;
+
 struct fw_leftovers {
     int count;
-    char **path;
+    leftover *item;
 };
 
 static fw_status add(fw_leftovers *list, fw_error *error, const char *directory, const char *name)
 {
-    const size_t length = strlen(directory) + strlen(name) + 8;
-    char **more = realloc(list->path, ((size_t)list->count + 1) * sizeof *more);
-    if (more) list->path = more;
+    const size_t length = strlen(directory) + strlen(name) + 2;
+    leftover *more = realloc(list->item, ((size_t)list->count + 1) * sizeof *more);
+    if (more) list->item = more;
     char *path = malloc(length);
     if (!more || !path) {
         free(path);
         return fw_fail_memory(error, "a list of files");
     }
     snprintf(path, length, "%s%s%s", directory, name[0] ? "/" : "", name);
-    list->path[list->count++] = path;
+    list->item[list->count++] = (leftover){path, name[0] == '\0'};
     return FW_OK;
 }
 
@@ -60,7 +65,7 @@ static bool has_case(const fw_scenario *scenario, const char *name)
 }
 
 static fw_status add_result(fw_leftovers *list, const char *directory, const fw_scenario *old,
-                            const fw_scenario *fresh, bool whole, fw_error *error);
+                            const fw_scenario *fresh, fw_error *error);
 
 /* A folder within, unless the new result has one of that name. */
 static fw_status add_folder(fw_leftovers *list, const char *directory, const char *name,
@@ -68,23 +73,17 @@ static fw_status add_folder(fw_leftovers *list, const char *directory, const cha
 {
     char path[FW_PATH_SIZE];
     if (snprintf(path, sizeof path, "%s/%s", directory, name) >= FW_PATH_SIZE) return FW_OK;
-    FW_TRY(add_result(list, path, old, NULL, true, error));
+    FW_TRY(add_result(list, path, old, NULL, error));
     return add(list, error, path, "");
 }
 
-/* `whole`: with the results file itself. */
 static fw_status add_result(fw_leftovers *list, const char *directory, const fw_scenario *old,
-                            const fw_scenario *fresh, bool whole, fw_error *error)
+                            const fw_scenario *fresh, fw_error *error)
 {
     static const char *const tables[] = {FW_SUMMARY_FILE, FW_PROFILE_FILE, FW_LAYER_FILE};
-    static const char *const results[] = {FW_TRAJECTORY_FILE, FW_TRAJECTORY_FILE ".head",
-                                          FW_TRAJECTORY_FILE ".cutting", "checkpoint-A",
-                                          "checkpoint-B"};
     char name[FW_NAME_BYTES + 8];
     for (size_t n = 0; n < sizeof tables / sizeof tables[0]; ++n)
         FW_TRY(add(list, error, directory, tables[n]));
-    for (size_t n = 0; whole && n < sizeof results / sizeof results[0]; ++n)
-        FW_TRY(add(list, error, directory, results[n]));
     for (int n = 0; n < old->picture_count; ++n) {
         snprintf(name, sizeof name, "%.*s.png", FW_NAME_BYTES, old->pictures[n].name);
         FW_TRY(add(list, error, directory, name));
@@ -112,8 +111,7 @@ fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
     *leftovers = calloc(1, sizeof **leftovers);
     if (!*leftovers) return fw_fail_memory(error, "a list of files");
     fw_scenario *old = scenario_in(directory);
-    const fw_status status =
-        old ? add_result(*leftovers, directory, old, fresh, false, error) : FW_OK;
+    const fw_status status = old ? add_result(*leftovers, directory, old, fresh, error) : FW_OK;
     fw_scenario_destroy(old);
     if (status == FW_OK) return FW_OK;
     fw_leftovers_destroy(*leftovers);
@@ -121,15 +119,28 @@ fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
     return status;
 }
 
+static void discard_result(const char *path)
+{
+    fw_folder *folder;
+    fw_error ignored;
+    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return;
+    fw_trajectory_discard(folder, &ignored);
+    fw_folder_close(folder);
+}
+
 void fw_leftovers_remove(const fw_leftovers *leftovers)
 {
-    for (int n = 0; n < leftovers->count; ++n) remove(leftovers->path[n]);
+    for (int n = 0; n < leftovers->count; ++n) {
+        const leftover *item = &leftovers->item[n];
+        if (item->is_folder) discard_result(item->path);
+        remove(item->path);
+    }
 }
 
 void fw_leftovers_destroy(fw_leftovers *leftovers)
 {
     if (!leftovers) return;
-    for (int n = 0; n < leftovers->count; ++n) free(leftovers->path[n]);
-    free(leftovers->path);
+    for (int n = 0; n < leftovers->count; ++n) free(leftovers->item[n].path);
+    free(leftovers->item);
     free(leftovers);
 }

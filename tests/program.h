@@ -121,6 +121,16 @@ static inline void shell(const char *folder, const char *line)
     if (system(command) != 0) fail_msg("failed: %s", command);
 }
 
+static inline void write_scenario(const char *folder, const char *name, const char *text)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    fputs(text, file);
+    assert_int_equal(fclose(file), 0);
+}
+
 static inline bool exists(const char *folder, const char *name)
 {
     char path[512];

@@ -27,16 +27,6 @@ static const char sweep[] = "title: a sheet flies\n"
                             "expect: [{quantity: energy-drift, below: 1e-12}]\n"
                             "pictures: {speeds: {kind: sweep}, way: {kind: motion}}\n";
 
-static void write_scenario(const char *folder, const char *name, const char *text)
-{
-    char path[128];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 static void run_into_it(const char *folder, const char *line)
 {
     const outcome seen = run_program(folder, line);

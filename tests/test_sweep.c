@@ -42,16 +42,6 @@ static char *change(const char *written, const char *instead)
     return text;
 }
 
-static void write_scenario(const char *folder, const char *name, const char *text)
-{
-    char path[128];
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fputs(text, file);
-    assert_int_equal(fclose(file), 0);
-}
-
 /* --- parameters --- */
 
 static void parameter_stands_for_its_value(void **state)
