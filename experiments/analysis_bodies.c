@@ -5,7 +5,7 @@
 
 #include "contact/scene.h"
 #include "core/array.h"
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_solid.h"
 #include "experiments/build.h"
 #include "experiments/build_automaton.h"
 

@@ -4,8 +4,8 @@
 #ifndef FW_BUILD_AUTOMATON_H
 #define FW_BUILD_AUTOMATON_H
 
-#include "core/automaton_dispersion.h"
-#include "core/elastic_automaton.h"
+#include "core/automaton/automaton_dispersion.h"
+#include "core/automaton/elastic_automaton.h"
 #include "experiments/scenario.h"
 
 /* The body without its starting state. */

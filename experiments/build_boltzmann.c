@@ -2,7 +2,7 @@
 /* build_boltzmann.c - LB solids from bodies of a scenario. Keeps no state. */
 #include "experiments/build.h"
 
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_solid.h"
 
 #include <stdlib.h>
 

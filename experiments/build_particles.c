@@ -3,8 +3,8 @@
  * state. Start reading at fw_build_particles(). */
 #include "experiments/build.h"
 
-#include "core/linear_lattice.h"
-#include "core/particles.h"
+#include "core/particles/linear_lattice.h"
+#include "core/particles/particles.h"
 #include "core/placement.h"
 
 #include <stdlib.h>

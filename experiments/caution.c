@@ -2,7 +2,7 @@
 /* caution.c - cautions of a run. State: what was said already. */
 #include "experiments/caution.h"
 
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_solid.h"
 #include "experiments/overlap.h"
 
 #include <math.h>

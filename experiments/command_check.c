@@ -7,9 +7,9 @@
 #include "experiments/figure.h"
 #include "experiments/sweep.h"
 
-#include "core/lb_solid.h"
-#include "core/linear_lattice.h"
-#include "core/particles.h"
+#include "core/boltzmann/lb_solid.h"
+#include "core/particles/linear_lattice.h"
+#include "core/particles/particles.h"
 
 #include <math.h>
 #include <stdlib.h>

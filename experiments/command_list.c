@@ -6,10 +6,10 @@
 #include "experiments/quantity.h"
 #include "experiments/schema.h"
 
-#include "core/elastic_automaton.h"
-#include "core/lb_solid.h"
-#include "core/linear_lattice.h"
-#include "core/particles.h"
+#include "core/automaton/elastic_automaton.h"
+#include "core/boltzmann/lb_solid.h"
+#include "core/particles/linear_lattice.h"
+#include "core/particles/particles.h"
 
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error)
 {

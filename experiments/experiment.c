@@ -2,10 +2,10 @@
 /* experiment.c - from plain data to solids, walls and loads. Start at fw_experiment_create(). */
 #include "experiments/experiment.h"
 
-#include "core/lb_solid.h"
-#include "core/linear_lattice.h"
+#include "core/boltzmann/lb_solid.h"
+#include "core/particles/linear_lattice.h"
 #include "core/noise.h"
-#include "core/particles.h"
+#include "core/particles/particles.h"
 #include "experiments/build.h"
 #include "experiments/member.h"
 #include "experiments/overlap.h"

@@ -3,7 +3,7 @@
  * Invariant: no two probes have the same quantity and subject; rows ascend in step. */
 #include "experiments/measurement.h"
 
-#include "core/particles.h"
+#include "core/particles/particles.h"
 
 #include "experiments/spelling.h"
 

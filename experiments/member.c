@@ -2,7 +2,7 @@
 /* member.c - asks the solid, or the group of movable particles that the body is. Keeps no state. */
 #include "experiments/member.h"
 
-#include "core/particle_groups.h"
+#include "core/particles/particle_groups.h"
 
 int fw_member_group(const fw_experiment *experiment, int member)
 {

@@ -3,8 +3,8 @@
  * the parameters of, kept in the experiment. Start reading at fw_phase_enter(). */
 #include "experiments/phase.h"
 
-#include "core/linear_lattice.h"
-#include "core/particles.h"
+#include "core/particles/linear_lattice.h"
+#include "core/particles/particles.h"
 
 #include <math.h>
 #include <stdlib.h>

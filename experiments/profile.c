@@ -5,7 +5,7 @@
  */
 #include "experiments/profile.h"
 
-#include "core/particles.h"
+#include "core/particles/particles.h"
 
 #include <math.h>
 #include <stdlib.h>

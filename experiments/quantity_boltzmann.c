@@ -2,8 +2,8 @@
 /* quantity_boltzmann.c - what can be measured of LB solids only. Keeps no state. */
 #include "experiments/quantity.h"
 
-#include "core/lb_dispersion.h"
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_dispersion.h"
+#include "core/boltzmann/lb_solid.h"
 
 #include <math.h>
 

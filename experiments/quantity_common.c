@@ -3,8 +3,8 @@
 #include "experiments/member.h"
 #include "experiments/quantity.h"
 
-#include "core/langevin.h"
-#include "core/lb_solid.h"
+#include "core/particles/langevin.h"
+#include "core/boltzmann/lb_solid.h"
 
 #include <math.h>
 

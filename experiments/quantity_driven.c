@@ -3,7 +3,7 @@
  * bodies rub. Keeps no state. */
 #include "experiments/quantity.h"
 
-#include "core/particles.h"
+#include "core/particles/particles.h"
 
 #include <math.h>
 

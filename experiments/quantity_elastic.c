@@ -4,8 +4,8 @@
 #include "experiments/member.h"
 #include "experiments/quantity.h"
 
-#include "core/linear_lattice.h"
-#include "core/particles.h"
+#include "core/particles/linear_lattice.h"
+#include "core/particles/particles.h"
 
 #include <math.h>
 

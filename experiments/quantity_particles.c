@@ -4,7 +4,7 @@
 #include "experiments/member.h"
 #include "experiments/quantity.h"
 
-#include "core/particle_observables.h"
+#include "core/particles/particle_observables.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -10,10 +10,10 @@
 
 #include "contact/grip.h"
 #include "contact/wall.h"
-#include "core/automaton_matrices.h"
+#include "core/automaton/automaton_matrices.h"
 #include "core/lattice.h"
-#include "core/pair_potential.h"
-#include "core/return_force.h"
+#include "core/particles/pair_potential.h"
+#include "core/particles/return_force.h"
 #include "experiments/document.h"
 
 /* A text that is looked up later, and where it stands. */

@@ -2,7 +2,7 @@
 /* bench_lb.c - how fast an LB body moves: million particle steps per second, next to the rate of
  * plain memory streams of as many bytes in the same run. The ratio carries over between machines,
  * the rates do not. Usage: bench_lb [SIDE [STEPS]] */
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_solid.h"
 
 #include <omp.h>
 #include <stdio.h>

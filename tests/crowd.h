@@ -5,7 +5,7 @@
 
 #include "core/lattice.h"
 #include "core/noise.h"
-#include "core/particles.h"
+#include "core/particles/particles.h"
 
 #include <stdlib.h>
 

@@ -6,7 +6,7 @@
 #include "tests/crowd.h"
 
 #include "core/averages.h"
-#include "core/particle_observables.h"
+#include "core/particles/particle_observables.h"
 #include "core/placement.h"
 
 #include <stdlib.h>

@@ -3,8 +3,8 @@
  * and loads do to them, and that Chopard's automaton is the LB solid. */
 #include "tests/laws.h"
 
-#include "core/elastic_automaton.h"
-#include "core/lb_solid.h"
+#include "core/automaton/elastic_automaton.h"
+#include "core/boltzmann/lb_solid.h"
 
 #include <omp.h>
 #include <stdlib.h>

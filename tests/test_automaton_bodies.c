@@ -3,7 +3,7 @@
  * that threads and restarts change no bit. */
 #include "tests/laws.h"
 
-#include "core/elastic_automaton.h"
+#include "core/automaton/elastic_automaton.h"
 
 #include <omp.h>
 #include <stdlib.h>

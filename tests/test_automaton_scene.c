@@ -4,7 +4,7 @@
 #include "tests/laws.h"
 
 #include "contact/scene.h"
-#include "core/elastic_automaton.h"
+#include "core/automaton/elastic_automaton.h"
 
 #include <stdlib.h>
 

@@ -3,8 +3,8 @@
  * closed form and the paper's single mode. */
 #include "tests/laws.h"
 
-#include "core/automaton_dispersion.h"
-#include "core/elastic_automaton.h"
+#include "core/automaton/automaton_dispersion.h"
+#include "core/automaton/elastic_automaton.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 /* test_friction.c - two small beams in grips: phases, profile and study. */
 #include "tests/laws.h"
 
-#include "core/particles.h"
+#include "core/particles/particles.h"
 #include "experiments/csv.h"
 #include "experiments/study.h"
 #include "tests/scratch.h"

@@ -5,11 +5,11 @@
 #include "tests/laws.h"
 
 #include "contact/scene.h"
-#include "core/elastic_automaton.h"
-#include "core/lb_solid.h"
-#include "core/linear_lattice.h"
+#include "core/automaton/elastic_automaton.h"
+#include "core/boltzmann/lb_solid.h"
+#include "core/particles/linear_lattice.h"
 #include "core/noise.h"
-#include "core/particles.h"
+#include "core/particles/particles.h"
 #include "tests/standing_wave.h"
 
 #include <omp.h>

@@ -3,7 +3,7 @@
  * forms of Chopard & Marconi. */
 #include "tests/laws.h"
 
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_solid.h"
 
 #include <omp.h>
 #include <stdlib.h>

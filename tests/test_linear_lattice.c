@@ -2,7 +2,7 @@
 /* test_linear_lattice.c - the linear lattice is an isotropic elastic medium, and turns freely. */
 #include "tests/laws.h"
 
-#include "core/linear_lattice.h"
+#include "core/particles/linear_lattice.h"
 #include "core/noise.h"
 
 #include <stdlib.h>

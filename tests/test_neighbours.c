@@ -3,7 +3,7 @@
 #include "tests/laws.h"
 
 #include "core/array.h"
-#include "core/neighbours.h"
+#include "core/particles/neighbours.h"
 #include "core/noise.h"
 
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 
 #include "tests/crowd.h"
 
-#include "core/particle_observables.h"
+#include "core/particles/particle_observables.h"
 #include "core/placement.h"
 
 #include <string.h>

@@ -3,7 +3,7 @@
  * how bodies share a solid, what is measured of them, what is refused, and means over seeds. */
 #include "tests/laws.h"
 
-#include "core/particles.h"
+#include "core/particles/particles.h"
 #include "experiments/member.h"
 #include "experiments/run.h"
 #include "experiments/study.h"

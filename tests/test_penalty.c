@@ -5,7 +5,7 @@
 
 #include "contact/penalty.h"
 #include "contact/scene.h"
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_solid.h"
 #include "core/noise.h"
 #include "tests/crowd.h"
 

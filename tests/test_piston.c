@@ -4,7 +4,7 @@
 #include "tests/laws.h"
 
 #include "contact/scene.h"
-#include "core/lb_solid.h"
+#include "core/boltzmann/lb_solid.h"
 
 #include <stdlib.h>
 #include <string.h>

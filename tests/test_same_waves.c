@@ -4,9 +4,9 @@
  * lambda = -mu, the elastic automaton and the linear lattice with any that are stable. */
 #include "tests/laws.h"
 
-#include "core/elastic_automaton.h"
-#include "core/lb_solid.h"
-#include "core/linear_lattice.h"
+#include "core/automaton/elastic_automaton.h"
+#include "core/boltzmann/lb_solid.h"
+#include "core/particles/linear_lattice.h"
 #include "tests/standing_wave.h"
 
 #include <stdlib.h>

@@ -1,0 +1,140 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* automaton_body.c - what a cell of the automaton feels from its neighbours, whether it stands in a
+ * span or at a rim. Keeps no state. Start reading at fw_automaton_span_pull().
+ *
+ * Pulls are sums over differences, not -b + sum B w as the paper writes it: a rigid shift of the
+ * body, however large, then leaves no rounding behind. */
+#include "core/automaton/automaton_body.h"
+
+#include <stdlib.h>
+
+void fw_automaton_release(fw_automaton *body)
+{
+    for (int c = 0; c < FW_COLOURS; ++c) {
+        fw_automaton_colour *colour = &body->colour[c];
+        free(colour->x);
+        free(colour->y);
+        free(colour->particle);
+        free(colour->place);
+        free(colour->held);
+        free(colour->span);
+        free(colour->rim);
+    }
+    free(body->cell);
+    free(body->white);
+    free(body->border);
+    free(body->bonds);
+    free(body->built);
+    free(body->moved);
+    free(body->share);
+    fw_solid_head_release(&body->head);
+}
+
+bool fw_automaton_rim_weigh(const fw_automaton *body, int colour, fw_automaton_rim *rim)
+{
+    rim->mass = (fw_sym2){0, 0, 0};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        rim->pull[d] = fw_sym2_scale(rim->weight[d], *body->colour[colour].matrix[d]);
+        rim->mass = fw_sym2_add(rim->mass, fw_sym2_scale(0.5, rim->pull[d]));
+    }
+    rim->inverse_mass = (fw_sym2){0, 0, 0};
+    bool bonded = false;
+    for (int d = 0; d < FW_DIRECTIONS; ++d) bonded |= rim->neighbour[d] >= 0;
+    if (!bonded) return true;
+    if (body->boundary == FW_BOUNDARY_MIRROR) {
+        for (int d = 0; d < FW_DIRECTIONS; ++d)
+            if (rim->neighbour[d] < 0)
+                rim->pull[fw_opposite(d)] =
+                    fw_sym2_add(rim->pull[fw_opposite(d)], *body->colour[colour].matrix[d]);
+        rim->inverse_mass = fw_sym2_scalar(1);
+        return true;
+    }
+    /* Closer to singular than this, the cell's moves would be rounding errors made large. */
+    const double trace = rim->mass.xx + rim->mass.yy;
+    if (!(trace > 0 && fw_sym2_determinant(rim->mass) > 1e-10 * trace * trace)) return false;
+    rim->inverse_mass = fw_sym2_invert(rim->mass);
+    return true;
+}
+
+void fw_automaton_span_pull(const fw_automaton *body, int colour, const fw_automaton_span *span,
+                            double *restrict x, double *restrict y)
+{
+    const fw_automaton_colour *own = &body->colour[colour], *other = &body->colour[!colour];
+    const fw_sym2 e = *own->matrix[FW_EAST], n = *own->matrix[FW_NORTH];
+    const fw_sym2 w = *own->matrix[FW_WEST], s = *own->matrix[FW_SOUTH];
+    const double *restrict own_x = own->x + span->begin, *restrict own_y = own->y + span->begin;
+    const double *restrict east_x = other->x + span->begin + span->offset[FW_EAST];
+    const double *restrict east_y = other->y + span->begin + span->offset[FW_EAST];
+    const double *restrict north_x = other->x + span->begin + span->offset[FW_NORTH];
+    const double *restrict north_y = other->y + span->begin + span->offset[FW_NORTH];
+    const double *restrict west_x = other->x + span->begin + span->offset[FW_WEST];
+    const double *restrict west_y = other->y + span->begin + span->offset[FW_WEST];
+    const double *restrict south_x = other->x + span->begin + span->offset[FW_SOUTH];
+    const double *restrict south_y = other->y + span->begin + span->offset[FW_SOUTH];
+    for (int k = 0; k < span->count; ++k) {
+        const double ex = east_x[k] - own_x[k], ey = east_y[k] - own_y[k];
+        const double nx = north_x[k] - own_x[k], ny = north_y[k] - own_y[k];
+        const double wx = west_x[k] - own_x[k], wy = west_y[k] - own_y[k];
+        const double sx = south_x[k] - own_x[k], sy = south_y[k] - own_y[k];
+        x[k] = ((e.xx * ex + e.xy * ey) + (n.xx * nx + n.xy * ny)) +
+               ((w.xx * wx + w.xy * wy) + (s.xx * sx + s.xy * sy));
+        y[k] = ((e.xy * ex + e.yy * ey) + (n.xy * nx + n.yy * ny)) +
+               ((w.xy * wx + w.yy * wy) + (s.xy * sx + s.yy * sy));
+    }
+}
+
+fw_vec2 fw_automaton_rim_pull(const fw_automaton *body, int colour, const fw_automaton_rim *rim)
+{
+    const fw_automaton_colour *other = &body->colour[!colour];
+    const fw_vec2 self = fw_automaton_at(&body->colour[colour], rim->cell);
+    fw_vec2 sum = {0, 0};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        if (rim->neighbour[d] < 0) continue;
+        const fw_vec2 difference =
+            fw_vec2_subtract(fw_automaton_at(other, rim->neighbour[d]), self);
+        sum = fw_vec2_add(sum, fw_sym2_apply(rim->pull[d], difference));
+    }
+    return sum;
+}
+
+fw_vec2 fw_automaton_cell_pull(const fw_automaton *body, int colour, int cell)
+{
+    const fw_automaton_colour *own = &body->colour[colour];
+    const int place = own->place[cell];
+    if (place >= 0) return fw_automaton_rim_pull(body, colour, &own->rim[place]);
+    fw_automaton_span alone = own->span[~place];
+    alone.begin = cell;
+    alone.count = 1;
+    fw_vec2 sum;
+    fw_automaton_span_pull(body, colour, &alone, &sum.x, &sum.y);
+    return sum;
+}
+
+fw_sym2 fw_automaton_cell_mass(const fw_automaton *body, int colour, int cell)
+{
+    const int place = body->colour[colour].place[cell];
+    return place >= 0 ? body->colour[colour].rim[place].mass : fw_sym2_scalar(1);
+}
+
+fw_sym2 fw_automaton_cell_inverse_mass(const fw_automaton *body, int colour, int cell)
+{
+    const int place = body->colour[colour].place[cell];
+    return place >= 0 ? body->colour[colour].rim[place].inverse_mass : fw_sym2_scalar(1);
+}
+
+fw_sym2 fw_automaton_cell_matrix(const fw_automaton *body, int colour, int cell, int direction)
+{
+    const fw_automaton_colour *own = &body->colour[colour];
+    const int place = own->place[cell];
+    return place >= 0 ? own->rim[place].pull[direction] : *own->matrix[direction];
+}
+
+int fw_automaton_cell_neighbour(const fw_automaton *body, int colour, int cell, int direction,
+                                double *weight)
+{
+    const fw_automaton_colour *own = &body->colour[colour];
+    const int place = own->place[cell];
+    *weight = place >= 0 ? own->rim[place].weight[direction] : 1;
+    return place >= 0 ? own->rim[place].neighbour[direction]
+                      : cell + own->span[~place].offset[direction];
+}

@@ -1,0 +1,145 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* automaton_body.h - how an elastic automaton lies in memory. For the automaton's own files only;
+ * everybody else uses elastic_automaton.h.
+ *
+ * Cells of one colour lie together, row by row, apart from the other colour: a half-step reads one
+ * colour and rewrites the other, each a stream of contiguous memory. Cells with all their
+ * neighbours form spans, in which every neighbour is at a constant distance in memory; cells at a
+ * rim have a table entry of their own. */
+#ifndef FW_AUTOMATON_BODY_H
+#define FW_AUTOMATON_BODY_H
+
+#include "core/automaton/elastic_automaton.h"
+
+enum { FW_BLACK, FW_WHITE, FW_COLOURS };
+
+/* Cells begin .. begin + count - 1 of a colour: neighbours of cell n in direction d are cells
+ * n + offset[d] of the other colour, with the full matrices; their particles are
+ * particle + 2 (n - begin). */
+enum { FW_SPAN_MOST = 512 };
+typedef struct fw_automaton_span {
+    int begin, count, particle;
+    int offset[FW_DIRECTIONS];
+} fw_automaton_span;
+
+/* A cell with its own rule: s = sum_d pull[d] (neighbour - self), free displacement
+ * (1 + reflection)/2 inverse_mass s. */
+typedef struct fw_automaton_rim {
+    int cell;
+    int neighbour[FW_DIRECTIONS]; /* cells of the other colour; -1: no bond */
+    double weight[FW_DIRECTIONS]; /* of the bond's energy: 1, 1/2 along an edge, 0: no bond */
+    fw_sym2 pull[FW_DIRECTIONS];  /* weight B, or what `mirror` makes of it */
+    fw_sym2 mass;                 /* m = 1/2 sum_d weight B */
+    fw_sym2 inverse_mass;         /* zero for a cell without bonds, which is frozen */
+} fw_automaton_rim;
+
+typedef struct fw_automaton_colour {
+    int count;
+    double *x, *y; /* displacements from the lattice, less the body's drift */
+    int *particle; /* of each cell */
+    int *place;    /* of each cell: number of its rim entry, or ~number of its span */
+    int *held;     /* of each cell: index of its hold in this tick, else -1 */
+    int span_count, rim_count;
+    fw_automaton_span *span;
+    fw_automaton_rim *rim;
+    const fw_sym2 *matrix[FW_DIRECTIONS]; /* B for black, D for white */
+} fw_automaton_colour;
+
+/* What one piece of a half-step adds to the account. */
+typedef struct fw_automaton_share {
+    double work, dissipated;
+    fw_vec2 impulse, drag;
+} fw_automaton_share;
+
+typedef struct fw_automaton {
+    fw_solid head;
+    fw_automaton_matrices matrices;
+    fw_boundary_rule boundary;
+    double reflection;
+    double break_at; /* stretch of a bond that breaks it */
+    bool breaks;     /* break_at is finite: every cell then has a rim entry */
+    fw_automaton_colour colour[FW_COLOURS];
+    int *cell;        /* of each particle: its number within its colour */
+    uint8_t *white;   /* of each particle: FW_BLACK or FW_WHITE */
+    uint8_t *border;  /* of each particle: bit d, its bond in direction d crosses a seam; bit 4,
+                       * one of the eight sites around was never there */
+    int64_t drift[2]; /* displacement = x + drift quantum: see automaton_sweep.c */
+    double quantum;   /* a power of two, at least one spacing */
+    uint8_t *bonds;   /* breakable bodies: bit d of black cell n, its bond in direction d is
+                       * whole; else NULL */
+    int (*built)[FW_DIRECTIONS]; /* breakable bodies: white neighbours of each black cell as made */
+    fw_vec2 *moved; /* breakable bodies: displacement of each cell of the colour that moved */
+    fw_automaton_share *share; /* one per span or block of rim cells */
+} fw_automaton;
+
+static inline fw_automaton *fw_automaton_of(fw_solid *solid)
+{
+    return (fw_automaton *)(void *)solid;
+}
+
+static inline const fw_automaton *fw_automaton_of_const(const fw_solid *solid)
+{
+    return (const fw_automaton *)(const void *)solid;
+}
+
+/* The colour that moves in the coming tick; black at tick 0. */
+static inline int fw_automaton_moving(const fw_automaton *body)
+{
+    return (int)(body->head.ticks & 1);
+}
+
+/* Lays out the cells of the definition: colours, neighbours, spans, rim, links, skin. On failure
+ * the caller destroys the body. */
+fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_def *def,
+                               fw_error *error);
+void fw_automaton_release(fw_automaton *body);
+
+/* Sets masses and pulls of a rim cell from its weights. false: the mass is not positive definite.
+ */
+bool fw_automaton_rim_weigh(const fw_automaton *body, int colour, fw_automaton_rim *rim);
+
+/* s = sum_d pull[d] (neighbour - self): of all cells of a span, of one rim cell, of any cell. */
+void fw_automaton_span_pull(const fw_automaton *body, int colour, const fw_automaton_span *span,
+                            double *restrict x, double *restrict y);
+fw_vec2 fw_automaton_rim_pull(const fw_automaton *body, int colour, const fw_automaton_rim *rim);
+fw_vec2 fw_automaton_cell_pull(const fw_automaton *body, int colour, int cell);
+
+/* Masses of any cell; the unit matrix inside. */
+fw_sym2 fw_automaton_cell_mass(const fw_automaton *body, int colour, int cell);
+fw_sym2 fw_automaton_cell_inverse_mass(const fw_automaton *body, int colour, int cell);
+/* What a cell's difference to its neighbour in direction d is multiplied with. */
+fw_sym2 fw_automaton_cell_matrix(const fw_automaton *body, int colour, int cell, int direction);
+/* The cell of the other colour in direction d (-1: none) and the weight of the bond. */
+int fw_automaton_cell_neighbour(const fw_automaton *body, int colour, int cell, int direction,
+                                double *weight);
+
+static inline fw_vec2 fw_automaton_at(const fw_automaton_colour *colour, int cell)
+{
+    return (fw_vec2){colour->x[cell], colour->y[cell]};
+}
+
+/* The half-step: automaton_sweep.c. */
+void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,
+                          fw_prediction *out);
+void fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count);
+
+/* The starting state of the definition: automaton_start.c. */
+void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def);
+
+/* Bonds and skin of the head, as they are now. */
+void fw_automaton_list_bonds(fw_automaton *body);
+
+/* The model's measurements: automaton_measure.c. */
+fw_energies fw_automaton_energies(const fw_solid *solid);
+fw_vec2 fw_automaton_momentum(const fw_solid *solid);
+fw_sym2 fw_automaton_mass(const fw_solid *solid);
+fw_vec2 fw_automaton_centre_of_mass(const fw_solid *solid);
+void fw_automaton_velocities(const fw_solid *solid, double *x, double *y);
+void fw_automaton_masses(const fw_solid *solid, double *values);
+extern const fw_field fw_automaton_fields[];
+
+/* Breaking: automaton_fracture.c. */
+void fw_automaton_break_stretched(fw_automaton *body);
+void fw_automaton_rebuild_bonds(fw_automaton *body);
+
+#endif

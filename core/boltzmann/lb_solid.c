@@ -1,0 +1,426 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lb_solid.c - making, asking and breaking an LB solid; the step itself is in lb_step.c.
+ * State: a field per link end (`slot`), rest fields, positions; links and rest masses where links
+ * break. Invariant: Eq 30 on every existing link. Start reading at fw_lb_solid_create(). */
+#include "core/boltzmann/lb_solid.h"
+
+#include "core/boltzmann/lb_state.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+fw_lb_solid_def fw_lb_solid_def_default(void)
+{
+    return (fw_lb_solid_def){.lattice = {.kind = FW_SQUARE, .spacing = 1},
+                             .damping = 1,
+                             .stiffness = fw_sym2_scalar(1),
+                             .break_at = INFINITY};
+}
+
+static bool is_finite(fw_sym2 m)
+{
+    return isfinite(m.xx) && isfinite(m.xy) && isfinite(m.yy);
+}
+
+static bool is_positive(fw_sym2 m)
+{
+    return is_finite(m) && m.xx > 0 && m.yy > 0 && fw_sym2_determinant(m) > 0;
+}
+
+static bool is_scalar(fw_sym2 m)
+{
+    return m.xy == 0 && m.xx == m.yy;
+}
+
+static fw_sym2 rest_mass_of(const fw_lb_solid_def *def, int site)
+{
+    return def->rest_masses ? def->rest_masses[site] : def->rest_mass;
+}
+
+/* kappa of the link that leaves `site` to the east or north. */
+static fw_sym2 stiffness_of(const fw_lb_solid_def *def, int site, int direction)
+{
+    const fw_sym2 *own = direction == FW_EAST ? def->stiffness_east : def->stiffness_north;
+    return own ? own[site] : def->stiffness;
+}
+
+static fw_status check_definition(const fw_lb_solid_def *def, fw_error *error)
+{
+    if (def->lattice.kind != FW_SQUARE)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "an LB solid on a hexagonal lattice, expected a square one");
+    if (!(def->lattice.spacing > 0 && isfinite(def->lattice.spacing)))
+        return fw_fail(error, FW_BAD_INPUT, "spacing %g, expected a positive number",
+                       def->lattice.spacing);
+    if (!(def->damping > 0.5 && def->damping <= 1))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "damping %g, expected more than 0.5 (below it momentum would change sign "
+                       "each step) and at most 1",
+                       def->damping);
+    if (!(def->break_at > 0))
+        return fw_fail(error, FW_BAD_INPUT, "break-at %g, expected a positive stretch",
+                       def->break_at);
+    for (int l = 0; l < def->sites->count; ++l) {
+        fw_site site = def->sites->site[l];
+        if (!is_finite(rest_mass_of(def, l)))
+            return fw_fail(error, FW_BAD_INPUT, "rest mass of site [%d, %d] is not finite", site.i,
+                           site.j);
+        for (int d = FW_EAST; d <= FW_NORTH; ++d)
+            if (!is_positive(stiffness_of(def, l, d)))
+                return fw_fail(error, FW_BAD_INPUT,
+                               "link stiffness %g at site [%d, %d], expected a positive number or "
+                               "a positive definite matrix",
+                               stiffness_of(def, l, d).xx, site.i, site.j);
+    }
+    return FW_OK;
+}
+
+static void choose_kernels(lb_solid *lb, const fw_lb_solid_def *def)
+{
+    lb->damping = def->damping;
+    lb->break_at = def->break_at;
+    lb->resting = isfinite(def->break_at); /* breaking makes rest mass */
+    for (int l = 0; l < def->sites->count; ++l) {
+        fw_sym2 rest = rest_mass_of(def, l), east = stiffness_of(def, l, FW_EAST),
+                north = stiffness_of(def, l, FW_NORTH);
+        lb->resting |= rest.xx != 0 || rest.xy != 0 || rest.yy != 0;
+        lb->matrix |= !is_scalar(rest) || !is_scalar(east) || !is_scalar(north);
+        lb->weighted |= !is_scalar(east) || east.xx != 1 || !is_scalar(north) || north.xx != 1;
+    }
+}
+
+static bool allocate_matrices(matrices *m, size_t count, bool full)
+{
+    m->xx = fw_array_of_doubles(count);
+    if (!full) {
+        m->xy = m->yy = NULL;
+        return m->xx;
+    }
+    m->xy = fw_array_of_doubles(count);
+    m->yy = fw_array_of_doubles(count);
+    return m->xx && m->xy && m->yy;
+}
+
+static void release_matrices(matrices *m)
+{
+    free(m->xx);
+    free(m->xy);
+    free(m->yy);
+}
+
+static bool allocate(lb_solid *lb)
+{
+    size_t count = (size_t)lb->head.count;
+    bool all = true;
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        lb->slot_x[d] = fw_array_of_doubles(count);
+        lb->slot_y[d] = fw_array_of_doubles(count);
+        lb->neighbour[d] = fw_array_allocate(count, sizeof *lb->neighbour[d]);
+        all = all && lb->slot_x[d] && lb->slot_y[d] && lb->neighbour[d];
+    }
+    lb->present = fw_array_allocate(count, 1);
+    lb->edge = fw_array_allocate(count, 1);
+    all = all && lb->present && lb->edge && allocate_matrices(&lb->inverse, count, lb->matrix) &&
+          allocate_matrices(&lb->mass, count, lb->matrix);
+    if (lb->resting) {
+        lb->rest_x = fw_array_of_doubles(count);
+        lb->rest_y = fw_array_of_doubles(count);
+        all =
+            all && lb->rest_x && lb->rest_y && allocate_matrices(&lb->rest_mass, count, lb->matrix);
+    }
+    if (lb->weighted)
+        for (int d = FW_EAST; d <= FW_NORTH; ++d)
+            all = all && allocate_matrices(&lb->stiffness[d], count, lb->matrix);
+    int chunks = (lb->head.count + LB_CHUNK - 1) / LB_CHUNK;
+    lb->spans = fw_array_allocate(count, sizeof *lb->spans);
+    lb->chunk_span = fw_array_allocate((size_t)chunks + 1, sizeof *lb->chunk_span);
+    lb->chunk_account = fw_array_allocate((size_t)chunks, sizeof *lb->chunk_account);
+    lb->chunk_count = chunks;
+    return all && lb->spans && lb->chunk_span && lb->chunk_account;
+}
+
+static void destroy(fw_solid *solid)
+{
+    lb_solid *lb = (lb_solid *)solid;
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        free(lb->slot_x[d]);
+        free(lb->slot_y[d]);
+        free(lb->neighbour[d]);
+    }
+    for (int d = FW_EAST; d <= FW_NORTH; ++d) release_matrices(&lb->stiffness[d]);
+    free(lb->present);
+    free(lb->edge);
+    release_matrices(&lb->inverse);
+    release_matrices(&lb->mass);
+    release_matrices(&lb->rest_mass);
+    free(lb->rest_x);
+    free(lb->rest_y);
+    free(lb->spans);
+    free(lb->chunk_span);
+    free(lb->chunk_account);
+    fw_solid_head_release(&lb->head);
+    free(lb);
+}
+
+/* Neighbours, links and the eight-neighbour edge of the shape. */
+static void connect(lb_solid *lb, const fw_sites *sites)
+{
+    for (int l = 0; l < sites->count; ++l) {
+        for (int d = 0; d < FW_DIRECTIONS; ++d) {
+            fw_site beside = fw_site_neighbour(sites->site[l], d);
+            lb->neighbour[d][l] = fw_sites_find(sites, beside);
+            if (lb->neighbour[d][l] >= 0) lb->present[l] |= (uint8_t)(1u << d);
+            fw_site corner = fw_site_neighbour(beside, (d + 1) % FW_DIRECTIONS);
+            lb->edge[l] |= fw_sites_find(sites, corner) < 0;
+        }
+    }
+}
+
+static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error)
+{
+    for (int l = 0; l < lb->head.count; ++l) {
+        if (lb->resting) lb_put(&lb->rest_mass, l, rest_mass_of(def, l));
+        if (lb->weighted)
+            for (int d = FW_EAST; d <= FW_NORTH; ++d)
+                lb_put(&lb->stiffness[d], l, stiffness_of(def, l, d));
+    }
+    for (int l = 0; l < lb->head.count; ++l) {
+        fw_sym2 sum = fw_sym2_square(rest_mass_of(def, l));
+        for (int d = 0; d < FW_DIRECTIONS; ++d)
+            if (lb->present[l] & (1u << d)) sum = fw_sym2_add(sum, lb_stiffness(lb, l, d));
+        fw_sym2 mass = fw_sym2_scale(0.5, sum); /* Eq 4 */
+        if (!is_positive(mass))
+            return fw_fail(error, FW_BAD_INPUT,
+                           "site [%d, %d] has no links and a rest mass that leaves it without "
+                           "mass, expected a rest mass that is not singular",
+                           def->sites->site[l].i, def->sites->site[l].j);
+        lb_put(&lb->mass, l, mass);
+        lb_put(&lb->inverse, l, fw_sym2_invert(mass));
+    }
+    return FW_OK;
+}
+
+static fw_status list_links(lb_solid *lb, fw_error *error)
+{
+    int count = 0;
+    for (int l = 0; l < lb->head.count; ++l)
+        for (int d = FW_EAST; d <= FW_NORTH; ++d) count += (lb->present[l] >> d) & 1;
+    lb->head.link_count = count;
+    lb->head.links = fw_array_allocate((size_t)count, sizeof *lb->head.links);
+    if (!lb->head.links) return fw_fail_memory(error, "the links of an LB solid");
+    lb_rebuild(lb);
+    return FW_OK;
+}
+
+void lb_rebuild(lb_solid *lb)
+{
+    fw_solid *head = &lb->head;
+    head->link_count = 0;
+    head->skin_count = 0;
+    for (int l = 0; l < head->count; ++l) {
+        for (int d = FW_EAST; d <= FW_NORTH; ++d)
+            if (lb->present[l] & (1u << d)) {
+                head->links[head->link_count][0] = l;
+                head->links[head->link_count][1] = lb->neighbour[d][l];
+                head->link_count += 1;
+            }
+        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS) head->skin[head->skin_count++] = l;
+    }
+    head->skin_revision += 1;
+    lb_cut_into_spans(lb);
+}
+
+/* Starting fields for displacements u and velocities V: half the stretch, a quarter of the summed
+ * velocities per link end, M0 V/2 at rest. A rigid motion started so does not ring. */
+static void start(lb_solid *lb, const fw_lb_solid_def *def)
+{
+    const fw_vec2 zero = {0, 0};
+    for (int l = 0; l < lb->head.count; ++l) {
+        fw_vec2 u = def->displacement ? def->displacement[l] : zero;
+        fw_vec2 velocity = def->velocity ? def->velocity[l] : zero;
+        fw_vec2 r = fw_vec2_add(fw_lattice_position(&def->lattice, def->sites->site[l]), u);
+        lb->head.x[l] = r.x;
+        lb->head.y[l] = r.y;
+        for (int d = 0; d < FW_DIRECTIONS; ++d) {
+            int m = lb->neighbour[d][l];
+            if (m < 0) continue;
+            fw_vec2 um = def->displacement ? def->displacement[m] : zero;
+            fw_vec2 vm = def->velocity ? def->velocity[m] : zero;
+            lb->slot_x[d][l] = 0.5 * (um.x - u.x) + 0.25 * (velocity.x + vm.x);
+            lb->slot_y[d][l] = 0.5 * (um.y - u.y) + 0.25 * (velocity.y + vm.y);
+        }
+        if (lb->resting) {
+            fw_vec2 rest = fw_sym2_apply(lb_get(&lb->rest_mass, l), fw_vec2_scale(0.5, velocity));
+            lb->rest_x[l] = rest.x;
+            lb->rest_y[l] = rest.y;
+        }
+    }
+}
+
+fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_error *error)
+{
+    *solid = NULL;
+    FW_TRY(check_definition(def, error));
+    lb_solid *lb = calloc(1, sizeof *lb);
+    if (!lb) return fw_fail_memory(error, "an LB solid");
+    fw_status status =
+        fw_solid_head_create(&lb->head, &fw_lb_solid_model, def->sites->count, error);
+    if (status != FW_OK) {
+        free(lb);
+        return status;
+    }
+    choose_kernels(lb, def);
+    for (int d = 0; d < FW_DIRECTIONS; ++d) lb->step[d] = fw_lattice_step(&def->lattice, d);
+    if (!allocate(lb)) {
+        destroy(&lb->head);
+        return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for an LB solid of %d particles",
+                       def->sites->count);
+    }
+    connect(lb, def->sites);
+    status = weigh(lb, def, error);
+    if (status == FW_OK) status = list_links(lb, error);
+    if (status != FW_OK) {
+        destroy(&lb->head);
+        return status;
+    }
+    start(lb, def);
+    *solid = &lb->head;
+    return FW_OK;
+}
+
+/* The table of operations. */
+
+static void predict(const fw_solid *solid, const int *particles, int count, fw_prediction *out)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    for (int n = 0; n < count; ++n) out[n] = lb_predict(lb, particles[n]);
+}
+
+static fw_energies energies(const fw_solid *solid)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    fw_energies sum = {0, 0};
+    /* Row-sized partial sums keep the rounding of large bodies small. */
+    enum { BLOCK = 512 };
+    for (int begin = 0; begin < solid->count; begin += BLOCK) {
+        int end = begin + BLOCK < solid->count ? begin + BLOCK : solid->count;
+        fw_energies block = {0, 0};
+        for (int l = begin; l < end; ++l) {
+            for (int d = FW_EAST; d <= FW_NORTH; ++d) {
+                if (!(lb->present[l] & (1u << d))) continue;
+                fw_vec2 here = lb_field(lb, l, d);
+                fw_vec2 there = lb_field(lb, lb->neighbour[d][l], fw_opposite(d));
+                fw_vec2 stretch = fw_vec2_subtract(here, there), sum2 = fw_vec2_add(here, there);
+                fw_sym2 kappa = lb_stiffness(lb, l, d);
+                block.elastic += 0.5 * fw_sym2_form(stretch, kappa, stretch);
+                block.kinetic += 0.5 * fw_sym2_form(sum2, kappa, sum2);
+            }
+            fw_vec2 rest = lb_rest(lb, l);
+            block.kinetic += fw_vec2_dot(rest, rest);
+        }
+        sum.elastic += block.elastic;
+        sum.kinetic += block.kinetic;
+    }
+    return sum;
+}
+
+static fw_vec2 momentum(const fw_solid *solid)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    fw_vec2 sum = {0, 0};
+    for (int l = 0; l < solid->count; ++l) sum = fw_vec2_add(sum, lb_psi(lb, l));
+    return sum;
+}
+
+static fw_sym2 mass(const fw_solid *solid)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    fw_sym2 sum = {0, 0, 0};
+    for (int l = 0; l < solid->count; ++l) sum = fw_sym2_add(sum, lb_get(&lb->mass, l));
+    return sum;
+}
+
+static fw_vec2 centre_of_mass(const fw_solid *solid)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    /* Relative to the first particle, so that a far origin costs no digits. */
+    fw_vec2 base = fw_solid_position(solid, 0), sum = {0, 0};
+    for (int l = 0; l < solid->count; ++l)
+        sum = fw_vec2_add(sum, fw_sym2_apply(lb_get(&lb->mass, l),
+                                             fw_vec2_subtract(fw_solid_position(solid, l), base)));
+    return fw_vec2_add(base, fw_sym2_apply(fw_sym2_invert(mass(solid)), sum));
+}
+
+static void velocities(const fw_solid *solid, double *x, double *y)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    for (int l = 0; l < solid->count; ++l) {
+        fw_vec2 v = fw_sym2_apply(lb_get(&lb->inverse, l), lb_psi(lb, l));
+        x[l] = v.x;
+        y[l] = v.y;
+    }
+}
+
+static void masses(const fw_solid *solid, double *out)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    for (int l = 0; l < solid->count; ++l) {
+        fw_sym2 m = lb_get(&lb->mass, l);
+        out[l] = 0.5 * (m.xx + m.yy);
+    }
+}
+
+static void state(fw_solid *solid, fw_state_list *list)
+{
+    static const char *const name[FW_DIRECTIONS][2] = {
+        {"field-east-x", "field-east-y"},
+        {"field-north-x", "field-north-y"},
+        {"field-west-x", "field-west-y"},
+        {"field-south-x", "field-south-y"},
+    };
+    lb_solid *lb = (lb_solid *)solid;
+    size_t count = (size_t)solid->count;
+    fw_solid_head_state(solid, list);
+    fw_state_list_add(list, "parity", FW_I32, 1, &lb->parity);
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        fw_state_list_add(list, name[d][0], FW_F64, count, lb->slot_x[d]);
+        fw_state_list_add(list, name[d][1], FW_F64, count, lb->slot_y[d]);
+    }
+    if (lb->resting) {
+        fw_state_list_add(list, "field-rest-x", FW_F64, count, lb->rest_x);
+        fw_state_list_add(list, "field-rest-y", FW_F64, count, lb->rest_y);
+    }
+    if (isfinite(lb->break_at)) {
+        fw_state_list_add(list, "links-present", FW_U8, count, lb->present);
+        fw_state_list_add(list, "links-broken", FW_I32, 1, &lb->broken);
+        fw_state_list_add(list, "rest-mass-xx", FW_F64, count, lb->rest_mass.xx);
+        if (lb->matrix) {
+            fw_state_list_add(list, "rest-mass-xy", FW_F64, count, lb->rest_mass.xy);
+            fw_state_list_add(list, "rest-mass-yy", FW_F64, count, lb->rest_mass.yy);
+        }
+    }
+}
+
+static void restored(fw_solid *solid)
+{
+    lb_rebuild((lb_solid *)solid);
+}
+
+const fw_solid_model fw_lb_solid_model = {
+    .name = "lattice-boltzmann",
+    .ticks_per_step = 1,
+    .destroy = destroy,
+    .predict = predict,
+    .advance = lb_advance,
+    .energies = energies,
+    .momentum = momentum,
+    .centre_of_mass = centre_of_mass,
+    .mass = mass,
+    .velocities = velocities,
+    .masses = masses,
+    .state = state,
+    .restored = restored,
+    .reverse = fw_lb_solid_reverse,
+    .fields = lb_fields,
+};

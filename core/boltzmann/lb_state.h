@@ -1,0 +1,125 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lb_state.h - the inside of an LB solid, shared by lb_solid.c (making), lb_step.c (moving),
+ * lb_fracture.c (breaking) and lb_measure.c (asking) and by nobody else.
+ *
+ * Slots. The field that arrives at particle l from its neighbour in direction d lives in one slot
+ * per link end. A step replaces each slot by `w - slot` in place: the value is then the field that
+ * arrives at the *other* end of the link. So with parity 0 it lies in the particle's own slot,
+ * with parity 1 in its neighbour's, and no second array is needed. Each slot is read and written
+ * by exactly one particle per step: threads never meet. */
+#ifndef FW_LB_STATE_H
+#define FW_LB_STATE_H
+
+#include "core/boltzmann/lb_solid.h"
+
+enum { LB_ALL_LINKS = 15, LB_CHUNK = 4096 };
+
+/* A symmetric matrix per particle; xy and yy are NULL where all are multiples of one. */
+typedef struct matrices {
+    double *xx, *xy, *yy;
+} matrices;
+
+/* Consecutive particles. `full`: all have four links, and their neighbours lie at constant
+ * distances in memory, so that the step runs over contiguous memory without tables. A span never
+ * crosses a chunk. */
+typedef struct span {
+    int begin, end;
+    int offset[FW_DIRECTIONS];
+    bool full;
+} span;
+
+typedef struct lb_solid {
+    fw_solid head;
+    double damping;  /* mu */
+    double break_at; /* stretch, or INFINITY */
+    bool resting;    /* has rest fields (some M0 is not zero, or links may break) */
+    bool matrix;     /* some M0 or kappa is a matrix */
+    bool weighted;   /* some kappa is not 1 */
+    int parity;      /* 0: fields in their own particle's slots; 1: in the neighbours' */
+    int broken;      /* links broken since creation */
+    double *slot_x[FW_DIRECTIONS], *slot_y[FW_DIRECTIONS];
+    double *rest_x, *rest_y; /* f_0 */
+    matrices inverse, mass, rest_mass;
+    matrices stiffness[2]; /* of the links to the east and north; only if weighted */
+    int *neighbour[FW_DIRECTIONS];
+    uint8_t *present;            /* bit d: the link in direction d exists */
+    uint8_t *edge;               /* one of the eight sites around was never there */
+    fw_vec2 step[FW_DIRECTIONS]; /* Delta0 of the links */
+    span *spans;
+    int *chunk_span; /* first span of each chunk, and their number */
+    int chunk_count;
+    fw_account *chunk_account;
+} lb_solid;
+
+static inline fw_sym2 lb_get(const matrices *m, int l)
+{
+    if (!m->xy) return fw_sym2_scalar(m->xx[l]);
+    return (fw_sym2){m->xx[l], m->xy[l], m->yy[l]};
+}
+
+static inline void lb_put(matrices *m, int l, fw_sym2 value)
+{
+    m->xx[l] = value.xx;
+    if (m->xy) {
+        m->xy[l] = value.xy;
+        m->yy[l] = value.yy;
+    }
+}
+
+/* kappa of an existing link. */
+static inline fw_sym2 lb_stiffness(const lb_solid *lb, int l, int direction)
+{
+    if (!lb->weighted) return fw_sym2_scalar(1);
+    int owner = direction <= FW_NORTH ? l : lb->neighbour[direction][l];
+    return lb_get(&lb->stiffness[direction % 2], owner);
+}
+
+/* Where the field arriving at l from direction d is kept. */
+typedef struct slot_place {
+    double *x, *y;
+} slot_place;
+static inline slot_place lb_slot(const lb_solid *lb, int l, int direction)
+{
+    if (lb->parity == 0) return (slot_place){&lb->slot_x[direction][l], &lb->slot_y[direction][l]};
+    int opposite = fw_opposite(direction), m = lb->neighbour[direction][l];
+    return (slot_place){&lb->slot_x[opposite][m], &lb->slot_y[opposite][m]};
+}
+
+/* f_{d+2}(l), of an existing link. */
+static inline fw_vec2 lb_field(const lb_solid *lb, int l, int direction)
+{
+    slot_place slot = lb_slot(lb, l, direction);
+    return (fw_vec2){*slot.x, *slot.y};
+}
+
+static inline fw_vec2 lb_rest(const lb_solid *lb, int l)
+{
+    return lb->resting ? (fw_vec2){lb->rest_x[l], lb->rest_y[l]} : (fw_vec2){0, 0};
+}
+
+/* Psi = M0 f_0 + sum kappa f_i (Eq 2). */
+static inline fw_vec2 lb_psi(const lb_solid *lb, int l)
+{
+    fw_vec2 along[2] = {{0, 0}, {0, 0}}; /* east + west, north + south: mirror images agree */
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        if (!(lb->present[l] & (1u << d))) continue;
+        fw_vec2 field = lb_field(lb, l, d);
+        if (lb->weighted) field = fw_sym2_apply(lb_stiffness(lb, l, d), field);
+        along[d % 2] = fw_vec2_add(along[d % 2], field);
+    }
+    fw_vec2 psi = fw_vec2_add(along[0], along[1]);
+    if (lb->resting)
+        psi = fw_vec2_add(psi, fw_sym2_apply(lb_get(&lb->rest_mass, l), lb_rest(lb, l)));
+    return psi;
+}
+
+fw_prediction lb_predict(const lb_solid *lb, int l);
+void lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count);
+void lb_cut_into_spans(lb_solid *lb);
+/* Links, skin and spans as they follow from `present`. */
+void lb_rebuild(lb_solid *lb);
+/* Breaks every link stretched beyond break_at; books the energy. */
+void lb_break_links(lb_solid *lb);
+extern const fw_field lb_fields[];
+
+#endif

@@ -1,0 +1,364 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* langevin.c - the BAOAB step over blocks of particles.
+ * State: positions (head), velocities, controls; forces follow from them. Invariant between steps:
+ * force_x/y belong to the present positions, hold_x/y are zero. Particles are cut into blocks of
+ * fixed size, each summed by itself and the blocks in order: the ledger does not depend on how many
+ * threads there are. Start reading at fw_langevin_advance(). */
+#include "core/particles/langevin.h"
+
+#include "core/noise.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    BLOCK = 512,
+    PARALLEL_FROM = 4096 /* particles; below it threads cost more than they bring */
+};
+
+static int block_count(const fw_langevin *solid)
+{
+    return (solid->head.count + BLOCK - 1) / BLOCK;
+}
+
+fw_status fw_langevin_create(fw_langevin *solid, const fw_solid_model *model, int count,
+                             fw_error *error)
+{
+    FW_TRY(fw_solid_head_create(&solid->head, model, count, error));
+    const size_t size = (size_t)count;
+    double **arrays[] = {
+        &solid->velocity_x, &solid->velocity_y,   &solid->force_x,           &solid->force_y,
+        &solid->mass,       &solid->inverse_mass, &solid->root_inverse_mass, &solid->hold_x,
+        &solid->hold_y,     &solid->scratch};
+    bool complete = true;
+    for (size_t a = 0; a < sizeof arrays / sizeof *arrays; ++a) {
+        *arrays[a] = fw_array_of_doubles(size);
+        complete = complete && *arrays[a];
+    }
+    solid->held_at = fw_array_allocate(size, sizeof *solid->held_at);
+    solid->sums = fw_array_allocate((size_t)block_count(solid), sizeof *solid->sums);
+    if (!complete || !solid->held_at || !solid->sums) {
+        fw_langevin_release(solid);
+        return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %d particles", count);
+    }
+    return FW_OK;
+}
+
+void fw_langevin_release(fw_langevin *solid)
+{
+    fw_solid_head_release(&solid->head);
+    free(solid->velocity_x);
+    free(solid->velocity_y);
+    free(solid->force_x);
+    free(solid->force_y);
+    free(solid->mass);
+    free(solid->inverse_mass);
+    free(solid->root_inverse_mass);
+    free(solid->hold_x);
+    free(solid->hold_y);
+    free(solid->scratch);
+    free(solid->held_at);
+    free(solid->sums);
+}
+
+fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *error)
+{
+    if (!(controls->time_step > 0 && isfinite(controls->time_step)))
+        return fw_fail(error, FW_BAD_INPUT, "the time step is %g, expected a number > 0",
+                       controls->time_step);
+    if (!(controls->damping >= 0 && isfinite(controls->damping)))
+        return fw_fail(error, FW_BAD_INPUT, "the damping is %g, expected a number >= 0",
+                       controls->damping);
+    if (!(controls->temperature >= 0 && isfinite(controls->temperature)))
+        return fw_fail(error, FW_BAD_INPUT, "the temperature is %g, expected a number >= 0",
+                       controls->temperature);
+    return FW_OK;
+}
+
+void fw_langevin_start(fw_langevin *solid)
+{
+    for (int i = 0; i < solid->head.count; ++i) {
+        solid->inverse_mass[i] = 1 / solid->mass[i];
+        solid->root_inverse_mass[i] = sqrt(solid->inverse_mass[i]);
+    }
+    fw_langevin_restored(&solid->head);
+}
+
+void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls)
+{
+    solid->controls = *controls;
+    solid->head.tick = controls->time_step;
+}
+
+void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, double temperature)
+{
+    double mass = 0;
+    fw_vec2 momentum = {0, 0};
+    for (int i = first; i < first + count; ++i) {
+        const double scale = sqrt(temperature) * solid->root_inverse_mass[i];
+        const fw_vec2 drawn =
+            fw_vec2_scale(scale, fw_noise_gaussian(solid->seed, (uint32_t)i,
+                                                   (uint64_t)solid->head.ticks, FW_NOISE_MAXWELL));
+        solid->velocity_x[i] = drawn.x;
+        solid->velocity_y[i] = drawn.y;
+        mass += solid->mass[i];
+        momentum = fw_vec2_add(momentum, fw_vec2_scale(solid->mass[i], drawn));
+    }
+    for (int i = first; i < first + count; ++i) {
+        solid->velocity_x[i] -= momentum.x / mass;
+        solid->velocity_y[i] -= momentum.y / mass;
+    }
+}
+
+void fw_langevin_reverse(fw_solid *head)
+{
+    fw_langevin *solid = (fw_langevin *)head;
+    for (int i = 0; i < solid->head.count; ++i) {
+        solid->velocity_x[i] = -solid->velocity_x[i];
+        solid->velocity_y[i] = -solid->velocity_y[i];
+    }
+}
+
+/* --- the step --- */
+
+/* The numbers of one step. */
+typedef struct fw_rhythm {
+    double half;     /* dt/2 */
+    double keep;     /* c = e^{-damping dt} */
+    double lose;     /* 1 - c^2, exact for small damping */
+    double shake;    /* s sqrt(m) */
+    bool thermostat; /* damping acts */
+} fw_rhythm;
+
+static fw_rhythm rhythm_of(const fw_langevin_controls *controls)
+{
+    const double decay = controls->damping * controls->time_step;
+    const double lose = -expm1(-2 * decay);
+    return (fw_rhythm){.half = controls->time_step / 2,
+                       .keep = exp(-decay),
+                       .lose = lose,
+                       .shake = sqrt(lose * controls->temperature),
+                       .thermostat = decay > 0};
+}
+
+static inline fw_vec2 kick(fw_vec2 velocity, double push, fw_vec2 force)
+{
+    return (fw_vec2){velocity.x + push * force.x, velocity.y + push * force.y};
+}
+
+static inline fw_vec2 mix(const fw_rhythm *rhythm, fw_vec2 kicked, double root_inverse_mass,
+                          fw_vec2 noise)
+{
+    const double shake = rhythm->shake * root_inverse_mass;
+    return (fw_vec2){rhythm->keep * kicked.x + shake * noise.x,
+                     rhythm->keep * kicked.y + shake * noise.y};
+}
+
+static fw_vec2 noise_of(const fw_langevin *solid, const fw_rhythm *rhythm, int i)
+{
+    if (!(rhythm->shake > 0)) return (fw_vec2){0, 0};
+    return fw_noise_gaussian(solid->seed, (uint32_t)i, (uint64_t)solid->head.ticks,
+                             FW_NOISE_THERMOSTAT);
+}
+
+void fw_langevin_predict(const fw_solid *head, const int *particles, int count, fw_prediction *out)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    const fw_rhythm rhythm = rhythm_of(&solid->controls);
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int k = 0; k < count; ++k) {
+        const int i = particles[k];
+        const double push = rhythm.half * solid->inverse_mass[i];
+        const double root = solid->root_inverse_mass[i];
+        const fw_vec2 noise = noise_of(solid, &rhythm, i);
+        const fw_vec2 velocity = {solid->velocity_x[i], solid->velocity_y[i]};
+        fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
+        if (head->loaded)
+            force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
+        const fw_vec2 kicked = kick(velocity, push, force);
+        out[k].displacement =
+            fw_vec2_scale(rhythm.half, fw_vec2_add(kicked, mix(&rhythm, kicked, root, noise)));
+        out[k].coasting =
+            fw_vec2_scale(rhythm.half, fw_vec2_add(velocity, mix(&rhythm, velocity, root, noise)));
+        out[k].mobility = fw_sym2_scalar(rhythm.half * push * (1 + rhythm.keep));
+    }
+}
+
+/* Kick, drift, mix, drift of particles begin to end - 1; what passed through the bounds is added
+ * up. */
+static fw_langevin_sums move_block(fw_langevin *solid, const fw_rhythm *rhythm, bool held,
+                                   int begin, int end)
+{
+    fw_solid *head = &solid->head;
+    double noise_x[BLOCK] = {0}, noise_y[BLOCK] = {0};
+    if (rhythm->shake > 0)
+        fw_noise_gaussians(solid->seed, (uint32_t)begin, (uint64_t)head->ticks, FW_NOISE_THERMOSTAT,
+                           end - begin, noise_x, noise_y);
+    fw_langevin_sums sums = {0};
+    for (int i = begin; i < end; ++i) {
+        fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
+        fw_vec2 external = {0, 0};
+        if (head->loaded) {
+            external = (fw_vec2){head->external_x[i], head->external_y[i]};
+            force = fw_vec2_add(force, external);
+        }
+        if (held) force = fw_vec2_add(force, (fw_vec2){solid->hold_x[i], solid->hold_y[i]});
+        const fw_vec2 kicked = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
+                                    rhythm->half * solid->inverse_mass[i], force);
+        fw_vec2 mixed = kicked;
+        if (rhythm->thermostat) {
+            const fw_vec2 noise = {noise_x[i - begin], noise_y[i - begin]};
+            const double mass = solid->mass[i];
+            mixed = mix(rhythm, kicked, solid->root_inverse_mass[i], noise);
+            const double drag = 0.5 * mass * rhythm->lose * fw_vec2_dot(kicked, kicked);
+            const double change =
+                0.5 * mass * (fw_vec2_dot(mixed, mixed) - fw_vec2_dot(kicked, kicked));
+            sums.dissipated += drag;
+            sums.heat += change + drag;
+            sums.drag =
+                fw_vec2_add(sums.drag, fw_vec2_scale(mass, fw_vec2_subtract(mixed, kicked)));
+        }
+        const fw_vec2 path = fw_vec2_scale(rhythm->half, fw_vec2_add(kicked, mixed));
+        sums.work += fw_vec2_dot(external, path);
+        sums.external = fw_vec2_add(sums.external, external);
+        head->x[i] += path.x;
+        head->y[i] += path.y;
+        solid->velocity_x[i] = mixed.x;
+        solid->velocity_y[i] = mixed.y;
+    }
+    return sums;
+}
+
+static void kick_block(fw_langevin *solid, const fw_rhythm *rhythm, bool held, int begin, int end)
+{
+    const fw_solid *head = &solid->head;
+    for (int i = begin; i < end; ++i) {
+        fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
+        if (head->loaded)
+            force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
+        if (held) force = fw_vec2_add(force, (fw_vec2){solid->hold_x[i], solid->hold_y[i]});
+        const fw_vec2 velocity = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
+                                      rhythm->half * solid->inverse_mass[i], force);
+        solid->velocity_x[i] = velocity.x;
+        solid->velocity_y[i] = velocity.y;
+    }
+}
+
+static void book(fw_langevin *solid, int blocks)
+{
+    fw_account *account = &solid->head.account;
+    const double dt = solid->controls.time_step;
+    for (int b = 0; b < blocks; ++b) {
+        const fw_langevin_sums *sums = &solid->sums[b];
+        account->work += sums->work;
+        account->dissipated += sums->dissipated;
+        account->heat += sums->heat;
+        account->impulse = fw_vec2_add(account->impulse, fw_vec2_scale(dt, sums->external));
+        account->drag = fw_vec2_add(account->drag, sums->drag);
+    }
+}
+
+void fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count)
+{
+    fw_langevin *solid = (fw_langevin *)head;
+    const fw_rhythm rhythm = rhythm_of(&solid->controls);
+    const int blocks = block_count(solid), count = head->count;
+    const bool held = hold_count > 0;
+    for (int k = 0; k < hold_count; ++k) {
+        const int i = holds[k].particle;
+        solid->hold_x[i] = holds[k].force.x;
+        solid->hold_y[i] = holds[k].force.y;
+        solid->held_at[k] = (fw_vec2){head->x[i], head->y[i]};
+    }
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int b = 0; b < blocks; ++b) {
+        const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
+        solid->sums[b] = move_block(solid, &rhythm, held, begin, end);
+    }
+    /* The force brings a held particle where it belongs up to rounding; here it is put there. */
+    for (int k = 0; k < hold_count; ++k) {
+        const int i = holds[k].particle;
+        head->x[i] = solid->held_at[k].x + holds[k].displacement.x;
+        head->y[i] = solid->held_at[k].y + holds[k].displacement.y;
+    }
+    solid->find_forces(solid);
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int b = 0; b < blocks; ++b) {
+        const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
+        kick_block(solid, &rhythm, held, begin, end);
+    }
+    for (int k = 0; k < hold_count; ++k)
+        solid->hold_x[holds[k].particle] = solid->hold_y[holds[k].particle] = 0;
+    book(solid, blocks);
+    head->ticks += 1;
+}
+
+/* --- what the solid can be asked --- */
+
+double fw_langevin_kinetic_energy(const fw_langevin *solid)
+{
+    for (int i = 0; i < solid->head.count; ++i)
+        solid->scratch[i] = 0.5 * solid->mass[i] *
+                            (solid->velocity_x[i] * solid->velocity_x[i] +
+                             solid->velocity_y[i] * solid->velocity_y[i]);
+    return fw_array_sum(solid->scratch, (size_t)solid->head.count);
+}
+
+static double weighted_sum(const fw_langevin *solid, const double *values)
+{
+    for (int i = 0; i < solid->head.count; ++i) solid->scratch[i] = solid->mass[i] * values[i];
+    return fw_array_sum(solid->scratch, (size_t)solid->head.count);
+}
+
+fw_vec2 fw_langevin_momentum(const fw_solid *head)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    const double x = weighted_sum(solid, solid->velocity_x);
+    return (fw_vec2){x, weighted_sum(solid, solid->velocity_y)};
+}
+
+fw_vec2 fw_langevin_centre_of_mass(const fw_solid *head)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    const double mass = fw_array_sum(solid->mass, (size_t)head->count);
+    const double x = weighted_sum(solid, head->x);
+    return (fw_vec2){x / mass, weighted_sum(solid, head->y) / mass};
+}
+
+fw_sym2 fw_langevin_mass(const fw_solid *head)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    return fw_sym2_scalar(fw_array_sum(solid->mass, (size_t)head->count));
+}
+
+void fw_langevin_velocities(const fw_solid *head, double *x, double *y)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    memcpy(x, solid->velocity_x, (size_t)head->count * sizeof *x);
+    memcpy(y, solid->velocity_y, (size_t)head->count * sizeof *y);
+}
+
+void fw_langevin_masses(const fw_solid *head, double *mass)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    memcpy(mass, solid->mass, (size_t)head->count * sizeof *mass);
+}
+
+void fw_langevin_state(fw_solid *head, fw_state_list *list)
+{
+    fw_langevin *solid = (fw_langevin *)head;
+    const size_t count = (size_t)head->count;
+    fw_solid_head_state(head, list);
+    fw_state_list_add(list, "velocity-x", FW_F64, count, solid->velocity_x);
+    fw_state_list_add(list, "velocity-y", FW_F64, count, solid->velocity_y);
+    fw_state_list_add(list, "controls", FW_F64, sizeof solid->controls / sizeof(double),
+                      &solid->controls);
+}
+
+void fw_langevin_restored(fw_solid *head)
+{
+    fw_langevin *solid = (fw_langevin *)head;
+    head->tick = solid->controls.time_step;
+    solid->find_forces(solid);
+}

@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* linear_lattice.c - particles tied to their six neighbours by linear forces.
+ * State: that of langevin.c. Each particle gathers from its neighbours in the order of directions.
+ * The step is in langevin.c; start reading at find_forces(). */
+#include "core/particles/linear_lattice.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NEIGHBOURS = 6, PARALLEL_FROM = 4096 };
+
+#define ROOT_3 1.73205080756887729353
+
+/* What a bond contributes to the force on its owner, for stretch d = u_j - u_i:
+ *     axial e (e . d) + plain d + turning z x d. */
+typedef struct fw_linear_bond {
+    int neighbour; /* -1: none */
+    double plain;  /* k1, or half of it on a compensated edge */
+    double turning;
+} fw_linear_bond;
+
+typedef struct fw_linear_lattice {
+    fw_langevin langevin; /* first */
+    double k1, k2;
+    fw_vec2 direction[NEIGHBOURS]; /* Eq 1, turned with the lattice */
+    fw_vec2 *home;
+    fw_linear_bond (*bonds)[NEIGHBOURS];
+} fw_linear_lattice;
+
+fw_linear_lattice_def fw_linear_lattice_def_default(void)
+{
+    return (fw_linear_lattice_def){.lattice = {.kind = FW_HEXAGONAL, .spacing = 1},
+                                   .mass = 1,
+                                   .k1 = 10,
+                                   .k2 = 50,
+                                   .compensated = true,
+                                   .controls = {.time_step = 0.005}};
+}
+
+void fw_linear_lattice_from_lame(double lambda, double mu, double *k1, double *k2)
+{
+    *k2 = 2 * (lambda + mu) / ROOT_3;
+    *k1 = mu / ROOT_3 - *k2 / 4;
+}
+
+/* e_alpha of Eq 1 in the turned lattice. */
+static fw_vec2 bond_direction(const fw_lattice *lattice, int alpha)
+{
+    static const fw_vec2 straight[NEIGHBOURS] = {{1, 0},  {0.5, ROOT_3 / 2},   {-0.5, ROOT_3 / 2},
+                                                 {-1, 0}, {-0.5, -ROOT_3 / 2}, {0.5, -ROOT_3 / 2}};
+    const double c = cos(lattice->angle), s = sin(lattice->angle);
+    const fw_vec2 e = straight[alpha];
+    return (fw_vec2){c * e.x - s * e.y, s * e.x + c * e.y};
+}
+
+fw_sym2 fw_linear_lattice_dynamical_matrix(const fw_linear_lattice_def *def, fw_vec2 wave_vector)
+{
+    fw_sym2 matrix = {0, 0, 0};
+    for (int alpha = 0; alpha < NEIGHBOURS / 2; ++alpha) {
+        const fw_vec2 e = bond_direction(&def->lattice, alpha);
+        const double half = sin(0.5 * def->lattice.spacing * fw_vec2_dot(wave_vector, e));
+        const double factor = 4 * half * half / def->mass;
+        const fw_sym2 bond = {def->k1 + def->k2 * e.x * e.x, def->k2 * e.x * e.y,
+                              def->k1 + def->k2 * e.y * e.y};
+        matrix = fw_sym2_add(matrix, fw_sym2_scale(factor, bond));
+    }
+    return matrix;
+}
+
+/* --- forces --- */
+
+static inline fw_vec2 stretch_of(const fw_linear_lattice *lattice, int i, int j)
+{
+    const fw_solid *head = &lattice->langevin.head;
+    return (fw_vec2){(head->x[j] - head->x[i]) - (lattice->home[j].x - lattice->home[i].x),
+                     (head->y[j] - head->y[i]) - (lattice->home[j].y - lattice->home[i].y)};
+}
+
+static void find_forces(fw_langevin *solid)
+{
+    const fw_linear_lattice *lattice = (const fw_linear_lattice *)solid;
+#pragma omp parallel for schedule(static) if (solid->head.count > PARALLEL_FROM)
+    for (int i = 0; i < solid->head.count; ++i) {
+        fw_vec2 force = {0, 0};
+        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
+            const fw_linear_bond *bond = &lattice->bonds[i][alpha];
+            if (bond->neighbour < 0) continue;
+            const fw_vec2 stretch = stretch_of(lattice, i, bond->neighbour);
+            const fw_vec2 e = lattice->direction[alpha];
+            const double axial = lattice->k2 * fw_vec2_dot(e, stretch);
+            force.x += axial * e.x + bond->plain * stretch.x - bond->turning * stretch.y;
+            force.y += axial * e.y + bond->plain * stretch.y + bond->turning * stretch.x;
+        }
+        solid->force_x[i] = force.x;
+        solid->force_y[i] = force.y;
+    }
+}
+
+/* Every force is linear in the displacements and has a potential, so the energy is
+ * -1/2 sum u . F(u), and with u = u_i + stretch for each particle the same as summed here:
+ * half of each bond's energy, and of u_i . (turning force), at either end. */
+static void fill_potential_energy(const fw_solid *head, double *values)
+{
+    const fw_linear_lattice *lattice = (const fw_linear_lattice *)head;
+    const fw_vec2 middle = {head->x[0] - lattice->home[0].x, head->y[0] - lattice->home[0].y};
+    for (int i = 0; i < head->count; ++i) {
+        const fw_vec2 moved = {head->x[i] - lattice->home[i].x - middle.x,
+                               head->y[i] - lattice->home[i].y - middle.y};
+        double energy = 0;
+        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
+            const fw_linear_bond *bond = &lattice->bonds[i][alpha];
+            if (bond->neighbour < 0) continue;
+            const fw_vec2 stretch = stretch_of(lattice, i, bond->neighbour);
+            const double axial = fw_vec2_dot(lattice->direction[alpha], stretch);
+            energy +=
+                0.25 * (lattice->k2 * axial * axial + bond->plain * fw_vec2_dot(stretch, stretch));
+            energy -= 0.5 * bond->turning * fw_vec2_dot(moved, fw_vec2_turn(stretch));
+        }
+        values[i] = energy;
+    }
+}
+
+/* --- the model --- */
+
+static void destroy(fw_solid *solid)
+{
+    if (!solid) return;
+    fw_linear_lattice *lattice = (fw_linear_lattice *)solid;
+    free(lattice->home);
+    free(lattice->bonds);
+    fw_langevin_release(&lattice->langevin);
+    free(lattice);
+}
+
+static fw_energies energies(const fw_solid *solid)
+{
+    const fw_langevin *langevin = (const fw_langevin *)solid;
+    const double kinetic = fw_langevin_kinetic_energy(langevin);
+    fill_potential_energy(solid, langevin->scratch);
+    return (fw_energies){kinetic, fw_array_sum(langevin->scratch, (size_t)solid->count)};
+}
+
+static void fill_displacement_x(const fw_solid *solid, double *values)
+{
+    for (int i = 0; i < solid->count; ++i)
+        values[i] = solid->x[i] - fw_linear_lattice_home(solid, i).x;
+}
+
+static void fill_displacement_y(const fw_solid *solid, double *values)
+{
+    for (int i = 0; i < solid->count; ++i)
+        values[i] = solid->y[i] - fw_linear_lattice_home(solid, i).y;
+}
+
+static void fill_speed(const fw_solid *solid, double *values)
+{
+    const fw_langevin *langevin = (const fw_langevin *)solid;
+    for (int i = 0; i < solid->count; ++i)
+        values[i] = hypot(langevin->velocity_x[i], langevin->velocity_y[i]);
+}
+
+static const fw_field fields[] = {
+    {"displacement-x", "x from the place in the undeformed lattice", fill_displacement_x},
+    {"displacement-y", "y from the place in the undeformed lattice", fill_displacement_y},
+    {"speed", "length of the velocity", fill_speed},
+    {"potential-energy", "half of the energy of the particle's bonds, and its surface forces'",
+     fill_potential_energy},
+    {NULL, NULL, NULL},
+};
+
+const fw_solid_model fw_linear_lattice_model = {
+    .name = "linear-lattice",
+    .ticks_per_step = 1,
+    .destroy = destroy,
+    .predict = fw_langevin_predict,
+    .advance = fw_langevin_advance,
+    .energies = energies,
+    .momentum = fw_langevin_momentum,
+    .centre_of_mass = fw_langevin_centre_of_mass,
+    .mass = fw_langevin_mass,
+    .velocities = fw_langevin_velocities,
+    .masses = fw_langevin_masses,
+    .state = fw_langevin_state,
+    .restored = fw_langevin_restored,
+    .reverse = fw_langevin_reverse,
+    .fields = fields,
+};
+
+bool fw_solid_is_linear_lattice(const fw_solid *solid)
+{
+    return solid->model == &fw_linear_lattice_model;
+}
+
+fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)
+{
+    assert(fw_solid_is_linear_lattice(solid));
+    return ((const fw_linear_lattice *)solid)->home[particle];
+}
+
+void fw_linear_lattice_refresh(fw_solid *solid)
+{
+    assert(fw_solid_is_linear_lattice(solid));
+    fw_langevin_restored(solid);
+}
+
+/* --- building --- */
+
+double fw_linear_lattice_time_step_limit(double k1, double k2, double mass)
+{
+    /* The highest frequency is at the middle of the zone's edge or at its corner. */
+    const double middle = 8 * k1 + fmax(6 * k2, 2 * k2), corner = 9 * k1 + 4.5 * k2;
+    return 2 / sqrt(fmax(middle, corner) / mass);
+}
+
+static fw_status check_stability(double k1, double k2, double mass, double time_step,
+                                 fw_error *error)
+{
+    if (!(k1 + 0.25 * k2 > 0 && k1 + 0.75 * k2 > 0))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the linear lattice has k1 = %g and k2 = %g, expected k1 + k2/4 > 0 and k1 "
+                       "+ 3 k2/4 > 0: otherwise it collapses",
+                       k1, k2);
+    const double limit = fw_linear_lattice_time_step_limit(k1, k2, mass);
+    if (!(time_step < limit))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the time step is %g, expected less than %.4g: beyond it the lattice's "
+                       "fastest oscillation grows",
+                       time_step, limit);
+    return FW_OK;
+}
+
+static fw_status check_def(const fw_linear_lattice_def *def, fw_error *error)
+{
+    if (def->lattice.kind != FW_HEXAGONAL)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the linear lattice stands on square sites, expected hexagonal ones");
+    if (!(def->mass > 0 && isfinite(def->mass)))
+        return fw_fail(error, FW_BAD_INPUT, "the particles have mass %g, expected a number > 0",
+                       def->mass);
+    if (!(def->lattice.spacing > 0 && isfinite(def->lattice.spacing)))
+        return fw_fail(error, FW_BAD_INPUT, "the lattice has spacing %g, expected a number > 0",
+                       def->lattice.spacing);
+    if (!isfinite(def->k1) || !isfinite(def->k2))
+        return fw_fail(error, FW_BAD_INPUT, "k1 = %g and k2 = %g, expected finite numbers", def->k1,
+                       def->k2);
+    FW_TRY(fw_langevin_check(&def->controls, error));
+    return check_stability(def->k1, def->k2, def->mass, def->controls.time_step, error);
+}
+
+static fw_site neighbour_site(fw_site site, int alpha)
+{
+    const int odd = site.j & 1;
+    const fw_site step[NEIGHBOURS] = {{1, 0},  {odd, 1},      {odd - 1, 1},
+                                      {-1, 0}, {odd - 1, -1}, {odd, -1}};
+    return (fw_site){site.i + step[alpha].i, site.j + step[alpha].j};
+}
+
+/* A bond is the edge of the triangle to its left, with the neighbour 60 degrees on, and of the one
+ * to its right. A triangle (a, b, c), counter-clockwise, adds the potential
+ * -(sqrt3/2) k1 (u_a x u_b + u_b x u_c + u_c x u_a); edges between two triangles cancel. */
+static void weigh_bonds(fw_linear_lattice *lattice, bool compensated)
+{
+    for (int i = 0; i < lattice->langevin.head.count; ++i) {
+        fw_linear_bond *bonds = lattice->bonds[i];
+        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
+            const int left = bonds[(alpha + 1) % NEIGHBOURS].neighbour >= 0;
+            const int right = bonds[(alpha + NEIGHBOURS - 1) % NEIGHBOURS].neighbour >= 0;
+            bonds[alpha].plain = lattice->k1;
+            bonds[alpha].turning = 0;
+            if (bonds[alpha].neighbour < 0 || !compensated) continue;
+            bonds[alpha].plain = 0.5 * (left + right) * lattice->k1;
+            bonds[alpha].turning = -0.5 * ROOT_3 * lattice->k1 * (left - right);
+        }
+    }
+}
+
+static fw_status list_links(fw_linear_lattice *lattice, fw_error *error)
+{
+    fw_solid *head = &lattice->langevin.head;
+    for (int pass = 0; pass < 2; ++pass) {
+        int count = 0;
+        for (int i = 0; i < head->count; ++i)
+            for (int alpha = 0; alpha < NEIGHBOURS / 2; ++alpha) {
+                const int j = lattice->bonds[i][alpha].neighbour;
+                if (j < 0) continue;
+                if (pass == 1) head->links[count][0] = i, head->links[count][1] = j;
+                count += 1;
+            }
+        if (pass == 0) {
+            head->links = fw_array_allocate((size_t)count, sizeof *head->links);
+            if (!head->links) return fw_fail_memory(error, "the links of a linear lattice");
+            head->link_count = count;
+        }
+    }
+    return FW_OK;
+}
+
+static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *def,
+                       fw_error *error)
+{
+    fw_langevin *langevin = &lattice->langevin;
+    fw_solid *head = &langevin->head;
+    const size_t count = (size_t)head->count;
+    lattice->k1 = def->k1;
+    lattice->k2 = def->k2;
+    lattice->home = fw_array_allocate(count, sizeof *lattice->home);
+    lattice->bonds = fw_array_allocate(count, sizeof *lattice->bonds);
+    if (!lattice->home || !lattice->bonds)
+        return fw_fail_memory(error, "the bonds of a linear lattice");
+    for (int alpha = 0; alpha < NEIGHBOURS; ++alpha)
+        lattice->direction[alpha] = bond_direction(&def->lattice, alpha);
+    for (int i = 0; i < head->count; ++i) {
+        const fw_vec2 home = fw_lattice_position(&def->lattice, def->sites->site[i]);
+        const fw_vec2 moved = def->displacements ? def->displacements[i] : (fw_vec2){0, 0};
+        lattice->home[i] = home;
+        head->x[i] = home.x + moved.x;
+        head->y[i] = home.y + moved.y;
+        langevin->mass[i] = def->mass;
+        if (def->velocities) {
+            langevin->velocity_x[i] = def->velocities[i].x;
+            langevin->velocity_y[i] = def->velocities[i].y;
+        }
+        int around = 0;
+        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
+            const int j = fw_sites_find(def->sites, neighbour_site(def->sites->site[i], alpha));
+            lattice->bonds[i][alpha].neighbour = j;
+            around += j >= 0;
+        }
+        if (around < NEIGHBOURS) head->skin[head->skin_count++] = i;
+    }
+    weigh_bonds(lattice, def->compensated);
+    FW_TRY(list_links(lattice, error));
+    langevin->seed = def->seed;
+    langevin->find_forces = find_forces;
+    fw_langevin_set_controls(langevin, &def->controls);
+    fw_langevin_start(langevin);
+    return FW_OK;
+}
+
+fw_status fw_linear_lattice_create(fw_solid **solid, const fw_linear_lattice_def *def,
+                                   fw_error *error)
+{
+    *solid = NULL;
+    FW_TRY(check_def(def, error));
+    fw_linear_lattice *lattice = calloc(1, sizeof *lattice);
+    if (!lattice) return fw_fail_memory(error, "a linear lattice");
+    fw_status status =
+        fw_langevin_create(&lattice->langevin, &fw_linear_lattice_model, def->sites->count, error);
+    if (status == FW_OK) status = build(lattice, def, error);
+    if (status != FW_OK) {
+        destroy(&lattice->langevin.head);
+        return status;
+    }
+    *solid = &lattice->langevin.head;
+    return FW_OK;
+}
+
+fw_status fw_linear_lattice_set_controls(fw_solid *solid, const fw_langevin_controls *controls,
+                                         fw_error *error)
+{
+    assert(fw_solid_is_linear_lattice(solid));
+    fw_linear_lattice *lattice = (fw_linear_lattice *)solid;
+    FW_TRY(fw_langevin_check(controls, error));
+    FW_TRY(check_stability(lattice->k1, lattice->k2, lattice->langevin.mass[0], controls->time_step,
+                           error));
+    fw_langevin_set_controls(&lattice->langevin, controls);
+    return FW_OK;
+}

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* neighbours.c - cells on a torus, and from them one ascending list per particle.
+ * State: the list and the positions it was made for. Invariant: as long as `valid`, every pair
+ * closer than `radius` is in the list of both. Start reading at fw_neighbours_refresh(). */
+#include "core/particles/neighbours.h"
+
+#include "core/array.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    PARALLEL_FROM = 4096, /* particles; below it threads cost more than they bring */
+    ROOM_EACH = 20,       /* neighbours per particle to begin with; a dense solid has 16 */
+    SIDE_LEAST = 4        /* buckets: the 3 x 3 around one must be different ones */
+};
+
+/* Where cell coordinates end: beyond it, and for what is not a number, all share one cell. */
+#define COORDINATE_MOST 1e15
+
+fw_status fw_neighbours_create(fw_neighbours **neighbours, int count, double radius, double skin,
+                               fw_error *error)
+{
+    assert(count >= 0 && radius > 0 && skin >= 0);
+    *neighbours = NULL;
+    fw_neighbours *made = calloc(1, sizeof *made);
+    if (!made) return fw_fail_memory(error, "a neighbour list");
+    size_t size = (size_t)count;
+    made->count = count;
+    made->radius = radius;
+    made->skin = skin;
+    made->capacity = size * ROOM_EACH;
+    made->bucket_most = SIDE_LEAST * SIDE_LEAST;
+    while (made->bucket_most < 2 * (int64_t)count && made->bucket_most < 1 << 29)
+        made->bucket_most *= 2;
+    made->begin = fw_array_allocate(size + 1, sizeof *made->begin);
+    made->list = fw_array_allocate(made->capacity, sizeof *made->list);
+    made->built_x = fw_array_of_doubles(size);
+    made->built_y = fw_array_of_doubles(size);
+    made->cell = fw_array_allocate(size, sizeof *made->cell);
+    made->cell_begin = fw_array_allocate((size_t)made->bucket_most + 1, sizeof *made->cell_begin);
+    made->member = fw_array_allocate(size, sizeof *made->member);
+    if (!made->begin || !made->list || !made->built_x || !made->built_y || !made->cell ||
+        !made->cell_begin || !made->member) {
+        fw_neighbours_destroy(made);
+        return fw_fail(error, FW_SYSTEM_FAILED,
+                       "not enough memory for the neighbours of %d "
+                       "particles",
+                       count);
+    }
+    *neighbours = made;
+    return FW_OK;
+}
+
+void fw_neighbours_destroy(fw_neighbours *neighbours)
+{
+    if (!neighbours) return;
+    free(neighbours->begin);
+    free(neighbours->list);
+    free(neighbours->built_x);
+    free(neighbours->built_y);
+    free(neighbours->cell);
+    free(neighbours->cell_begin);
+    free(neighbours->member);
+    free(neighbours);
+}
+
+void fw_neighbours_set_radius(fw_neighbours *neighbours, double radius)
+{
+    assert(radius > 0);
+    neighbours->radius = radius;
+    neighbours->valid = false;
+}
+
+void fw_neighbours_forget(fw_neighbours *neighbours)
+{
+    neighbours->valid = false;
+}
+
+/* Two particles have come closer by at most the difference of their displacements, and that is at
+ * most the diagonal of the box of all displacements: a solid that moves as a whole keeps its list.
+ */
+static bool may_have_met(const fw_neighbours *neighbours, const double *restrict x,
+                         const double *restrict y)
+{
+    const double *restrict built_x = neighbours->built_x, *restrict built_y = neighbours->built_y;
+    double left = INFINITY, right = -INFINITY, low = INFINITY, high = -INFINITY;
+#pragma omp parallel for schedule(static) reduction(min                                            \
+                                                    : left, low)                                   \
+    reduction(max                                                                                  \
+              : right, high) if (neighbours->count > PARALLEL_FROM)
+    for (int i = 0; i < neighbours->count; ++i) {
+        const double dx = x[i] - built_x[i], dy = y[i] - built_y[i];
+        left = dx < left ? dx : left;
+        right = dx > right ? dx : right;
+        low = dy < low ? dy : low;
+        high = dy > high ? dy : high;
+    }
+    /* A hair less than the skin, for the rounding of displacements and distances. */
+    return !(hypot(right - left, high - low) <= neighbours->skin * (1 - 1e-9));
+}
+
+typedef struct fw_torus {
+    double inverse_size;   /* of a cell */
+    int64_t columns, rows; /* powers of two */
+} fw_torus;
+
+static int64_t coordinate(const fw_torus *torus, double position)
+{
+    double place = position * torus->inverse_size;
+    if (!(fabs(place) <= COORDINATE_MOST)) return 0;
+    return (int64_t)floor(place);
+}
+
+static int bucket_of(const fw_torus *torus, int64_t column, int64_t row)
+{
+    /* On two's complement the mask is the remainder, for negative numbers too. */
+    return (int)((row & (torus->rows - 1)) * torus->columns + (column & (torus->columns - 1)));
+}
+
+static double span(const double *values, int count)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < count; ++i) {
+        low = values[i] < low ? values[i] : low;
+        high = values[i] > high ? values[i] : high;
+    }
+    return high - low;
+}
+
+static int64_t power_of_two_from(double least)
+{
+    int64_t power = SIDE_LEAST;
+    while ((double)power < least && power < (int64_t)1 << 40) power *= 2;
+    return power;
+}
+
+/* As many cells as the body is wide and high, if there are not too many; else the longer side is
+ * wrapped. */
+static fw_torus choose_torus(const fw_neighbours *neighbours, const double *x, const double *y)
+{
+    const double size = neighbours->radius + neighbours->skin;
+    fw_torus torus = {.inverse_size = 1 / size,
+                      .columns = power_of_two_from(span(x, neighbours->count) / size + 2),
+                      .rows = power_of_two_from(span(y, neighbours->count) / size + 2)};
+    while (torus.columns > neighbours->bucket_most / torus.rows) {
+        if (torus.columns >= torus.rows)
+            torus.columns /= 2;
+        else
+            torus.rows /= 2;
+    }
+    return torus;
+}
+
+static void sort_into_cells(fw_neighbours *neighbours, const fw_torus *torus, const double *x,
+                            const double *y)
+{
+    const int buckets = (int)(torus->columns * torus->rows);
+    int *begin = neighbours->cell_begin;
+    memset(begin, 0, ((size_t)buckets + 1) * sizeof *begin);
+    for (int i = 0; i < neighbours->count; ++i) {
+        neighbours->cell[i] = bucket_of(torus, coordinate(torus, x[i]), coordinate(torus, y[i]));
+        begin[neighbours->cell[i] + 1] += 1;
+    }
+    for (int b = 0; b < buckets; ++b) begin[b + 1] += begin[b];
+    /* Downwards, so that each bucket's beginning ends where it belongs and its members ascend. */
+    for (int i = neighbours->count - 1; i >= 0; --i) {
+        const int bucket = neighbours->cell[i];
+        neighbours->member[--begin[bucket + 1]] = i;
+    }
+    memmove(begin, begin + 1, (size_t)buckets * sizeof *begin);
+    begin[buckets] = neighbours->count;
+}
+
+/* Calls for all members of the 3 x 3 cells around particle i that are near: counts them, and
+ * writes them down if there is somewhere to. */
+static size_t visit(const fw_neighbours *neighbours, const fw_torus *torus,
+                    const double *restrict x, const double *restrict y, int i, int *restrict out)
+{
+    const double reach = neighbours->radius + neighbours->skin;
+    const int row = neighbours->cell[i] / (int)torus->columns;
+    const int column = neighbours->cell[i] % (int)torus->columns;
+    size_t found = 0;
+    for (int dj = -1; dj <= 1; ++dj)
+        for (int di = -1; di <= 1; ++di) {
+            const int bucket = bucket_of(torus, column + di, row + dj);
+            for (int k = neighbours->cell_begin[bucket]; k < neighbours->cell_begin[bucket + 1];
+                 ++k) {
+                const int j = neighbours->member[k];
+                const double dx = x[i] - x[j], dy = y[i] - y[j];
+                const bool near = dx * dx + dy * dy < reach * reach && j != i;
+                if (out && near) out[found] = j;
+                found += near;
+            }
+        }
+    return found;
+}
+
+/* Nearly sorted already, as the nine cells are: insertion is the quickest. */
+static void sort_ascending(int *values, size_t count)
+{
+    for (size_t k = 1; k < count; ++k) {
+        const int value = values[k];
+        size_t place = k;
+        for (; place > 0 && values[place - 1] > value; --place) values[place] = values[place - 1];
+        values[place] = value;
+    }
+}
+
+static bool make_room(fw_neighbours *neighbours, size_t needed)
+{
+    if (needed <= neighbours->capacity) return true;
+    /* A quarter more, so that a body that slowly thickens does not ask again and again. */
+    const size_t wanted = needed + needed / 4;
+    int *longer = fw_array_allocate(wanted, sizeof *longer);
+    if (!longer) return false;
+    free(neighbours->list);
+    neighbours->list = longer;
+    neighbours->capacity = wanted;
+    return true;
+}
+
+static bool make_list(fw_neighbours *neighbours, const double *x, const double *y)
+{
+    const int count = neighbours->count;
+    const fw_torus torus = choose_torus(neighbours, x, y);
+    sort_into_cells(neighbours, &torus, x, y);
+    size_t *begin = neighbours->begin;
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int i = 0; i < count; ++i) begin[i + 1] = visit(neighbours, &torus, x, y, i, NULL);
+    for (int i = 0; i < count; ++i) begin[i + 1] += begin[i];
+    if (!make_room(neighbours, begin[count])) {
+        memset(begin, 0, ((size_t)count + 1) * sizeof *begin);
+        return false;
+    }
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int i = 0; i < count; ++i) {
+        visit(neighbours, &torus, x, y, i, neighbours->list + begin[i]);
+        sort_ascending(neighbours->list + begin[i], begin[i + 1] - begin[i]);
+    }
+    return true;
+}
+
+bool fw_neighbours_refresh(fw_neighbours *neighbours, const double *x, const double *y)
+{
+    if (neighbours->valid && !may_have_met(neighbours, x, y)) return true;
+    neighbours->valid = make_list(neighbours, x, y);
+    if (!neighbours->valid) return false;
+    const size_t bytes = (size_t)neighbours->count * sizeof *x;
+    memcpy(neighbours->built_x, x, bytes);
+    memcpy(neighbours->built_y, y, bytes);
+    neighbours->generation += 1;
+    return true;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* pair_potential.h - central forces between movable lattice particles (Popov & Filippov Eqs 13,
+ * 14): any potential with its minimum at `distance`, led smoothly to zero over a range.
+ *     Lennard-Jones  U = depth [(d/r)^12 - 2 (d/r)^6] S(r)
+ *     Morse          U = depth [(1 - e^{-steepness (r - d)})^2 - 1] S(r) */
+#ifndef FW_PAIR_POTENTIAL_H
+#define FW_PAIR_POTENTIAL_H
+
+#include "core/particles/smooth_cut.h"
+#include "core/status.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+typedef enum fw_pair_kind { FW_LENNARD_JONES, FW_MORSE } fw_pair_kind;
+
+typedef struct fw_pair_potential {
+    fw_pair_kind kind;
+    double depth;     /* epsilon >= 0; 0: particles do not feel each other */
+    double distance;  /* r0, where the minimum lies */
+    double steepness; /* of Morse, 1/length; 6/r0 has Lennard-Jones' curvature */
+    fw_smooth_cut cut;
+} fw_pair_potential;
+
+/* Lennard-Jones, depth 1, distance 1, cut from 1.4 to 1.7. */
+fw_pair_potential fw_pair_potential_default(void);
+
+/* FW_BAD_INPUT with a sentence for: non-finite numbers, depth < 0, distance or steepness <= 0, a
+ * cut that ends before it begins, a minimum that does not lie inside the cut's full strength. */
+fw_status fw_pair_potential_check(const fw_pair_potential *potential, fw_error *error);
+
+/* U''(r0): 72 depth/r0^2 for Lennard-Jones, 2 depth steepness^2 for Morse. */
+double fw_pair_potential_stiffness(const fw_pair_potential *potential);
+
+typedef struct fw_pair {
+    double energy; /* U */
+    double push;   /* -U'/r: the force on i is push (r_i - r_j) */
+} fw_pair;
+
+/* U and -U'/r at squared distance r2 > 0; nothing from the cut on. */
+static inline fw_pair fw_pair_at(const fw_pair_potential *potential, double r2)
+{
+    const double outer = potential->cut.outer;
+    const double inverse = 1 / r2, r = sqrt(r2), inverse_r = inverse * r;
+    fw_pair bare;
+    if (potential->kind == FW_LENNARD_JONES) {
+        const double square = potential->distance * potential->distance * inverse;
+        const double sixth = square * square * square;
+        bare.energy = potential->depth * sixth * (sixth - 2);
+        bare.push = 12 * potential->depth * sixth * (sixth - 1) * inverse;
+    } else {
+        const double decay = exp(-potential->steepness * (r - potential->distance));
+        bare.energy = potential->depth * decay * (decay - 2);
+        bare.push = 2 * potential->depth * potential->steepness * decay * (decay - 1) * inverse_r;
+    }
+    const fw_weight weight = fw_smooth_cut_at(potential->cut, r);
+    const double push = bare.push * weight.value - bare.energy * weight.slope * inverse_r;
+    const bool inside = r2 < outer * outer;
+    return (fw_pair){inside ? bare.energy * weight.value : 0, inside ? push : 0};
+}
+
+#endif

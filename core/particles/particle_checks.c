@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* particle_checks.c - which solids of movable lattice particles are refused, and with what
+ * sentence. Keeps no state. */
+#include "core/particles/particle_forces.h"
+
+#include <math.h>
+#include <string.h>
+
+static fw_status check_group(const fw_particle_group_def *group, fw_error *error)
+{
+    if (group->count < 1)
+        return fw_fail(error, FW_BAD_INPUT, "it has %d particles, expected at least one",
+                       group->count);
+    if (!(group->mass > 0 && isfinite(group->mass)))
+        return fw_fail(error, FW_BAD_INPUT, "its particles have mass %g, expected a number > 0",
+                       group->mass);
+    if (!(group->strength >= 0 && isfinite(group->strength)))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the potential has strength %g in it, expected a number >= 0",
+                       group->strength);
+    for (int i = 0; i < group->count; ++i) {
+        const fw_vec2 at = group->positions[i];
+        if (!isfinite(at.x) || !isfinite(at.y))
+            return fw_fail(error, FW_BAD_INPUT,
+                           "particle %d lies at [%g, %g], expected finite numbers", i, at.x, at.y);
+        if (!group->velocities) continue;
+        const fw_vec2 velocity = group->velocities[i];
+        if (!isfinite(velocity.x) || !isfinite(velocity.y))
+            return fw_fail(error, FW_BAD_INPUT,
+                           "particle %d has velocity [%g, %g], expected finite numbers", i,
+                           velocity.x, velocity.y);
+    }
+    return fw_return_force_check(&group->return_force, error);
+}
+
+static fw_status check_groups(const fw_particles_def *def, fw_error *error)
+{
+    if (def->group_count < 1)
+        return fw_fail(error, FW_BAD_INPUT, "there are no bodies of movable particles");
+    int64_t count = 0;
+    for (int g = 0; g < def->group_count; ++g) {
+        const fw_particle_group_def *group = &def->groups[g];
+        if (check_group(group, error) != FW_OK)
+            return fw_fail_within(error, "body '%s'", group->name);
+        for (int h = 0; h < g; ++h)
+            if (strcmp(def->groups[h].name, group->name) == 0)
+                return fw_fail(error, FW_BAD_INPUT, "two bodies are called '%s'", group->name);
+        count += group->count;
+    }
+    if (count > INT32_MAX / 2)
+        return fw_fail(error, FW_BAD_INPUT, "%lld particles, expected at most %d", (long long)count,
+                       INT32_MAX / 2);
+    return FW_OK;
+}
+
+/* 2/omega for the highest frequency of a hexagonal crystal of such bonds. That of the linear
+ * lattice (Popov & Filippov Eq 2) is, in the middle of the zone's edge, (8 k1 + 6 k2)/m, and at its
+ * corner (9 k1 + 9/2 k2)/m; here k1 = n f0/r0 and k2 = U'' - k1. */
+double fw_particles_longest_time_step(const fw_pair_potential *potential, double strength,
+                                      const fw_return_force *force, double mass)
+{
+    const double radial = strength * fw_pair_potential_stiffness(potential);
+    const double transverse = force->fold * force->amplitude / force->distance;
+    return 2 / sqrt(fmax(6 * radial + 2 * transverse, 4.5 * (radial + transverse)) / mass);
+}
+
+double fw_particles_time_step_limit(const fw_particles_def *def)
+{
+    double limit = INFINITY;
+    for (int g = 0; g < def->group_count; ++g) {
+        const fw_particle_group_def *group = &def->groups[g];
+        const double strength =
+            def->group_count > 1 ? fmax(group->strength, def->strength_across) : group->strength;
+        limit = fmin(limit, fw_particles_longest_time_step(&def->potential, strength,
+                                                           &group->return_force, group->mass));
+    }
+    return limit;
+}
+
+fw_status fw_particles_check_time_step(double time_step, double limit, fw_error *error)
+{
+    if (time_step < limit) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "the time step is %g, expected less than %.4g: beyond it the stiffest bond's "
+                   "oscillation grows",
+                   time_step, limit);
+}
+
+fw_status fw_particles_check(const fw_particles_def *def, fw_error *error)
+{
+    FW_TRY(check_groups(def, error));
+    FW_TRY(fw_pair_potential_check(&def->potential, error));
+    FW_TRY(fw_langevin_check(&def->controls, error));
+    if (!(def->strength_across >= 0 && isfinite(def->strength_across)))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the potential has strength %g between bodies, expected a number >= 0",
+                       def->strength_across);
+    if (!(def->bond_radius > 0 && isfinite(def->bond_radius)))
+        return fw_fail(error, FW_BAD_INPUT, "bonds reach up to %g, expected a number > 0",
+                       def->bond_radius);
+    if (!(def->skin >= 0 && isfinite(def->skin)))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the neighbour list reaches %g further than the forces, expected a number "
+                       ">= 0",
+                       def->skin);
+    if (!(def->overlap_energy >= 0))
+        return fw_fail(error, FW_BAD_INPUT, "the overlap energy is %g, expected a number >= 0",
+                       def->overlap_energy);
+    return fw_particles_check_time_step(def->controls.time_step, fw_particles_time_step_limit(def),
+                                        error);
+}
+
+/* The first pair whose energy is above the limit, if there is one. */
+fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error)
+{
+    const fw_solid *head = &particles->langevin.head;
+    const fw_neighbours *neighbours = particles->neighbours;
+    for (int i = 0; i < head->count; ++i)
+        for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
+            const int j = neighbours->list[k];
+            if (j < i) continue;
+            const fw_particle_group *a = &particles->groups[particles->group_of[i]];
+            const fw_particle_group *b = &particles->groups[particles->group_of[j]];
+            const double strength = a == b ? a->strength : particles->strength_across;
+            const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
+            const double r2 = dx * dx + dy * dy;
+            if (!(strength * particles->potential.depth > 0)) continue;
+            const double energy = strength * fw_pair_at(&particles->potential, r2).energy;
+            if (energy <= limit) continue;
+            return fw_fail(error, FW_BAD_INPUT,
+                           "particle %d of body '%s' and particle %d of body '%s' overlap: at "
+                           "distance %.4g their energy is %.4g, expected at most %g",
+                           i - a->first, a->name, j - b->first, b->name, sqrt(r2), energy, limit);
+        }
+    return FW_OK;
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* particle_forces.h - how the solid of particles.h is built inside, for the files that share it:
+ * particles.c (life), particle_checks.c (what is refused), particle_forces.c (forces),
+ * particle_sums.c (other sums over bonds), particle_fields.c (fields). */
+#ifndef FW_PARTICLE_FORCES_H
+#define FW_PARTICLE_FORCES_H
+
+#include "core/particles/particles.h"
+
+struct fw_particles {
+    fw_langevin langevin; /* first: an fw_particles is an fw_langevin is an fw_solid */
+    int group_count;
+    fw_particle_group *groups; /* names owned */
+    double *amplitudes;        /* f0 of each group; part of the state, copied into the groups */
+    int *group_of;
+    fw_pair_potential potential;
+    double strength_across;
+    double bond_radius;
+
+    fw_neighbours *neighbours;
+    /* The neighbours of i in its own body are list[own_begin[i]] .. list[own_end[i] - 1]. */
+    size_t *own_begin, *own_end;
+    int64_t generation; /* of the list that own_begin and own_end belong to */
+
+    /* Return forces of bodies whose axes turn, before the turn is known; NULL if there are none. */
+    double *first_x, *first_y, *second_x, *second_y, *sum_cosine, *sum_sine;
+    double *virial[4]; /* of each particle: scratch */
+};
+
+/* As fw_langevin.find_forces. */
+void fw_particles_find_forces(fw_langevin *solid);
+
+/* Whatever fw_particles_create refuses before it builds. */
+fw_status fw_particles_check(const fw_particles_def *def, fw_error *error);
+/* The first pair whose energy is above the limit, if there is one. */
+fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error);
+fw_status fw_particles_check_time_step(double time_step, double limit, fw_error *error);
+/* Stable for bodies of such particles. */
+double fw_particles_longest_time_step(const fw_pair_potential *potential, double strength,
+                                      const fw_return_force *force, double mass);
+
+extern const fw_field fw_particle_fields[];
+
+#endif

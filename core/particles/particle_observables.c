@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* particle_observables.c - sums over the particles and bonds of one instant. Keeps no state. */
+#include "core/particles/particle_observables.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Particles first to end - 1. */
+typedef struct fw_stretch {
+    int first, end;
+} fw_stretch;
+
+static fw_stretch stretch_of(const fw_solid *solid, int group)
+{
+    if (group < 0) return (fw_stretch){0, solid->count};
+    const fw_particle_group *body = fw_particles_group(solid, group);
+    return (fw_stretch){body->first, body->first + body->count};
+}
+
+static const fw_langevin *motion_of(const fw_solid *solid)
+{
+    return (const fw_langevin *)solid;
+}
+
+/* --- motion --- */
+
+fw_vec2 fw_particle_drift_velocity(const fw_solid *solid, int group)
+{
+    const fw_stretch of = stretch_of(solid, group);
+    const fw_langevin *motion = motion_of(solid);
+    fw_vec2 momentum = {0, 0};
+    double mass = 0;
+    for (int i = of.first; i < of.end; ++i) {
+        momentum.x += motion->mass[i] * motion->velocity_x[i];
+        momentum.y += motion->mass[i] * motion->velocity_y[i];
+        mass += motion->mass[i];
+    }
+    return fw_vec2_scale(1 / mass, momentum);
+}
+
+static fw_tensor momentum_flux(const fw_solid *solid, fw_stretch of, fw_vec2 drift)
+{
+    const fw_langevin *motion = motion_of(solid);
+    fw_tensor flux = {0};
+    for (int i = of.first; i < of.end; ++i) {
+        const double x = motion->velocity_x[i] - drift.x, y = motion->velocity_y[i] - drift.y;
+        flux.xx += motion->mass[i] * x * x;
+        flux.xy += motion->mass[i] * x * y;
+        flux.yy += motion->mass[i] * y * y;
+    }
+    flux.yx = flux.xy;
+    return flux;
+}
+
+double fw_particle_temperature(const fw_solid *solid, int group, fw_vec2 drift)
+{
+    const fw_stretch of = stretch_of(solid, group);
+    const fw_tensor flux = momentum_flux(solid, of, drift);
+    return (flux.xx + flux.yy) / (2. * (of.end - of.first));
+}
+
+fw_tensor fw_particle_pressure(const fw_solid *solid, int group, double area)
+{
+    const fw_tensor flux =
+        momentum_flux(solid, stretch_of(solid, group), fw_particle_drift_velocity(solid, group));
+    const fw_tensor virial = fw_particles_virial(solid, group);
+    return (fw_tensor){(flux.xx + virial.xx) / area, (flux.xy + virial.xy) / area,
+                       (flux.yx + virial.yx) / area, (flux.yy + virial.yy) / area};
+}
+
+double fw_particle_angular_momentum(const fw_solid *solid, int group, fw_vec2 about)
+{
+    const fw_stretch of = stretch_of(solid, group);
+    const fw_langevin *motion = motion_of(solid);
+    double total = 0;
+    for (int i = of.first; i < of.end; ++i)
+        total += motion->mass[i] * ((solid->x[i] - about.x) * motion->velocity_y[i] -
+                                    (solid->y[i] - about.y) * motion->velocity_x[i]);
+    return total;
+}
+
+/* --- order --- */
+
+fw_particle_order fw_particle_order_of(const fw_solid *solid, int group)
+{
+    const fw_stretch of = stretch_of(solid, group);
+    double lab = 0, local = 0;
+    int64_t bonds = 0, bonded = 0;
+    for (int i = of.first; i < of.end; ++i) {
+        int own;
+        const fw_phase psi = fw_particles_bond_order(solid, i, &own);
+        const fw_phase axes = fw_particles_group(solid, fw_particles_group_of(solid, i))->axes;
+        lab += own * (psi.cosine * axes.cosine + psi.sine * axes.sine);
+        local += sqrt(psi.cosine * psi.cosine + psi.sine * psi.sine);
+        bonds += own;
+        bonded += own > 0;
+    }
+    return (fw_particle_order){.lab = bonds > 0 ? lab / (double)bonds : 0,
+                               .local = bonded > 0 ? local / (double)bonded : 0,
+                               .coordination = (double)bonds / (of.end - of.first)};
+}
+
+/* --- in wave space --- */
+
+double fw_particle_structure_factor(const fw_solid *solid, int group, fw_vec2 wave_vector)
+{
+    const fw_stretch of = stretch_of(solid, group);
+    double cosine = 0, sine = 0;
+    for (int i = of.first; i < of.end; ++i) {
+        const double phase = wave_vector.x * solid->x[i] + wave_vector.y * solid->y[i];
+        cosine += cos(phase);
+        sine += sin(phase);
+    }
+    const double count = of.end - of.first;
+    return (cosine * cosine + sine * sine) / (count * count);
+}
+
+fw_status fw_particle_structure_map(const fw_solid *solid, int group, double first, double step,
+                                    int points, double *values, fw_error *error)
+{
+    const fw_stretch of = stretch_of(solid, group);
+    const size_t size = (size_t)points;
+    /* e^{i q . r} = e^{i qx x} e^{i qy y}: the second factor is kept for all particles in turn. */
+    fw_phase *sum = calloc(size * size, sizeof *sum), *along = calloc(size, sizeof *along);
+    if (!sum || !along) {
+        free(sum);
+        free(along);
+        return fw_fail_memory(error, "a map of the structure factor");
+    }
+    for (int i = of.first; i < of.end; ++i) {
+        for (int a = 0; a < points; ++a) {
+            const double phase = (first + a * step) * solid->x[i];
+            along[a] = (fw_phase){cos(phase), sin(phase)};
+        }
+        for (int b = 0; b < points; ++b) {
+            const double phase = (first + b * step) * solid->y[i];
+            const fw_phase across = {cos(phase), sin(phase)};
+            fw_phase *row = sum + (size_t)b * size;
+            for (int a = 0; a < points; ++a) {
+                const fw_phase term = fw_phase_product(along[a], across);
+                row[a].cosine += term.cosine;
+                row[a].sine += term.sine;
+            }
+        }
+    }
+    const double count = of.end - of.first;
+    for (size_t k = 0; k < size * size; ++k)
+        values[k] = (sum[k].cosine * sum[k].cosine + sum[k].sine * sum[k].sine) / (count * count);
+    free(sum);
+    free(along);
+    return FW_OK;
+}
+
+double fw_particle_bragg_peak(const fw_solid *solid, int group, int fold, double angle,
+                              double spacing, double tolerance)
+{
+    enum { LENGTHS = 81 };
+    const double pi = acos(-1);
+    /* Rows of bonds lie `spacing` apart on the square lattice, sqrt(3)/2 of it on the hexagonal
+     * one; the shortest reciprocal vectors stand upright on them. */
+    const double length = 2 * pi / (fold == 6 ? spacing * sqrt(3) / 2 : spacing);
+    double total = 0;
+    for (int d = 0; d < fold / 2; ++d) {
+        const double direction = angle + pi / 2 + 2 * pi * d / fold;
+        double highest = 0;
+        for (int k = 0; k < LENGTHS; ++k) {
+            const double q = length * (1 + tolerance * (2. * k / (LENGTHS - 1) - 1));
+            const fw_vec2 wave = {q * cos(direction), q * sin(direction)};
+            highest = fmax(highest, fw_particle_structure_factor(solid, group, wave));
+        }
+        total += highest;
+    }
+    return total / (fold / 2);
+}
+
+/* --- who is how far from whom --- */
+
+fw_status fw_particle_pair_correlation(const fw_solid *solid, int group, double density,
+                                       double step, int bins, double *g, fw_error *error)
+{
+    const fw_stretch of = stretch_of(solid, group);
+    const int count = of.end - of.first;
+    fw_neighbours *near;
+    FW_TRY(fw_neighbours_create(&near, count, step * bins, 0, error));
+    const double *x = solid->x + of.first, *y = solid->y + of.first;
+    if (!fw_neighbours_refresh(near, x, y)) {
+        fw_neighbours_destroy(near);
+        return fw_fail_memory(error, "the neighbours of a pair correlation");
+    }
+    for (int k = 0; k < bins; ++k) g[k] = 0;
+    for (int i = 0; i < count; ++i)
+        for (size_t k = near->begin[i]; k < near->begin[i + 1]; ++k) {
+            const int j = near->list[k];
+            const int bin = (int)(hypot(x[i] - x[j], y[i] - y[j]) / step);
+            if (bin < bins) g[bin] += 1;
+        }
+    const double pi = acos(-1);
+    for (int k = 0; k < bins; ++k) {
+        const double ring = pi * step * step * (2. * k + 1);
+        g[k] /= count * density * ring;
+    }
+    fw_neighbours_destroy(near);
+    return FW_OK;
+}
+
+/* The lowest particle that i is known to be linked to; shortens the way for later askers. */
+static int root_of(int *parent, int i)
+{
+    while (parent[i] != i) {
+        parent[i] = parent[parent[i]];
+        i = parent[i];
+    }
+    return i;
+}
+
+static void link_all(const fw_solid *solid, const fw_neighbours *near, int *parent)
+{
+    for (int i = 0; i < solid->count; ++i) parent[i] = i;
+    for (int i = 0; i < solid->count; ++i)
+        for (size_t k = near->begin[i]; k < near->begin[i + 1]; ++k) {
+            const int a = root_of(parent, i), b = root_of(parent, near->list[k]);
+            if (a < b) parent[b] = a;
+            if (b < a) parent[a] = b;
+        }
+}
+
+fw_status fw_particle_largest_cluster(const fw_solid *solid, double link, uint8_t *members,
+                                      int *count, fw_error *error)
+{
+    fw_neighbours *near;
+    FW_TRY(fw_neighbours_create(&near, solid->count, link, 0, error));
+    int *parent = malloc((size_t)solid->count * sizeof *parent);
+    int *size = calloc((size_t)solid->count, sizeof *size);
+    if (!parent || !size || !fw_neighbours_refresh(near, solid->x, solid->y)) {
+        free(parent);
+        free(size);
+        fw_neighbours_destroy(near);
+        return fw_fail_memory(error, "the clusters of particles");
+    }
+    link_all(solid, near, parent);
+    int largest = 0;
+    for (int i = 0; i < solid->count; ++i) size[root_of(parent, i)] += 1;
+    for (int i = 0; i < solid->count; ++i)
+        if (size[i] > size[largest]) largest = i;
+    for (int i = 0; i < solid->count; ++i) members[i] = root_of(parent, i) == largest;
+    *count = size[largest];
+    free(parent);
+    free(size);
+    fw_neighbours_destroy(near);
+    return FW_OK;
+}
