@@ -3,7 +3,7 @@
  * whether Chopard's is its lattice Boltzmann twin. Keeps no state. */
 #include "experiments/analysis_parts.h"
 
-#include "contact/scene.h"
+#include "contact/scene/scene.h"
 #include "core/array.h"
 #include "core/boltzmann/lb_solid.h"
 #include "experiments/build.h"

@@ -3,7 +3,7 @@
 #ifndef FW_EXPERIMENT_H
 #define FW_EXPERIMENT_H
 
-#include "contact/scene.h"
+#include "contact/scene/scene.h"
 #include "experiments/analysis.h"
 #include "experiments/profile.h"
 #include "experiments/scenario.h"

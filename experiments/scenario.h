@@ -8,8 +8,8 @@
 #ifndef FW_SCENARIO_H
 #define FW_SCENARIO_H
 
-#include "contact/grip.h"
-#include "contact/wall.h"
+#include "contact/scene/grip.h"
+#include "contact/geometry/wall.h"
 #include "core/automaton/automaton_matrices.h"
 #include "core/lattice.h"
 #include "core/particles/pair_potential.h"

@@ -6,7 +6,7 @@
 #ifndef FW_VIEW_H
 #define FW_VIEW_H
 
-#include "contact/wall.h"
+#include "contact/geometry/wall.h"
 #include "experiments/colour_scale.h"
 #include "experiments/panel.h"
 

@@ -2,7 +2,7 @@
 /* What it costs to know which walls are near: microseconds per step, with a query of the tree per
  * particle and with runs of 32 and their cached boxes. 84 wall shapes in a box, a slow body that is
  * made of nothing but skin, apart from the walls and in the middle of them. Prints a table. */
-#include "contact/skin.h"
+#include "contact/search/skin.h"
 #include "tests/random_walls.h"
 
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #ifndef FW_RANDOM_WALLS_H
 #define FW_RANDOM_WALLS_H
 
-#include "contact/broadphase.h"
+#include "contact/search/broadphase.h"
 #include "tests/laws.h"
 
 #include <math.h>

@@ -3,7 +3,7 @@
  * exact books for conserving walls, and what `componentwise` does to the energy. */
 #include "tests/laws.h"
 
-#include "contact/scene.h"
+#include "contact/scene/scene.h"
 #include "core/automaton/elastic_automaton.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 /* The tree of walls: nothing is missed, and the answer depends on nothing but the places. */
 #include "tests/laws.h"
 
-#include "contact/broadphase.h"
+#include "contact/search/broadphase.h"
 #include "tests/random_walls.h"
 
 static fw_box random_box(dice *d, fw_vec2 middle, double size)

@@ -4,7 +4,7 @@
  * unnoticed. Random facets, mobilities, memories and motions. */
 #include "tests/laws.h"
 
-#include "contact/constrain.h"
+#include "contact/constraint/constrain.h"
 
 #include <stdbool.h>
 

@@ -2,7 +2,7 @@
 /* Facets: exact gaps, and no way through, least of all at corners. */
 #include "tests/laws.h"
 
-#include "contact/wall.h"
+#include "contact/geometry/wall.h"
 #include "tests/random_walls.h"
 
 #include <float.h>

@@ -4,7 +4,7 @@
  * of its time step says so in its row. Start reading at the table of solids. */
 #include "tests/laws.h"
 
-#include "contact/scene.h"
+#include "contact/scene/scene.h"
 #include "core/automaton/elastic_automaton.h"
 #include "core/boltzmann/lb_solid.h"
 #include "core/particles/linear_lattice.h"

@@ -3,7 +3,7 @@
  * and for BAOAB with noise (Popov & Filippov's particles, section 6 of their physics). */
 #include "tests/laws.h"
 
-#include "contact/scene.h"
+#include "contact/scene/scene.h"
 #include "core/noise.h"
 #include "tests/crowd.h"
 

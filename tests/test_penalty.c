@@ -3,8 +3,8 @@
  * what the wall holds of it. */
 #include "tests/laws.h"
 
-#include "contact/penalty.h"
-#include "contact/scene.h"
+#include "contact/constraint/penalty.h"
+#include "contact/scene/scene.h"
 #include "core/boltzmann/lb_solid.h"
 #include "core/noise.h"
 #include "tests/crowd.h"

@@ -3,7 +3,7 @@
  * energy and momentum with them, whatever the surface and shape. */
 #include "tests/laws.h"
 
-#include "contact/scene.h"
+#include "contact/scene/scene.h"
 #include "core/boltzmann/lb_solid.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 /* test_scene.c - LB bodies against walls: exact energy, no penetration, friction's closed forms. */
 #include "tests/laws.h"
 
-#include "contact/scene.h"
+#include "contact/scene/scene.h"
 #include "core/boltzmann/lb_solid.h"
 
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 /* Runs of skin particles: no pair of particle and facet is missed, and the tree is rarely asked. */
 #include "tests/laws.h"
 
-#include "contact/skin.h"
+#include "contact/search/skin.h"
 #include "tests/random_walls.h"
 
 #include <stdlib.h>

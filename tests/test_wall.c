@@ -2,7 +2,7 @@
 /* Walls: either sense of a polygon, paths in time, honest refusals. */
 #include "tests/laws.h"
 
-#include "contact/wall.h"
+#include "contact/geometry/wall.h"
 #include "tests/random_walls.h"
 
 static fw_wall *made(const fw_wall_def *def)

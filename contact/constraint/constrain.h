@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* constrain.h - the force that walls put on one particle in one step.
+ *
+ * The displacement w of a particle is the point nearest to the free one, w_p, in the norm of its
+ * mass, that passes no wall: w = w_p + A sum_k lambda_k n_k with 0 <= lambda_k _|_ n_k.w - b_k >=
+ * 0, b_k the motion of the wall itself. For one resting wall this is the hold rule F_n = -2 Psi_n.
+ * Complementarity is with the displacement, not with the gap: that is what keeps energy exact.
+ * Curved walls take their normal at the middle of the step, so that the distance from the centre
+ * is held exactly. Friction follows with the reaction [lambda(t) + lambda(t-1)]/2 as its bound. */
+#ifndef FW_CONSTRAIN_H
+#define FW_CONSTRAIN_H
+
+#include "contact/geometry/wall.h"
+#include "core/solid.h"
+
+/* One facet as it stands in this step. */
+typedef struct fw_barrier {
+    const fw_facet *facet;
+    int number; /* of the facet in the scene */
+    fw_surface surface;
+    fw_vec2 place;  /* displacement of its wall from its definition, at the start of the step */
+    fw_vec2 motion; /* how far the wall moves in this step */
+    bool yields;    /* the wall is a piston, which can be stopped along the normal */
+} fw_barrier;
+
+/* What a particle remembers from step to step; all zero for one that touches nothing. Part of the
+ * state. */
+typedef struct fw_contact_memory {
+    double reaction; /* normal force of the last step, of the facet below */
+    double coasting; /* tangential coasting displacement of the last step, relative to its wall */
+    int32_t facet;   /* 1 + number; 0: none */
+    int32_t stuck;   /* stuck in the last step */
+} fw_contact_memory;
+
+/* What one wall does to the particle. */
+typedef struct fw_touch {
+    int wall;
+    fw_vec2 force;
+    double work;       /* done by the wall's own motion */
+    double dissipated; /* turned into heat by friction, >= 0 */
+    fw_sym2 stiffness; /* d force/d motion of the wall, where rows neither come nor go */
+} fw_touch;
+
+enum { FW_TOUCH_MOST = 4 };
+
+/* A particle that has no way out between a piston and walls that do not yield stops the piston:
+ * the motion W of which then keeps normal . W <= limit. */
+typedef struct fw_stop {
+    int piston;  /* 1 + number of its wall; 0: there is none */
+    int against; /* the wall that stands behind the particle */
+    fw_vec2 normal;
+    double limit;
+} fw_stop;
+
+/* What is known of a particle's problem from earlier tries of the same step, in which pistons moved
+ * otherwise. */
+typedef struct fw_row_list {
+    int count;
+    int facet[FW_TOUCH_MOST]; /* numbers in the scene: its rows, whether they push or not */
+    fw_stop stop;
+    bool let_go; /* friction after the release turned out to lead through a wall */
+} fw_row_list;
+
+typedef struct fw_constraint {
+    bool held; /* false: the free displacement stands, the rest is empty */
+    fw_vec2 displacement;
+    fw_vec2 force; /* sum over the touches */
+    int touch_count;
+    fw_touch touch[FW_TOUCH_MOST];
+    fw_row_list rows;
+    bool unresolved; /* no consistent set of rows was found and the particle was held fast */
+} fw_constraint;
+
+/* `near` are the candidates, `all` the scene's barriers by number (a particle rubs on in the step
+ * after its release, however far its candidates were looked for). `kept` are its rows from the
+ * start, from earlier tries of the same step; NULL in scenes without pistons, where there is one
+ * try. `memory` is updated; it may be NULL where no wall has Coulomb friction. */
+fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_row_list *kept,
+                           const fw_barrier *near, int near_count, const fw_barrier *all,
+                           fw_contact_memory *memory);
+
+#endif

@@ -1,0 +1,113 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* rub.c - Coulomb friction of one particle on one wall: sticking by filtered hold, sliding bounded
+ * by the reaction. State: none but the particle's own memory. Start reading at constrain_rub(). */
+#include "contact/constraint/constrain_parts.h"
+
+/* Filter of the sticking force: how much of the change of the particle's own momentum is let
+ * through. The number comes from an independent reference. */
+static const double STICK_FILTER = 0.343;
+
+/* After friction on a circle: back to the radius, with the forces along the normal and tangent of
+ * the new middle of the step. Returns the tangential one. */
+static double follow_curve(constrain_problem *p, constrain_row *r)
+{
+    constrain_keep_radius(p, r);
+    constrain_update_row(p, r);
+    fw_vec2 force = constrain_force_for(p);
+    r->lambda = fw_vec2_dot(r->normal, force);
+    return fw_vec2_dot(fw_vec2_turn(r->normal), force);
+}
+
+/* How far a sticking particle is let move: F = -2 Psi + P at first, then
+ * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. `slope` is how that
+ * changes with the wall's own motion, from which coasting and slip are counted. */
+static double sticking_target(const fw_contact_memory *memory, bool same_wall, double coasting,
+                              double slip, double *slope)
+{
+    const bool again = same_wall && memory->stuck;
+    const double part = again ? STICK_FILTER / 4 : 0.5;
+    const double target = part * (again ? coasting - memory->coasting : coasting);
+    const double low = fmin(slip, 0), high = fmax(slip, 0);
+    *slope = -part;
+    if (target > low && target < high) return target;
+    const double end = target <= low ? low : high;
+    *slope = end == 0 ? 0 : -1;
+    return end;
+}
+
+static double clip(double value, double bound)
+{
+    return fmin(fmax(value, -bound), bound);
+}
+
+/* A step that is long against the radius turns the tangent so far that friction would push along
+ * with the slip: then there is none. What is left of the slip of a particle that sticks is
+ * rounding, and means nothing. */
+static bool feeds(const constrain_problem *p, const constrain_row *r, double tension)
+{
+    const fw_vec2 motion = r->barrier->motion;
+    const double slip = fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, motion));
+    const double size = fabs(p->free->displacement.x) + fabs(p->free->displacement.y) +
+                        fabs(motion.x) + fabs(motion.y);
+    return tension * slip > 1e-12 * fabs(tension) * size;
+}
+
+double constrain_rub(constrain_problem *p, constrain_row *r, const fw_barrier *all,
+                     fw_contact_memory *memory)
+{
+    const fw_barrier *barrier = r->barrier;
+    const constrain_row smooth = *r; /* without friction */
+    const fw_vec2 smooth_path = p->w;
+    const bool same_wall =
+        memory->facet > 0 && all[memory->facet - 1].facet->wall == barrier->facet->wall;
+    const double before = same_wall ? memory->reaction : 0, half = 0.5 * barrier->surface.friction;
+    const fw_vec2 tangent = fw_vec2_turn(r->normal);
+    const fw_sym2 mobility = p->free->mobility;
+    const double nn = fw_sym2_form(r->normal, mobility, r->normal),
+                 nt = fw_sym2_form(r->normal, mobility, tangent),
+                 tt = fw_sym2_form(tangent, mobility, tangent);
+    const double coasting =
+        fw_vec2_dot(tangent, fw_vec2_subtract(p->free->coasting, barrier->motion));
+    bool active = r->lambda > 0;
+    double tension = 0, wanted = 0, slope;
+    if (active) {
+        double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
+        const double lambda = r->lambda;
+        const double yielding = tt - nt * nt / nn;
+        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / yielding;
+        r->grasp = (1 + slope) / yielding;
+        tension = wanted;
+        for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
+            tension = clip(wanted, half * (r->lambda + before));
+            r->lambda = fmax(0, lambda - tension * nt / nn);
+        }
+        /* Friction that lifts the particle off the wall acts on a free one. */
+        active = r->lambda > 0;
+    }
+    if (!active) {
+        double slip =
+            fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, barrier->motion));
+        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / tt;
+        r->grasp = (1 + slope) / tt;
+        tension = clip(wanted, half * before);
+        r->lambda = 0;
+    }
+    p->w = constrain_displacement_for(
+        p, fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(tension, tangent)));
+    if (active)
+        p->w = fw_vec2_subtract(p->w,
+                                fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
+    bool stuck = tension == wanted;
+    if (!stuck) r->grasp = 0;
+    if (barrier->facet->kind == FW_ROUND && active) {
+        tension = follow_curve(p, r);
+        if (feeds(p, r, tension)) {
+            *r = smooth;
+            p->w = smooth_path;
+            tension = 0;
+            stuck = false;
+        }
+    }
+    *memory = (fw_contact_memory){r->lambda, coasting, barrier->number + 1, stuck};
+    return tension;
+}

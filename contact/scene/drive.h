@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* drive.h - what moves a rigid thing, a grip or a piston, each component by itself: forces, or a
+ * prescribed path that is followed whatever force it takes.
+ *
+ * The tether acts at the middle of a step, D = force(t) - k (u + w/2): its energy k u^2/2 is then
+ * exact for every time step. A spring that pulled with what it was at the beginning would pump
+ * energy into what it holds, by k dt/(4 M) of it per time. */
+#ifndef FW_DRIVE_H
+#define FW_DRIVE_H
+
+#include "contact/geometry/path.h"
+#include "core/status.h"
+#include "core/vec2.h"
+
+#include <stdbool.h>
+
+/* Forces are totals over the thing that is driven. */
+typedef struct fw_drive {
+    bool prescribed_x, prescribed_y; /* follows `path` instead of the forces */
+    fw_path path;
+    fw_vec2 force;     /* constant */
+    fw_vec2 amplitude; /* times sin(2 pi t / period + phase) */
+    double period;     /* 0: no oscillation */
+    double phase;      /* radians */
+    fw_vec2 tether;    /* stiffness of a spring to where it began, >= 0 */
+} fw_drive;
+
+/* FW_BAD_INPUT for numbers that are not finite, and for a period or tether < 0; `kind` and `name`
+ * begin the sentence. */
+fw_status fw_drive_check(const fw_drive *drive, const char *kind, const char *name,
+                         fw_error *error);
+
+/* The displacement w in the tick that begins at `time`, of a thing displaced by u so far:
+ * prescribed where the drive says so, otherwise the solution of inertia w = push + D. */
+fw_vec2 fw_drive_solve(const fw_drive *drive, fw_sym2 inertia, fw_vec2 push, fw_vec2 u, double time,
+                       double tick);
+
+/* D for that displacement, of the components that are not prescribed (zero of the others). */
+fw_vec2 fw_drive_force(const fw_drive *drive, fw_vec2 u, fw_vec2 w, double time);
+
+#endif

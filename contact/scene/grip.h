@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* grip.h - a rigid block of particles of one solid, held together by constraint forces and driven.
+ *
+ * All its particles move by the same displacement w in a step. A driven component obeys the drive
+ * force D: with the particles' free displacements w_i and mobilities A_i,
+ *
+ *     sum_i A_i^-1 (w - w_i) = D,      F_i = A_i^-1 (w - w_i),
+ *
+ * which for the LB solid is F_i = 2 (M_i w/mu - Psi_i), w = mu (sum Psi + D/2)/sum M. A component
+ * on a prescribed path moves as told, and D is what that takes. The forces F_i inside the block do
+ * no work but D.w, and add up to D: energy and momentum are exact. A grip does not turn; the torque
+ * that this takes is reported. */
+#ifndef FW_GRIP_H
+#define FW_GRIP_H
+
+#include "contact/scene/drive.h"
+#include "core/solid.h"
+
+typedef struct fw_grip_def {
+    const char *name;     /* copied */
+    const int *particles; /* of the solid, ascending, each once; copied */
+    int particle_count;   /* >= 1 */
+    fw_drive drive;
+} fw_grip_def;
+
+/* What the grip did and what was done to it. All of it is state. */
+typedef struct fw_grip_account {
+    fw_vec2 displacement; /* since the beginning */
+    fw_vec2 force;        /* D of the last tick */
+    fw_vec2 reaction;     /* mean of D over the last two ticks, free of the held mode */
+    double torque;        /* of the constraint forces about the grip's centre, last tick */
+    fw_vec2 impulse;      /* sum D dt */
+    double work;          /* sum D . w */
+    fw_vec2 way;          /* length of its way, per component */
+} fw_grip_account;
+
+typedef struct fw_grip fw_grip;
+
+/* FW_BAD_INPUT: no particles, numbers that are not finite, period or tether < 0. */
+fw_status fw_grip_create(fw_grip **grip, const fw_grip_def *def, fw_error *error);
+void fw_grip_destroy(fw_grip *grip);
+
+const char *fw_grip_name(const fw_grip *grip);
+int fw_grip_particle_count(const fw_grip *grip);
+const int *fw_grip_particles(const fw_grip *grip);
+/* Part of the state: the caller puts it into its list and may write saved values back. */
+fw_grip_account *fw_grip_account_of(fw_grip *grip);
+const fw_grip_account *fw_grip_observe_account(const fw_grip *grip);
+
+/* Another drive from now on, as in the next phase of an experiment; the displacement, to which
+ * tethers refer, is kept. Paths are counted from their own time 0. FW_BAD_INPUT as for create. */
+fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *error);
+
+/* One tick beginning at `time`: fills `holds` (particle_count of them, ascending) from the solid's
+ * predictions, and books the tick. */
+void fw_grip_hold(fw_grip *grip, const fw_solid *solid, double time, fw_hold *holds);
+
+#endif

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene.c - one time step on one page: see fw_scene_step().
+ * State: the clock, what passed through each wall, and what each particle remembers of its contact;
+ * the solids keep their own. Candidate lists are no state: results do not depend on them. */
+#include "contact/scene/scene.h"
+
+#include "contact/scene/scene_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* 1. load: the external forces of this step. */
+static void apply_loads(fw_scene *scene)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        fw_solid *solid = scene->bodies[b].solid;
+        if (!solid->loaded) continue;
+        memset(solid->external_x, 0, (size_t)solid->count * sizeof *solid->external_x);
+        memset(solid->external_y, 0, (size_t)solid->count * sizeof *solid->external_y);
+        solid->loaded = false;
+    }
+    for (int n = 0; n < scene->load_count; ++n)
+        fw_load_apply(scene->loads[n].load, scene->clock.step,
+                      scene->bodies[scene->loads[n].body].solid);
+}
+
+/* 2. predict: where skin particles would go, and how they yield to a force. */
+static void predict_skins(fw_scene *scene)
+{
+    if (scene->wall_count == 0) return;
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        fw_solid_predict(body->solid, fw_skin_particles(body->skin), fw_skin_count(body->skin),
+                         fw_skin_predictions(body->skin));
+    }
+}
+
+/* 3. find, and 4. constrain: which facets are near which run of skin particles, and the forces that
+ * hold contact particles. Both again and again where pistons have to find their way. */
+static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
+{
+    if (scene->piston_count > 0) return scene_move_pistons(scene, error);
+    FW_TRY(scene_find_contacts(scene, error));
+    return scene_constrain_bodies(scene, error);
+}
+
+/* 5. advance: every solid moves, held by contacts and grips, and the pistons. */
+static void advance_solids(fw_scene *scene)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_collect_holds(scene, b);
+        fw_solid_advance(scene->bodies[b].solid, scene->bodies[b].holds,
+                         scene->bodies[b].hold_count);
+    }
+    scene_advance_pistons(scene);
+}
+
+/* 6. account: work, heat and impulse of each wall. */
+static void balance_ledger(fw_scene *scene)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        fw_wall_account *account = &scene->accounts[w];
+        account->reaction =
+            fw_vec2_scale(0.5, fw_vec2_add(account->force, scene->walls[w].force_before));
+        account->impulse =
+            fw_vec2_add(account->impulse, fw_vec2_scale(scene->tick, account->force));
+        account->held += account->contacts;
+    }
+}
+
+static fw_status check_finite(const fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        const fw_solid *solid = scene->bodies[b].solid;
+        if (solid->trouble)
+            return fw_fail(error, FW_SYSTEM_FAILED, "step %lld: body %s: %s",
+                           (long long)scene->clock.step, scene->bodies[b].name, solid->trouble);
+        int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
+        if (lost < 0) continue;
+        return fw_fail(error, FW_DIVERGED,
+                       "step %lld: particle %d of body %s is at (%g, %g) under the external force "
+                       "(%g, %g), expected finite numbers within %g of (%g, %g)",
+                       (long long)scene->clock.step, lost, scene->bodies[b].name, solid->x[lost],
+                       solid->y[lost], solid->external_x[lost], solid->external_y[lost],
+                       scene->limit, scene->middle.x, scene->middle.y);
+    }
+    for (int w = 0; w < scene->wall_count && scene->piston_count > 0; ++w) {
+        const fw_vec2 at = fw_scene_wall_displacement(scene, w);
+        if (!scene->walls[w].piston || (fabs(at.x) <= scene->limit && fabs(at.y) <= scene->limit))
+            continue;
+        return fw_fail(
+            error, FW_DIVERGED,
+            "step %lld: piston %s is displaced by (%g, %g) under the push (%g, %g) of the "
+            "bodies, expected finite numbers within %g",
+            (long long)scene->clock.step, fw_wall_name(scene->walls[w].wall), at.x, at.y,
+            scene->walls[w].search.push.x, scene->walls[w].search.push.y, scene->limit);
+    }
+    return FW_OK;
+}
+
+fw_status fw_scene_step(fw_scene *scene, fw_error *error)
+{
+    for (int tick = 0; tick < scene->ticks_per_step; ++tick) {
+        apply_loads(scene);
+        predict_skins(scene);
+        FW_TRY(constrain_contacts(scene, error));
+        scene_book_contacts(scene);
+        advance_solids(scene);
+        balance_ledger(scene);
+        scene->clock.ticks += 1;
+    }
+    scene->clock.step += 1;
+    return check_finite(scene, error);
+}

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene.h - solids, walls and loads in one place, and the time step that moves them.
+ * A scene is made in three stages: create; add bodies, walls, grips and loads; begin. Then step. */
+#ifndef FW_SCENE_H
+#define FW_SCENE_H
+
+#include "contact/constraint/constrain.h"
+#include "contact/scene/grip.h"
+#include "contact/scene/load.h"
+#include "contact/scene/piston.h"
+#include "contact/geometry/wall.h"
+#include "core/solid.h"
+
+typedef struct fw_scene fw_scene;
+
+/* What has passed between the scene and one wall. Forces are those of the wall on the bodies. */
+typedef struct fw_wall_account {
+    fw_vec2 force;     /* of this tick: momentum per time */
+    fw_vec2 reaction;  /* [F(t) + F(t-1)]/2: the physical reaction, free of the held mode */
+    fw_vec2 impulse;   /* sum of force times tick */
+    double work;       /* done on the bodies by the wall's motion */
+    double dissipated; /* heat of friction, >= 0 */
+    double stored;     /* energy in the springs of a penalty wall */
+    double contacts;   /* particles held in this step */
+    double held;       /* particle steps held since the beginning */
+} fw_wall_account;
+
+/* What the whole scene has exchanged since it began. Closes to rounding:
+ * see fw_ledger_energy and fw_ledger_momentum. */
+typedef struct fw_ledger {
+    double energy_at_start;
+    fw_vec2 momentum_at_start;
+    double external_work, wall_work, grip_work, dissipated, friction_heat, noise_heat;
+    double wall_stored; /* in penalty walls, at present; not a part of the bodies' energy */
+    fw_vec2 external_impulse, wall_impulse, grip_impulse, drag;
+} fw_ledger;
+
+/* What energy and momentum should be, by the ledger. */
+double fw_ledger_energy(const fw_ledger *ledger);
+fw_vec2 fw_ledger_momentum(const fw_ledger *ledger);
+
+/* A particle further than `limit` from `middle` in x or y has escaped; INFINITY: none can. */
+fw_status fw_scene_create(fw_scene **scene, fw_vec2 middle, double limit, fw_error *error);
+void fw_scene_destroy(fw_scene *scene);
+
+/* The scene takes the solid over, also on failure. Returns through *body its number. All solids of
+ * a scene must share one tick. */
+fw_status fw_scene_adopt_body(fw_scene *scene, const char *name, fw_solid *solid, int *body,
+                              fw_error *error);
+fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *error);
+/* A wall that is a piston: it is moved by its drive and by what touches it, not by def->path. It
+ * passes through other walls. */
+fw_status fw_scene_add_piston(fw_scene *scene, const fw_wall_def *def, const fw_piston_def *piston,
+                              fw_error *error);
+/* Holds particles of that body. FW_BAD_INPUT: another grip holds one of them already, or the body
+ * is an automaton. */
+fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, fw_error *error);
+/* The load acts on particles of that body. */
+fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
+
+/* Builds the broadphase and skins. FW_BAD_INPUT where a particle starts behind a wall, or where
+ * there are pistons and a body that moves in half-steps. */
+fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
+
+/* One step of time (two ticks where an automaton takes part). FW_DIVERGED names a particle or
+ * piston whose numbers are no longer finite, or that escaped. */
+fw_status fw_scene_step(fw_scene *scene, fw_error *error);
+
+int64_t fw_scene_steps(const fw_scene *scene); /* since the beginning */
+double fw_scene_time(const fw_scene *scene);
+
+int fw_scene_body_count(const fw_scene *scene);
+const char *fw_scene_body_name(const fw_scene *scene, int body);
+fw_solid *fw_scene_body(fw_scene *scene, int body);
+const fw_solid *fw_scene_observe_body(const fw_scene *scene, int body);
+int fw_scene_wall_count(const fw_scene *scene);
+const fw_wall *fw_scene_wall(const fw_scene *scene, int wall);
+fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall);
+
+/* The piston that moves the wall; NULL where it is none. Another drive may be set for the next
+ * phase. */
+fw_piston *fw_scene_piston(fw_scene *scene, int wall);
+const fw_piston *fw_scene_observe_piston(const fw_scene *scene, int wall);
+
+int fw_scene_grip_count(const fw_scene *scene);
+/* For another drive in the next phase. */
+fw_grip *fw_scene_grip(fw_scene *scene, int grip);
+const fw_grip *fw_scene_observe_grip(const fw_scene *scene, int grip);
+
+const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall);
+fw_ledger fw_scene_ledger(const fw_scene *scene);
+fw_energies fw_scene_energies(const fw_scene *scene);
+fw_vec2 fw_scene_momentum(const fw_scene *scene);
+/* Steps in which a particle had to be held fast since no consistent set of walls was found. */
+int64_t fw_scene_unresolved(const fw_scene *scene);
+/* How deep any skin particle of the body (-1: of any body) lies behind a wall; 0 if none does. */
+double fw_scene_penetration(const fw_scene *scene, int body);
+/* Adds the forces of walls and grips in the last tick to x and y, one number per particle of the
+ * body. */
+void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y);
+/* How often the broadphase was asked. */
+long fw_scene_query_count(const fw_scene *scene);
+
+/* The state, section by section: the scene's own, one per body, those of the grips and of the
+ * pistons. */
+int fw_scene_section_count(const fw_scene *scene);
+const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list);
+/* After saved values were written back into the arrays of all sections. */
+fw_status fw_scene_restored(fw_scene *scene, fw_error *error);
+
+#endif

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene_contact.c - the contact phase of a step: from runs of candidates to holds. */
+#include "contact/scene/scene_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* A colour of an automaton moves in every second tick only, and then for both: it meets the walls
+ * where they were when it moved last. Otherwise a wall would run over a colour that rests. (Pistons
+ * meet no automata; their motion is told by scene_pistons.c.) */
+void scene_follow_wall(fw_scene *scene, int w, int ticks)
+{
+    const double now = fw_scene_time(scene);
+    const double since = fmax(0, now - (ticks - 1) * scene->tick);
+    scene_wall *wall = &scene->walls[w];
+    if (wall->piston) {
+        wall->place = fw_piston_observe_account(wall->piston)->displacement;
+        return;
+    }
+    wall->place = fw_wall_displacement(wall->wall, since);
+    wall->motion =
+        fw_vec2_subtract(fw_wall_displacement(wall->wall, now + scene->tick), wall->place);
+}
+
+/* Can the wall be stopped by what stands before that facet? */
+static bool yields(const scene_wall *wall, const fw_facet *facet)
+{
+    const fw_vec2 anywhere = {1, 1};
+    return wall->piston &&
+           fw_piston_yields(wall->piston, facet->kind == FW_ROUND ? anywhere : facet->normal);
+}
+
+static void place_barriers(fw_scene *scene, int ticks)
+{
+    for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
+    for (int f = 0; f < scene->facet_count; ++f) {
+        fw_barrier *barrier = &scene->barriers[f];
+        barrier->place = scene->walls[barrier->facet->wall].place;
+        barrier->motion = scene->walls[barrier->facet->wall].motion;
+        barrier->yields = yields(&scene->walls[barrier->facet->wall], barrier->facet);
+    }
+}
+
+static fw_status refresh_skin(fw_scene *scene, scene_body *body, fw_error *error)
+{
+    if (body->skin_revision != body->solid->skin_revision) {
+        fw_skin_destroy(body->skin);
+        body->skin = NULL;
+        FW_TRY(fw_skin_create(&body->skin, body->solid, error));
+        body->skin_revision = body->solid->skin_revision;
+        fw_solid_predict(body->solid, fw_skin_particles(body->skin), fw_skin_count(body->skin),
+                         fw_skin_predictions(body->skin));
+    }
+    return fw_skin_refresh(body->skin, body->solid, scene->broadphase, error);
+}
+
+fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        if (!fw_wall_moves(scene->walls[w].wall)) continue;
+        scene_follow_wall(scene, w, scene->ticks_per_step);
+        fw_broadphase_move_wall(scene->broadphase, w, scene->walls[w].place,
+                                scene->walls[w].motion);
+    }
+    for (int b = 0; b < scene->body_count && scene->wall_count > 0; ++b)
+        FW_TRY(refresh_skin(scene, &scene->bodies[b], error));
+    return FW_OK;
+}
+
+static int compare_contacts(const void *left, const void *right)
+{
+    const scene_contact *a = left, *b = right;
+    return (a->particle > b->particle) - (a->particle < b->particle);
+}
+
+static void list_near(fw_scene *scene, fw_run run)
+{
+    for (int n = 0; n < run.facet_count; ++n) scene->near[n] = scene->barriers[run.facets[n]];
+}
+
+/* One particle of a run against hard walls. Where they push it further than its free path, the list
+ * is extended and the particle solved again, from the same memory. */
+static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_number, int entry,
+                                const fw_prediction *free, fw_constraint *constraint,
+                                fw_error *error)
+{
+    const int particle = fw_skin_particles(body->skin)[entry];
+    const fw_vec2 position = fw_solid_position(body->solid, particle);
+    fw_contact_memory *memory = body->memory ? &body->memory[particle] : NULL;
+    const fw_contact_memory before = memory ? *memory : (fw_contact_memory){0};
+    for (;;) {
+        fw_run run = fw_skin_run(body->skin, run_number);
+        *constraint = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
+                                   scene->near, run.facet_count, scene->barriers, memory);
+        if (!constraint->held) {
+            constraint->displacement = free->displacement;
+            return FW_OK;
+        }
+        FW_TRY(fw_skin_extend(body->skin, scene->broadphase, run_number,
+                              fw_vec2_add(position, constraint->displacement), error));
+        fw_run extended = fw_skin_run(body->skin, run_number);
+        if (extended.facet_count == run.facet_count) return FW_OK;
+        list_near(scene, extended);
+        if (memory) *memory = before;
+    }
+}
+
+/* In this try, or in an earlier one of the step. */
+static bool stops_piston(const scene_body *body, const scene_contact *contact)
+{
+    return body->rows &&
+           (contact->constraint.rows.stop.piston > 0 || body->rows[contact->entry].stop.piston > 0);
+}
+
+/* Soft walls push as the path asks, and the path follows the push: w = hard(w_p + A F(w)). F falls
+ * with w by at most half the stiffness, so steps of 1/(1 + A K/2) end quickly. */
+static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_number, int entry,
+                                 fw_error *error)
+{
+    enum { ROUNDS = 60 };
+    const int particle = fw_skin_particles(body->skin)[entry];
+    const fw_vec2 position = fw_solid_position(body->solid, particle);
+    fw_prediction free = fw_skin_predictions(body->skin)[entry];
+    const fw_vec2 alone = free.displacement;
+    const fw_contact_memory before = body->memory ? body->memory[particle] : (fw_contact_memory){0};
+    scene_contact contact = {
+        .particle = particle, .entry = entry, .mobility = fmax(free.mobility.xx, free.mobility.yy)};
+    const double yielding = 0.5 * scene->soft_stiffness * contact.mobility;
+    fw_vec2 w = alone;
+    for (int round = 0; round < ROUNDS; ++round) {
+        if (scene->soft_count > 0 && free.mobility.xx > 0)
+            contact.soft = scene_soft_force(scene, position, w);
+        contact.soft_path = w;
+        free.displacement = fw_vec2_add(alone, fw_sym2_apply(free.mobility, contact.soft));
+        if (round > 0 && body->memory) body->memory[particle] = before;
+        FW_TRY(constrain_hard(scene, body, run_number, entry, &free, &contact.constraint, error));
+        const fw_vec2 change = fw_vec2_subtract(contact.constraint.displacement, w);
+        if (scene->soft_count == 0 ||
+            fabs(change.x) + fabs(change.y) <= 4e-16 * (fabs(w.x) + fabs(w.y)))
+            break;
+        w = fw_vec2_add(w, fw_vec2_scale(1 / (1 + yielding), change));
+    }
+    if (contact.constraint.held || contact.soft.x != 0 || contact.soft.y != 0 ||
+        stops_piston(body, &contact))
+        body->contacts[body->contact_count++] = contact;
+    return FW_OK;
+}
+
+/* A force acts on its particle for `ticks`, from one move to the next. */
+static void book(fw_scene *scene, const scene_body *body, const scene_contact *contact)
+{
+    const fw_constraint *constraint = &contact->constraint;
+    const int ticks = body->solid->model->ticks_per_step;
+    if (contact->soft.x != 0 || contact->soft.y != 0)
+        scene_book_soft(scene, contact, fw_solid_position(body->solid, contact->particle), ticks);
+    for (int n = 0; n < constraint->touch_count; ++n) {
+        const fw_touch *touch = &constraint->touch[n];
+        fw_wall_account *account = &scene->accounts[touch->wall];
+        account->force = fw_vec2_add(account->force, fw_vec2_scale(ticks, touch->force));
+        account->work += touch->work;
+        account->dissipated += touch->dissipated;
+        bool counted = false;
+        for (int m = 0; m < n; ++m) counted |= constraint->touch[m].wall == touch->wall;
+        account->contacts += !counted;
+    }
+    scene->clock.unresolved += constraint->unresolved;
+}
+
+void scene_book_contacts(fw_scene *scene)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        scene->walls[w].force_before = scene->accounts[w].force;
+        scene->walls[w].work_before = scene->accounts[w].work;
+        scene->accounts[w].force = (fw_vec2){0, 0};
+        scene->accounts[w].contacts = 0;
+    }
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
+        for (int w = 0; w < scene->wall_count; ++w)
+            scene_follow_wall(scene, w, body->solid->model->ticks_per_step);
+        for (int n = 0; n < body->contact_count; ++n) book(scene, body, &body->contacts[n]);
+    }
+}
+
+static bool knows_rows(const scene_body *body, fw_run run)
+{
+    for (int entry = run.first; body->rows && entry < run.first + run.count; ++entry)
+        if (body->rows[entry].count > 0) return true;
+    return false;
+}
+
+static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *error)
+{
+    body->contact_count = 0;
+    if (scene->wall_count == 0) return FW_OK;
+    for (int n = 0; n < fw_skin_run_count(body->skin); ++n) {
+        fw_run run = fw_skin_run(body->skin, n);
+        if (run.facet_count == 0 && !body->memory && scene->soft_count == 0 &&
+            !knows_rows(body, run))
+            continue;
+        list_near(scene, run);
+        for (int entry = run.first; entry < run.first + run.count; ++entry)
+            if (!body->gripped || !body->gripped[fw_skin_particles(body->skin)[entry]])
+                FW_TRY(constrain_entry(scene, body, n, entry, error));
+    }
+    /* Runs follow a curve through space that is another one after a restart; sums go by particle.
+     */
+    qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
+    return FW_OK;
+}
+
+fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        place_barriers(scene, scene->bodies[b].solid->model->ticks_per_step);
+        FW_TRY(constrain_body(scene, &scene->bodies[b], error));
+    }
+    return FW_OK;
+}
+
+static int compare_holds(const void *left, const void *right)
+{
+    const fw_hold *a = left, *b = right;
+    return (a->particle > b->particle) - (a->particle < b->particle);
+}
+
+void scene_collect_holds(fw_scene *scene, int number)
+{
+    scene_body *body = &scene->bodies[number];
+    body->hold_count = body->contact_count;
+    for (int n = 0; n < body->contact_count; ++n) {
+        const scene_contact *contact = &body->contacts[n];
+        body->holds[n] = (fw_hold){contact->particle, contact->constraint.displacement,
+                                   fw_vec2_add(contact->constraint.force, contact->soft)};
+    }
+    if (!body->gripped) return;
+    for (int n = 0; n < scene->grip_count; ++n) {
+        if (scene->grips[n].body != number) continue;
+        fw_grip *grip = scene->grips[n].grip;
+        fw_grip_hold(grip, body->solid, fw_scene_time(scene), body->holds + body->hold_count);
+        body->hold_count += fw_grip_particle_count(grip);
+    }
+    qsort(body->holds, (size_t)body->hold_count, sizeof *body->holds, compare_holds);
+}

@@ -1,0 +1,344 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene_make.c - making a scene, its state, and putting it back to a saved one. */
+#include "contact/scene/scene_parts.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A particle may start this far behind a wall, in units of the coordinates' size: rounding of a
+ * position that was meant to lie on the surface. */
+static const double ON_SURFACE = 1e-14;
+
+fw_status fw_scene_create(fw_scene **scene, fw_vec2 middle, double limit, fw_error *error)
+{
+    *scene = calloc(1, sizeof **scene);
+    if (!*scene) return fw_fail_memory(error, "a scene");
+    (*scene)->middle = middle;
+    (*scene)->limit = limit;
+    (*scene)->ticks_per_step = 1;
+    return FW_OK;
+}
+
+void fw_scene_destroy(fw_scene *scene)
+{
+    if (!scene) return;
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        free(body->name);
+        fw_solid_destroy(body->solid);
+        fw_skin_destroy(body->skin);
+        free(body->memory);
+        free(body->contacts);
+        free(body->rows);
+        free(body->memory_before);
+        free(body->gripped);
+        free(body->holds);
+    }
+    fw_broadphase_destroy(scene->broadphase);
+    for (int w = 0; w < scene->wall_count; ++w) {
+        fw_wall_destroy(scene->walls[w].wall);
+        fw_piston_destroy(scene->walls[w].piston);
+    }
+    for (int n = 0; n < scene->load_count; ++n) fw_load_destroy(scene->loads[n].load);
+    for (int n = 0; n < scene->grip_count; ++n) fw_grip_destroy(scene->grips[n].grip);
+    free(scene->grips);
+    free(scene->bodies);
+    free(scene->walls);
+    free(scene->accounts);
+    free(scene->loads);
+    free(scene->barriers);
+    free(scene->near);
+    free(scene);
+}
+
+/* Room for one more element at the end of an array that grows by one while a scene is made. */
+static void *grown(void *array, int count, size_t size)
+{
+    return realloc(array, ((size_t)count + 1) * size);
+}
+
+fw_status fw_scene_adopt_body(fw_scene *scene, const char *name, fw_solid *solid, int *body,
+                              fw_error *error)
+{
+    scene_body *bodies = grown(scene->bodies, scene->body_count, sizeof *bodies);
+    char *copy = strdup(name);
+    if (bodies) scene->bodies = bodies;
+    if (!bodies || !copy) {
+        free(copy);
+        fw_solid_destroy(solid);
+        return fw_fail_memory(error, "a body");
+    }
+    if (scene->body_count > 0 && solid->tick != scene->tick) {
+        fw_fail(error, FW_BAD_INPUT,
+                "body %s takes time steps of %g, expected %g like the bodies before it", name,
+                solid->tick, scene->tick);
+        free(copy);
+        fw_solid_destroy(solid);
+        return FW_BAD_INPUT;
+    }
+    scene->tick = solid->tick;
+    if (solid->model->ticks_per_step > scene->ticks_per_step)
+        scene->ticks_per_step = solid->model->ticks_per_step;
+    *body = scene->body_count;
+    scene->bodies[scene->body_count++] = (scene_body){.name = copy, .solid = solid};
+    return FW_OK;
+}
+
+fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *error)
+{
+    scene_wall *walls = grown(scene->walls, scene->wall_count, sizeof *walls);
+    if (!walls) return fw_fail_memory(error, "a wall");
+    scene->walls = walls;
+    scene_wall *wall = &scene->walls[scene->wall_count];
+    *wall = (scene_wall){0};
+    FW_TRY(fw_wall_create(&wall->wall, scene->wall_count, def, error));
+    wall->bounds = fw_wall_bounds(wall->wall);
+    scene->wall_count += 1;
+    return FW_OK;
+}
+
+fw_status fw_scene_add_piston(fw_scene *scene, const fw_wall_def *def, const fw_piston_def *piston,
+                              fw_error *error)
+{
+    fw_wall_def driven = *def;
+    fw_piston *made;
+    if (scene->piston_count == FW_STATE_CAPACITY)
+        return fw_fail(error, FW_BAD_INPUT, "piston %s is one too many, expected at most %d",
+                       def->name, FW_STATE_CAPACITY);
+    driven.path = fw_wall_def_default().path;
+    driven.driven = true;
+    FW_TRY(fw_piston_create(&made, def->name, piston, error));
+    fw_status status = fw_scene_add_wall(scene, &driven, error);
+    if (status != FW_OK) {
+        fw_piston_destroy(made);
+        return status;
+    }
+    scene->walls[scene->wall_count - 1].piston = made;
+    scene->piston_count += 1;
+    return FW_OK;
+}
+
+fw_status fw_scene_add_grip(fw_scene *scene, int number, const fw_grip_def *def, fw_error *error)
+{
+    scene_body *body = &scene->bodies[number];
+    scene_grip *grips = grown(scene->grips, scene->grip_count, sizeof *grips);
+    if (grips) scene->grips = grips;
+    if (!body->gripped)
+        body->gripped = fw_array_allocate((size_t)body->solid->count, sizeof *body->gripped);
+    if (!grips || !body->gripped) return fw_fail_memory(error, "a grip");
+    if (body->solid->model->ticks_per_step != 1)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "grip %s holds a body that moves in half-steps, expected one of particles "
+                       "that all move at once",
+                       def->name);
+    if (scene->grip_count == FW_STATE_CAPACITY)
+        return fw_fail(error, FW_BAD_INPUT, "grip %s is one too many, expected at most %d",
+                       def->name, FW_STATE_CAPACITY);
+    for (int n = 0; n < def->particle_count; ++n)
+        if (body->gripped[def->particles[n]])
+            return fw_fail(error, FW_BAD_INPUT,
+                           "grip %s holds particle %d of body %s, which another grip holds already",
+                           def->name, def->particles[n], body->name);
+    for (int n = 0; n < scene->grip_count; ++n)
+        if (strcmp(fw_grip_name(scene->grips[n].grip), def->name) == 0)
+            return fw_fail(error, FW_BAD_INPUT,
+                           "two grips are called %s, expected names of their own", def->name);
+    scene_grip *grip = &scene->grips[scene->grip_count];
+    grip->body = number;
+    FW_TRY(fw_grip_create(&grip->grip, def, error));
+    for (int n = 0; n < def->particle_count; ++n) body->gripped[def->particles[n]] = 1;
+    scene->grip_count += 1;
+    return FW_OK;
+}
+
+fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error)
+{
+    scene_load *loads = grown(scene->loads, scene->load_count, sizeof *loads);
+    if (!loads) return fw_fail_memory(error, "an external force");
+    scene->loads = loads;
+    scene->loads[scene->load_count].body = body;
+    FW_TRY(fw_load_create(&scene->loads[scene->load_count].load, def, scene->bodies[body].solid,
+                          error));
+    scene->load_count += 1;
+    return FW_OK;
+}
+
+/* What all walls span, for the broadphase's scale. */
+static fw_box extent_of(const fw_scene *scene)
+{
+    fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (int w = 0; w < scene->wall_count; ++w)
+        for (int n = 0; n < fw_wall_facet_count(scene->walls[w].wall); ++n) {
+            const fw_facet *facet = fw_wall_facet(scene->walls[w].wall, n);
+            double reach = facet->kind == FW_ROUND ? facet->length : 0;
+            box.low.x = fmin(box.low.x, fmin(facet->a.x, facet->b.x) - reach);
+            box.low.y = fmin(box.low.y, fmin(facet->a.y, facet->b.y) - reach);
+            box.high.x = fmax(box.high.x, fmax(facet->a.x, facet->b.x) + reach);
+            box.high.y = fmax(box.high.y, fmax(facet->a.y, facet->b.y) + reach);
+        }
+    return box;
+}
+
+static fw_status build_broadphase(fw_scene *scene, fw_error *error)
+{
+    scene->broadphase = fw_broadphase_create(extent_of(scene));
+    if (!scene->broadphase) return fw_fail_memory(error, "the broadphase");
+    for (int w = 0; w < scene->wall_count; ++w)
+        if (fw_broadphase_add_wall(scene->broadphase, scene->walls[w].wall) < 0)
+            return fw_fail_memory(error, "the facets of a wall");
+    scene->facet_count = fw_broadphase_facet_count(scene->broadphase);
+    scene->barriers = calloc((size_t)scene->facet_count + 1, sizeof *scene->barriers);
+    scene->near = calloc((size_t)scene->facet_count + 1, sizeof *scene->near);
+    scene->accounts = calloc((size_t)scene->wall_count + 1, sizeof *scene->accounts);
+    if (!scene->barriers || !scene->near || !scene->accounts)
+        return fw_fail_memory(error, "the facets of all walls");
+    for (int f = 0; f < scene->facet_count; ++f) {
+        const fw_facet *facet = fw_broadphase_facet(scene->broadphase, f);
+        scene->barriers[f] =
+            (fw_barrier){.facet = facet,
+                         .number = f,
+                         .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
+    }
+    return FW_OK;
+}
+
+static bool any_wall_rubs(const fw_scene *scene)
+{
+    for (int w = 0; w < scene->wall_count; ++w)
+        if (fw_wall_surface(scene->walls[w].wall).law == FW_COULOMB) return true;
+    return false;
+}
+
+static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error)
+{
+    size_t count = (size_t)body->solid->count;
+    FW_TRY(fw_skin_create(&body->skin, body->solid, error));
+    body->skin_revision = body->solid->skin_revision;
+    body->contacts = calloc(count, sizeof *body->contacts);
+    if (any_wall_rubs(scene)) body->memory = calloc(count, sizeof *body->memory);
+    if (!body->contacts || (any_wall_rubs(scene) && !body->memory))
+        return fw_fail_memory(error, "the contacts of a body");
+    if (scene->piston_count == 0) return FW_OK;
+    body->rows = calloc(count, sizeof *body->rows);
+    if (body->memory) body->memory_before = calloc(count, sizeof *body->memory);
+    if (!body->rows || (body->memory && !body->memory_before))
+        return fw_fail_memory(error, "the contacts of a body with pistons");
+    return FW_OK;
+}
+
+static fw_status refuse_half_steps(const fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count && scene->piston_count > 0; ++b)
+        if (scene->bodies[b].solid->model->ticks_per_step != 1)
+            return fw_fail(
+                error, FW_BAD_INPUT,
+                "body %s moves in half-steps, which pistons cannot meet; expected a body "
+                "of particles that all move at once, or walls on paths",
+                scene->bodies[b].name);
+    return FW_OK;
+}
+
+static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, fw_error *error)
+{
+    for (int w = 0; w < scene->wall_count; ++w) {
+        const fw_wall *wall = scene->walls[w].wall;
+        fw_vec2 place = fw_wall_displacement(wall, 0);
+        for (int i = 0; i < body->solid->count; ++i) {
+            fw_vec2 at = fw_solid_position(body->solid, i);
+            double depth = fw_wall_depth(wall, fw_vec2_subtract(at, place));
+            if (depth > ON_SURFACE * (1 + fabs(at.x) + fabs(at.y)))
+                return fw_fail(error, FW_BAD_INPUT,
+                               "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
+                               "its surface, expected all particles on the free side%s",
+                               body->name, fw_wall_name(wall), i, at.x, at.y, depth,
+                               fw_wall_definition(wall)->shape == FW_CHAIN
+                                   ? ", which is to the left of the way along a chain"
+                                   : "");
+        }
+    }
+    return FW_OK;
+}
+
+fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
+{
+    FW_TRY(refuse_half_steps(scene, error));
+    if (scene->wall_count > 0) {
+        FW_TRY(build_broadphase(scene, error));
+        for (int b = 0; b < scene->body_count; ++b) {
+            FW_TRY(refuse_overlap(scene, &scene->bodies[b], error));
+            FW_TRY(prepare_body(scene, &scene->bodies[b], error));
+        }
+        for (int w = 0; w < scene->wall_count; ++w) {
+            const fw_surface surface = fw_wall_surface(scene->walls[w].wall);
+            if (surface.law != FW_PENALTY) continue;
+            scene->soft_count += 1;
+            scene->soft_stiffness += surface.stiffness;
+        }
+        FW_TRY(scene_check_soft(scene, error));
+    }
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        body->holds = calloc((size_t)body->solid->count, sizeof *body->holds);
+        if (!body->holds) return fw_fail_memory(error, "the holds of a body");
+    }
+    fw_energies energies = fw_scene_energies(scene);
+    scene->energy_at_start = energies.kinetic + energies.elastic;
+    scene->momentum_at_start = fw_scene_momentum(scene);
+    return FW_OK;
+}
+
+int fw_scene_section_count(const fw_scene *scene)
+{
+    return 1 + scene->body_count + (scene->grip_count > 0) + (scene->piston_count > 0);
+}
+
+const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
+{
+    if (section == 0) {
+        fw_state_list_add(list, "clock", FW_I64, sizeof scene->clock / sizeof(int64_t),
+                          &scene->clock);
+        fw_state_list_add(list, "walls", FW_F64,
+                          (size_t)scene->wall_count * sizeof *scene->accounts / sizeof(double),
+                          scene->accounts);
+        fw_state_list_add(list, "energy-at-start", FW_F64, 1, &scene->energy_at_start);
+        fw_state_list_add(list, "momentum-at-start", FW_F64, 2, &scene->momentum_at_start);
+        return "scene";
+    }
+    if (section > scene->body_count + (scene->grip_count > 0)) {
+        for (int w = 0; w < scene->wall_count; ++w)
+            if (scene->walls[w].piston)
+                fw_state_list_add(list, fw_wall_name(scene->walls[w].wall), FW_F64,
+                                  sizeof(fw_piston_account) / sizeof(double),
+                                  fw_piston_account_of(scene->walls[w].piston));
+        return "pistons";
+    }
+    if (section > scene->body_count) {
+        for (int n = 0; n < scene->grip_count; ++n)
+            fw_state_list_add(list, fw_grip_name(scene->grips[n].grip), FW_F64,
+                              sizeof(fw_grip_account) / sizeof(double),
+                              fw_grip_account_of(scene->grips[n].grip));
+        return "grips";
+    }
+    scene_body *body = &scene->bodies[section - 1];
+    body->solid->model->state(body->solid, list);
+    if (body->memory)
+        fw_state_list_add(list, "contact-memory", FW_U8,
+                          (size_t)body->solid->count * sizeof *body->memory, body->memory);
+    return body->name;
+}
+
+fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        scene_body *body = &scene->bodies[b];
+        if (body->solid->model->restored) body->solid->model->restored(body->solid);
+        if (!body->skin) continue;
+        fw_skin_destroy(body->skin);
+        body->skin = NULL;
+        FW_TRY(fw_skin_create(&body->skin, body->solid, error));
+        body->skin_revision = body->solid->skin_revision;
+    }
+    return FW_OK;
+}

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene_soft.c - the penalty walls of a scene: their forces as a part of the contact phase.
+ * State: what each wall stores, in its account. */
+#include "contact/constraint/penalty.h"
+#include "contact/scene/scene_parts.h"
+
+#include <math.h>
+
+static bool is_soft(const fw_scene *scene, int w)
+{
+    return fw_wall_surface(scene->walls[w].wall).law == FW_PENALTY;
+}
+
+/* Does a path come near an obstacle at all? Most do not. */
+static bool is_clear_of(const scene_wall *wall, fw_vec2 from, fw_vec2 to)
+{
+    const fw_box *box = &wall->bounds;
+    return fw_wall_definition(wall->wall)->side == FW_OUTSIDE &&
+           (fmax(from.x, to.x) < box->low.x || fmin(from.x, to.x) > box->high.x ||
+            fmax(from.y, to.y) < box->low.y || fmin(from.y, to.y) > box->high.y);
+}
+
+fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w)
+{
+    if (fw_wall_surface(wall->wall).law != FW_PENALTY) return (fw_vec2){0, 0};
+    const fw_vec2 from = fw_vec2_subtract(position, wall->place);
+    const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
+    return is_clear_of(wall, from, to) ? (fw_vec2){0, 0} : fw_penalty_force(wall->wall, from, to);
+}
+
+fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w)
+{
+    fw_vec2 force = {0, 0};
+    for (int n = 0; n < scene->wall_count; ++n)
+        force = fw_vec2_add(force, scene_soft_force_of(&scene->walls[n], position, w));
+    return force;
+}
+
+/* The work on the particle is what the wall stored less, and what its motion did. Both are taken
+ * from the energies themselves: a force that could not follow them shows as work of the wall. */
+void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks)
+{
+    const fw_vec2 w = contact->constraint.displacement;
+    for (int n = 0; n < scene->wall_count; ++n) {
+        if (!is_soft(scene, n)) continue;
+        const scene_wall *wall = &scene->walls[n];
+        const fw_vec2 force = scene_soft_force_of(wall, position, contact->soft_path);
+        const fw_vec2 from = fw_vec2_subtract(position, wall->place);
+        const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
+        const double stored =
+            fw_penalty_energy(wall->wall, to) - fw_penalty_energy(wall->wall, from);
+        if (stored == 0 && force.x == 0 && force.y == 0) continue;
+        fw_wall_account *account = &scene->accounts[n];
+        account->force = fw_vec2_add(account->force, fw_vec2_scale(ticks, force));
+        account->stored += stored;
+        account->work += fw_vec2_dot(force, w) + stored;
+        account->contacts += 1;
+    }
+}
+
+static double largest_mobility(const scene_body *body)
+{
+    double largest = 0;
+    const fw_prediction *predictions = fw_skin_predictions(body->skin);
+    for (int k = 0; k < fw_skin_count(body->skin); ++k) {
+        const fw_sym2 m = predictions[k].mobility;
+        const double half = 0.5 * (m.xx - m.yy);
+        largest = fmax(largest, 0.5 * (m.xx + m.yy) + sqrt(half * half + m.xy * m.xy));
+    }
+    return largest;
+}
+
+/* Mobility is dt^2/2m for Verlet's step: mobility times stiffness below 2 is
+ * dt < 2/(stiffness/m)^(1/2). */
+fw_status scene_check_soft(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count && scene->soft_count > 0; ++b) {
+        scene_body *body = &scene->bodies[b];
+        fw_solid_predict(body->solid, fw_skin_particles(body->skin), fw_skin_count(body->skin),
+                         fw_skin_predictions(body->skin));
+        const double most = 2 / largest_mobility(body);
+        for (int n = 0; n < scene->wall_count; ++n) {
+            const double stiffness = fw_wall_surface(scene->walls[n].wall).stiffness;
+            if (is_soft(scene, n) && !(stiffness < most))
+                return fw_fail(error, FW_BAD_INPUT,
+                               "wall %s has a penalty of %g, expected less than %.4g: beyond it a "
+                               "particle of body %s crosses its spring in one time step (dt < "
+                               "2/(K/m)^(1/2))",
+                               fw_wall_name(scene->walls[n].wall), stiffness, most, body->name);
+        }
+    }
+    return FW_OK;
+}

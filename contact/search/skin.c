@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* skin.c - runs of skin particles with cached boxes and candidate lists.
+ * State: the order of the particles; per run a fat box and the facets that meet it.
+ * Invariant after a refresh: the paths of a run lie in its fat box, and its list holds every facet
+ * that can be passed there while the walls stay within the margins of this generation.
+ * Start reading at fw_skin_refresh(). */
+#include "contact/search/skin.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CELL_BITS = 12, CELLS = 1 << CELL_BITS };
+enum { RUN = 32, FIRST_CAPACITY = 8, THREADS_FROM = 20000 };
+
+/* A fat box has room for so many steps like the present one; more of it where no wall is near,
+ * since it costs nothing there. */
+static const double steps_ahead = 16, steps_ahead_if_alone = 128;
+
+struct fw_skin {
+    int count, run_count;
+    int *particles;
+    fw_prediction *predictions;
+    /* per run */
+    fw_box *swept; /* of this step */
+    fw_box *fat;
+    double *reach; /* longest predicted displacement */
+    int *facets;   /* capacity per run */
+    int *facet_count;
+    int capacity;
+    long generation; /* of the walls, for which the lists were made */
+    long queries;
+};
+
+/* How far along a Hilbert curve through 4096 x 4096 cells a cell lies. */
+static uint32_t hilbert_index(uint32_t x, uint32_t y)
+{
+    uint32_t index = 0;
+    for (int bit = CELL_BITS - 1; bit >= 0; --bit) {
+        uint32_t right = x >> bit & 1, upper = y >> bit & 1;
+        index = index << 2 | ((3 * right) ^ upper);
+        /* The lower quarters hold the curve turned: axes swapped, in the right one mirrored. In
+         * masks, since no processor can foresee such a branch. */
+        uint32_t lower = upper - 1, mirror = lower & (0 - right);
+        uint32_t differ = (x ^ y) & lower;
+        x ^= differ ^ mirror;
+        y ^= differ ^ mirror;
+    }
+    return index;
+}
+
+typedef struct keyed_particle {
+    uint32_t key;
+    int particle;
+} keyed_particle;
+
+/* Stable, in two passes of 12 bits each; the result is in `list` again. */
+static void sort_by_key(keyed_particle *list, keyed_particle *other, size_t count)
+{
+    for (int shift = 0; shift < 2 * CELL_BITS; shift += CELL_BITS) {
+        uint32_t begin[CELLS + 1] = {0};
+        for (size_t i = 0; i < count; ++i) begin[(list[i].key >> shift) % CELLS + 1] += 1;
+        for (int digit = 0; digit < CELLS; ++digit) begin[digit + 1] += begin[digit];
+        for (size_t i = 0; i < count; ++i) other[begin[(list[i].key >> shift) % CELLS]++] = list[i];
+        keyed_particle *swap = list;
+        list = other;
+        other = swap;
+    }
+}
+
+static uint32_t cell_of(double offset, double cells_per_length)
+{
+    double cell = offset * cells_per_length;
+    return cell > 0 ? (uint32_t)fmin(cell, CELLS - 1) : 0;
+}
+
+static fw_status order_particles(fw_skin *skin, const fw_solid *solid, fw_error *error)
+{
+    const size_t count = (size_t)skin->count;
+    keyed_particle *list = malloc((2 * count + 1) * sizeof *list);
+    if (!list) return fw_fail_memory(error, "the order of skin particles");
+    fw_box around = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (size_t i = 0; i < count; ++i) {
+        fw_vec2 r = fw_solid_position(solid, solid->skin[i]);
+        around.low = (fw_vec2){fmin(around.low.x, r.x), fmin(around.low.y, r.y)};
+        around.high = (fw_vec2){fmax(around.high.x, r.x), fmax(around.high.y, r.y)};
+    }
+    double size = fmax(around.high.x - around.low.x, around.high.y - around.low.y);
+    double cells = size > 0 ? CELLS / size : 0;
+    for (size_t i = 0; i < count; ++i) {
+        fw_vec2 r = fw_vec2_subtract(fw_solid_position(solid, solid->skin[i]), around.low);
+        list[i] = (keyed_particle){hilbert_index(cell_of(r.x, cells), cell_of(r.y, cells)),
+                                   solid->skin[i]};
+    }
+    sort_by_key(list, list + count, count);
+    for (size_t i = 0; i < count; ++i) skin->particles[i] = list[i].particle;
+    free(list);
+    return FW_OK;
+}
+
+fw_status fw_skin_create(fw_skin **skin, const fw_solid *solid, fw_error *error)
+{
+    *skin = NULL;
+    fw_skin *made = calloc(1, sizeof *made);
+    if (!made) return fw_fail_memory(error, "the skin of a body");
+    made->count = solid->skin_count;
+    made->run_count = (solid->skin_count + RUN - 1) / RUN;
+    made->capacity = FIRST_CAPACITY;
+    made->generation = -1; /* older than any: the first refresh fills all lists */
+    const size_t count = (size_t)made->count, runs = (size_t)made->run_count;
+    made->particles = fw_array_allocate(count, sizeof *made->particles);
+    made->predictions = fw_array_allocate(count, sizeof *made->predictions);
+    made->swept = fw_array_allocate(runs, sizeof *made->swept);
+    made->fat = fw_array_allocate(runs, sizeof *made->fat);
+    made->reach = fw_array_of_doubles(runs);
+    made->facets = malloc((runs + 1) * FIRST_CAPACITY * sizeof *made->facets);
+    made->facet_count = fw_array_allocate(runs, sizeof *made->facet_count);
+    fw_status status = FW_OK;
+    if (!made->particles || !made->predictions || !made->swept || !made->fat || !made->reach ||
+        !made->facets || !made->facet_count)
+        status = fw_fail_memory(error, "the skin of a body");
+    if (status == FW_OK) status = order_particles(made, solid, error);
+    if (status != FW_OK) {
+        fw_skin_destroy(made);
+        return status;
+    }
+    *skin = made;
+    return FW_OK;
+}
+
+void fw_skin_destroy(fw_skin *skin)
+{
+    if (!skin) return;
+    free(skin->particles);
+    free(skin->predictions);
+    free(skin->swept);
+    free(skin->fat);
+    free(skin->reach);
+    free(skin->facets);
+    free(skin->facet_count);
+    free(skin);
+}
+
+int fw_skin_count(const fw_skin *skin)
+{
+    return skin->count;
+}
+
+const int *fw_skin_particles(const fw_skin *skin)
+{
+    return skin->particles;
+}
+
+fw_prediction *fw_skin_predictions(fw_skin *skin)
+{
+    return skin->predictions;
+}
+
+int fw_skin_run_count(const fw_skin *skin)
+{
+    return skin->run_count;
+}
+
+fw_run fw_skin_run(const fw_skin *skin, int run)
+{
+    assert(run >= 0 && run < skin->run_count);
+    const int first = run * RUN, left = skin->count - first;
+    return (fw_run){.first = first,
+                    .count = left < RUN ? left : RUN,
+                    .facets = skin->facets + (size_t)run * (size_t)skin->capacity,
+                    .facet_count = skin->facet_count[run]};
+}
+
+long fw_skin_query_count(const fw_skin *skin)
+{
+    return skin->queries;
+}
+
+/* Fills swept[run] and reach[run]. Least and greatest values do not depend on the order in which
+ * they are looked for, so the compiler may do it in vectors. */
+static void sweep_run(fw_skin *skin, int run, const double *restrict x, const double *restrict y,
+                      double wall_sweep)
+{
+    const int first = run * RUN;
+    const int count = skin->count - first < RUN ? skin->count - first : RUN;
+    const int *restrict particles = skin->particles + first;
+    const fw_prediction *restrict predictions = skin->predictions + first;
+    double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
+    double reach_squared = 0;
+#pragma omp simd reduction(min : low_x, low_y) reduction(max : high_x, high_y, reach_squared)
+    for (int k = 0; k < count; ++k) {
+        double here_x = x[particles[k]], here_y = y[particles[k]];
+        double squared = fw_vec2_dot(predictions[k].displacement, predictions[k].displacement);
+        low_x = here_x < low_x ? here_x : low_x;
+        low_y = here_y < low_y ? here_y : low_y;
+        high_x = here_x > high_x ? here_x : high_x;
+        high_y = here_y > high_y ? here_y : high_y;
+        reach_squared = squared > reach_squared ? squared : reach_squared;
+    }
+    skin->reach[run] = sqrt(reach_squared);
+    /* Friction and slanting walls can turn and lengthen a displacement, a wall can push. */
+    const double room = 2 * skin->reach[run] + wall_sweep;
+    skin->swept[run] = (fw_box){{low_x - room, low_y - room}, {high_x + room, high_y + room}};
+}
+
+static bool lies_within(fw_box inner, fw_box outer)
+{
+    return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
+           inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
+}
+
+static fw_box grown(fw_box box, double margin)
+{
+    return (fw_box){{box.low.x - margin, box.low.y - margin},
+                    {box.high.x + margin, box.high.y + margin}};
+}
+
+/* Room for `capacity` facets in every run; the lists move, from the last to the first. */
+static fw_status enlarge_lists(fw_skin *skin, int capacity, fw_error *error)
+{
+    const size_t runs = (size_t)skin->run_count, old_stride = (size_t)skin->capacity;
+    size_t stride = old_stride;
+    while (stride < (size_t)capacity) stride *= 2;
+    int *larger = realloc(skin->facets, runs * stride * sizeof *larger);
+    if (!larger) return fw_fail_memory(error, "candidate walls of a body");
+    for (size_t run = runs; run-- > 0;)
+        memmove(larger + run * stride, larger + run * old_stride,
+                (size_t)skin->facet_count[run] * sizeof *larger);
+    skin->facets = larger;
+    skin->capacity = (int)stride;
+    return FW_OK;
+}
+
+/* Makes `box` the fat box of the run and asks for its facets. */
+static fw_status ask(fw_skin *skin, const fw_broadphase *broadphase, int run, fw_box box,
+                     fw_error *error)
+{
+    skin->facet_count[run] = 0;
+    skin->fat[run] = box;
+    for (;;) {
+        int *list = skin->facets + (size_t)run * (size_t)skin->capacity;
+        int found = fw_broadphase_query(broadphase, box, list, skin->capacity);
+        skin->queries += 1;
+        if (found <= skin->capacity) {
+            skin->facet_count[run] = found;
+            return FW_OK;
+        }
+        FW_TRY(enlarge_lists(skin, found, error));
+    }
+}
+
+fw_status fw_skin_refresh(fw_skin *skin, const fw_solid *solid, const fw_broadphase *broadphase,
+                          fw_error *error)
+{
+    const double wall_sweep = fw_broadphase_largest_sweep(broadphase);
+    const long generation = fw_broadphase_generation(broadphase);
+#pragma omp parallel for schedule(static) if (skin->count > THREADS_FROM)
+    for (int run = 0; run < skin->run_count; ++run)
+        sweep_run(skin, run, solid->x, solid->y, wall_sweep);
+    for (int run = 0; run < skin->run_count; ++run) {
+        const fw_box swept = skin->swept[run];
+        if (generation == skin->generation && lies_within(swept, skin->fat[run])) continue;
+        double step = skin->reach[run] + wall_sweep;
+        /* A quarter of the spacing at least, so that a body at rest is not asked about for its
+         * trembling: 32 particles in a row are 31 spacings long. */
+        double spacing = (swept.high.x - swept.low.x + swept.high.y - swept.low.y) / RUN;
+        FW_TRY(ask(skin, broadphase, run, grown(swept, fmax(steps_ahead_if_alone * step, spacing)),
+                   error));
+        if (skin->facet_count[run] > 0)
+            FW_TRY(ask(skin, broadphase, run, grown(swept, fmax(steps_ahead * step, spacing / 4)),
+                       error));
+    }
+    skin->generation = generation;
+    return FW_OK;
+}
+
+fw_status fw_skin_extend(fw_skin *skin, const fw_broadphase *broadphase, int run, fw_vec2 point,
+                         fw_error *error)
+{
+    assert(run >= 0 && run < skin->run_count);
+    fw_box *fat = &skin->fat[run];
+    if (lies_within((fw_box){point, point}, *fat)) return FW_OK;
+    fw_box wider = {{fmin(fat->low.x, point.x), fmin(fat->low.y, point.y)},
+                    {fmax(fat->high.x, point.x), fmax(fat->high.y, point.y)}};
+    return ask(skin, broadphase, run, wider, error);
+}
