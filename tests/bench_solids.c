@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* bench_solids.c - what a step costs per particle, for every model: processor time of free bodies
  * of 200 x 200 particles in motion, on one thread; the best of several trials. */
-#include "experiments/experiment.h"
+#include "experiments/setup/experiment.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -3,7 +3,7 @@
  * nothing in memory has changed. The first byte says how they are taken: as a file, or as a payload
  * whose checksum and scenario were right, which mutation would never find. Run it without a corpus;
  * see CMakeLists.txt. */
-#include "experiments/checkpoint.h"
+#include "experiments/results/checkpoint.h"
 
 #include <stdio.h>
 #include <stdlib.h>

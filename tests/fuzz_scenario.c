@@ -2,7 +2,7 @@
 /* fuzz_scenario.c - whatever bytes a scenario file holds, reading it ends at once, with a scenario
  * or with one sentence. What follows a zero byte is taken as a --set option, up to the next one.
  * Built with -DFRETWORK_FUZZ=ON, see CMakeLists.txt. */
-#include "experiments/scenario.h"
+#include "experiments/scenario/scenario.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,7 @@
 #ifndef FW_KILLED_WRITER_H
 #define FW_KILLED_WRITER_H
 
-#include "experiments/playback.h"
+#include "experiments/results/playback.h"
 #include "tests/recorded_run.h"
 
 #include <signal.h>

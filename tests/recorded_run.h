@@ -5,7 +5,7 @@
 #ifndef FW_RECORDED_RUN_H
 #define FW_RECORDED_RUN_H
 
-#include "experiments/trajectory.h"
+#include "experiments/results/trajectory.h"
 #include "tests/scratch.h"
 
 enum { RUN_PARTICLES = 8, RUN_FRAMES = 40, RUN_SAMPLES = 300 };

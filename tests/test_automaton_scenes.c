@@ -3,11 +3,11 @@
  * modes and the quantities that follow them, analyses, warnings, and the catalogue's automata. */
 #include "tests/laws.h"
 
-#include "experiments/build_automaton.h"
-#include "experiments/catalogue.h"
-#include "experiments/playback.h"
-#include "experiments/run.h"
-#include "experiments/verdict.h"
+#include "experiments/setup/build_automaton.h"
+#include "experiments/scenario/catalogue.h"
+#include "experiments/results/playback.h"
+#include "experiments/study/run.h"
+#include "experiments/measures/verdict.h"
 #include "tests/program.h"
 
 #define HEAD "title: t\nmaterials:\n  m: {elastic-automaton: "

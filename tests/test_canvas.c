@@ -3,10 +3,10 @@
  * appears whole or not at all. */
 #include "tests/laws.h"
 
-#include "experiments/canvas.h"
-#include "experiments/tiles.h"
-#include "experiments/view.h"
-#include "experiments/whole_file.h"
+#include "experiments/drawing/canvas.h"
+#include "experiments/drawing/tiles.h"
+#include "experiments/drawing/view.h"
+#include "experiments/storage/whole_file.h"
 
 #include <errno.h>
 #include <signal.h>

@@ -3,7 +3,7 @@
  */
 #include "tests/laws.h"
 
-#include "experiments/checkpoint.h"
+#include "experiments/results/checkpoint.h"
 #include "tests/recorded_run.h"
 
 #include <signal.h>

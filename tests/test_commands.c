@@ -3,8 +3,8 @@
  * measured, and verify's JSON what its tables say. */
 #include "tests/laws.h"
 
-#include "experiments/json.h"
-#include "experiments/playback.h"
+#include "experiments/text/json.h"
+#include "experiments/results/playback.h"
 #include "tests/program.h"
 
 #include <sys/stat.h>

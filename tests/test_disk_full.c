@@ -5,7 +5,7 @@
 #define _GNU_SOURCE /* unshare, prlimit */
 #include "tests/laws.h"
 
-#include "experiments/playback.h"
+#include "experiments/results/playback.h"
 #include "tests/program.h"
 
 #include <sched.h>

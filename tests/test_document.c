@@ -3,10 +3,10 @@
  * exactly or not at all. */
 #include "laws.h"
 
-#include "experiments/document.h"
-#include "experiments/number.h"
-#include "experiments/spelling.h"
-#include "experiments/text.h"
+#include "experiments/text/document.h"
+#include "experiments/text/number.h"
+#include "experiments/text/spelling.h"
+#include "experiments/text/text.h"
 
 #include <locale.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * nobody wishes for. The pictures stay in FW_PROGRAM-pictures/ to be looked at. */
 #include "tests/laws.h"
 
-#include "experiments/figure.h"
+#include "experiments/drawing/figure.h"
 
 #include <errno.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
 #include "tests/laws.h"
 
 #include "core/particles/particles.h"
-#include "experiments/csv.h"
-#include "experiments/study.h"
+#include "experiments/storage/csv.h"
+#include "experiments/study/study.h"
 #include "tests/scratch.h"
 
 /* 6 columns of 8 against 10 rows of 5, rubbed for some cycles. */

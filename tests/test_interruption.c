@@ -4,7 +4,7 @@
  */
 #include "tests/laws.h"
 
-#include "experiments/playback.h"
+#include "experiments/results/playback.h"
 #include "tests/program.h"
 
 /* A run of some seconds; a checkpoint every 20 steps. */

@@ -2,7 +2,7 @@
 /* test_palette.c - colours keep the order of the numbers they stand for. */
 #include "tests/laws.h"
 
-#include "experiments/colour_scale.h"
+#include "experiments/drawing/colour_scale.h"
 
 /* CIE lightness L* of an sRGB colour (CIE 15, white D65): an independent measure of lightness. */
 static double lightness_of(fw_colour colour)

@@ -4,10 +4,10 @@
 #include "tests/laws.h"
 
 #include "core/particles/particles.h"
-#include "experiments/member.h"
-#include "experiments/run.h"
-#include "experiments/study.h"
-#include "experiments/verdict.h"
+#include "experiments/setup/member.h"
+#include "experiments/study/run.h"
+#include "experiments/study/study.h"
+#include "experiments/measures/verdict.h"
 #include "tests/scratch.h"
 
 #define PLAIN "movable-particles: {}"

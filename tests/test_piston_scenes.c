@@ -3,7 +3,7 @@
  * measured and refused. Their laws on LB solids stand in test_piston.c. */
 #include "tests/laws.h"
 
-#include "experiments/measurement.h"
+#include "experiments/measures/measurement.h"
 #include "tests/scratch.h"
 
 static const char press[] =

@@ -3,10 +3,10 @@
  * drawn under a wrong name, and what is said where there is nothing to draw. */
 #include "tests/laws.h"
 
-#include "experiments/command.h"
-#include "experiments/plot.h"
-#include "experiments/plot_parts.h"
-#include "experiments/run.h"
+#include "experiments/commands/command.h"
+#include "experiments/pictures/plot.h"
+#include "experiments/pictures/plot_parts.h"
+#include "experiments/study/run.h"
 
 #include "tests/recorded_run.h"
 

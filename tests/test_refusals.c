@@ -2,7 +2,7 @@
 /* test_refusals.c - what is wrong with a scenario, and the one sentence that its author gets. */
 #include "laws.h"
 
-#include "experiments/scenario.h"
+#include "experiments/scenario/scenario.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,8 +3,8 @@
  * nothing damaged. */
 #include "tests/laws.h"
 
-#include "experiments/hdf5_file.h"
-#include "experiments/playback.h"
+#include "experiments/storage/hdf5_file.h"
+#include "experiments/results/playback.h"
 #include "tests/recorded_run.h"
 
 #include <dirent.h>

@@ -4,8 +4,8 @@
  * reversed arrow of time, in half-steps, for any number of threads before and after. */
 #include "tests/laws.h"
 
-#include "experiments/interrupt.h"
-#include "experiments/run.h"
+#include "experiments/study/interrupt.h"
+#include "experiments/study/run.h"
 #include "tests/scratch.h"
 
 #include <signal.h>

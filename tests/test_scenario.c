@@ -3,8 +3,8 @@
  * printed as run. */
 #include "laws.h"
 
-#include "experiments/catalogue.h"
-#include "experiments/scenario.h"
+#include "experiments/scenario/catalogue.h"
+#include "experiments/scenario/scenario.h"
 
 #include <stdlib.h>
 #include <string.h>

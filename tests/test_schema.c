@@ -2,7 +2,7 @@
 /* test_schema.c - the table that describes every key is whole, and so is the reference. */
 #include "laws.h"
 
-#include "experiments/schema.h"
+#include "experiments/scenario/schema.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -3,11 +3,11 @@
  * something, and one that is interrupted. */
 #include "tests/laws.h"
 
-#include "experiments/csv.h"
-#include "experiments/number.h"
-#include "experiments/scenario.h"
-#include "experiments/substitution.h"
-#include "experiments/sweep.h"
+#include "experiments/storage/csv.h"
+#include "experiments/text/number.h"
+#include "experiments/scenario/scenario.h"
+#include "experiments/text/substitution.h"
+#include "experiments/study/sweep.h"
 #include "tests/program.h"
 
 static const char flights[] =

@@ -2,8 +2,8 @@
 /* test_ticks.c - ranges, the round numbers in them, and numbers in print. */
 #include "tests/laws.h"
 
-#include "experiments/range.h"
-#include "experiments/ticks.h"
+#include "experiments/text/range.h"
+#include "experiments/drawing/ticks.h"
 
 #include <float.h>
 #include <string.h>

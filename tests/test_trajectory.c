@@ -2,7 +2,7 @@
 /* test_trajectory.c - what a run writes is what a reader finds, in our own reader and in h5py. */
 #include "tests/laws.h"
 
-#include "experiments/playback.h"
+#include "experiments/results/playback.h"
 #include "tests/recorded_run.h"
 
 #include <sys/stat.h>

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* command_plot.c - pictures of a result: words of the command line into a wish. */
+#include "experiments/measures/column.h"
+#include "experiments/commands/command.h"
+#include "experiments/text/number.h"
+#include "experiments/pictures/plot.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ITEMS_MOST = 1024 };
+
+/* A wish and the memory of its lists. */
+typedef struct plot_lists {
+    char *text; /* that the names lie in */
+    const char **names;
+    int64_t steps[ITEMS_MOST];
+} plot_lists;
+
+static fw_status read_steps(const char *text, plot_lists *lists, int *count, fw_error *error)
+{
+    *count = 0;
+    for (const char *item = text; item;) {
+        size_t length = strcspn(item, ",");
+        int64_t step;
+        if (*count == ITEMS_MOST || fw_integer_read(item, length, &step) != FW_NUMBER_FINE ||
+            step < 0)
+            return fw_fail(error, FW_BAD_INPUT,
+                           "--at %s, expected up to %d whole numbers with commas between them",
+                           text, ITEMS_MOST);
+        lists->steps[(*count)++] = step;
+        item = item[length] ? item + length + 1 : NULL;
+    }
+    return FW_OK;
+}
+
+fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
+{
+    const fw_arguments *a = arguments;
+    const char *directory = a->words[0];
+    if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
+        !a->logarithmic)
+        return fw_plot_all(directory, stdout, error);
+    plot_lists *lists = calloc(1, sizeof *lists);
+    if (!lists) return fw_fail_memory(error, "what to draw");
+    fw_plot_wish wish = {.file = a->output,
+                         .picture = a->picture,
+                         .kind = a->kind,
+                         .field = a->field,
+                         .logarithmic = a->logarithmic,
+                         .steps = lists->steps};
+    fw_status status = fw_column_names_read(a->observable, &lists->text, &lists->names,
+                                            &wish.observable_count, error);
+    wish.observables = lists->names;
+    if (status == FW_OK) status = read_steps(a->at, lists, &wish.step_count, error);
+    if (status == FW_OK) status = fw_plot_one(directory, &wish, stdout, error);
+    free(lists->names);
+    free(lists->text);
+    free(lists);
+    return status;
+}

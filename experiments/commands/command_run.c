@@ -1,0 +1,167 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* command_run.c - run and resume: an experiment with its results, pictures and verdicts. */
+#include "experiments/commands/command.h"
+#include "experiments/study/interrupt.h"
+#include "experiments/study/leftovers.h"
+#include "experiments/results/playback.h"
+#include "experiments/pictures/plot.h"
+#include "experiments/results/provenance.h"
+#include "experiments/study/study.h"
+#include "experiments/study/sweep.h"
+#include "experiments/measures/verdict.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What comes after the last step: pictures, the table, and where everything lies. */
+static fw_status tell(const fw_scenario *scenario, const fw_verdicts *verdicts,
+                      const char *directory, bool no_plot, fw_error *error)
+{
+    printf("%s\n", scenario->title);
+    fw_verdicts_print(stdout, verdicts);
+    if (fw_scenario_is_sweep(scenario)) {
+        char name[FW_CASE_NAME];
+        fw_scenario_case_name(scenario, 0, name);
+        printf("results: %s/%s, and of each case, such as %s/%s\n", directory, FW_SWEEP_FILE,
+               directory, name);
+    } else {
+        printf("results: %s/%s\n", directory, FW_TRAJECTORY_FILE);
+        if (scenario->profile.every != 0)
+            printf("profile: %s/%s; `fretwork profile %s` prints it\n", directory, FW_PROFILE_FILE,
+                   directory);
+    }
+    fflush(stdout);
+    if (!no_plot) FW_TRY(fw_plot_all(directory, stdout, error));
+    return fw_verdicts_failed(verdicts) > 0 ? FW_EXPECTATION_FAILED : FW_OK;
+}
+
+static fw_status finish(fw_study *study, const fw_scenario *scenario, const char *directory,
+                        bool no_plot, fw_error *error)
+{
+    fw_verdicts verdicts;
+    /* Until here a signal ends the program at once, and whatever it leaves can be resumed. */
+    fw_interrupt_watch();
+    FW_TRY(fw_study_to_end(study, error));
+    FW_TRY(fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error));
+    const fw_status status = tell(scenario, &verdicts, directory, no_plot, error);
+    fw_verdicts_clear(&verdicts);
+    return status;
+}
+
+static fw_status finish_sweep(fw_sweep *sweep, const fw_scenario *scenario, const char *directory,
+                              bool no_plot, fw_error *error)
+{
+    fw_interrupt_watch();
+    FW_TRY(fw_sweep_to_end(sweep, error));
+    return tell(scenario, fw_sweep_verdicts(sweep), directory, no_plot, error);
+}
+
+static fw_status run(const fw_scenario *scenario, const fw_run_options *options,
+                     const fw_leftovers *leftovers, bool no_plot, fw_error *error)
+{
+    fw_study *study;
+    FW_TRY(fw_study_begin(&study, scenario, options, error));
+    fw_leftovers_remove(leftovers);
+    const fw_status status = finish(study, scenario, options->directory, no_plot, error);
+    fw_study_destroy(study);
+    return status;
+}
+
+static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *options,
+                           const fw_leftovers *leftovers, bool no_plot, fw_error *error)
+{
+    fw_sweep *sweep;
+    FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
+    fw_leftovers_remove(leftovers);
+    const fw_status status = finish_sweep(sweep, scenario, options->directory, no_plot, error);
+    fw_sweep_destroy(sweep);
+    return status;
+}
+
+fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
+{
+    fw_scenario *scenario;
+    char name[FW_NAME_BYTES + 1], standard[FW_NAME_BYTES + 16];
+    FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
+    snprintf(standard, sizeof standard, "results/%s", name);
+    const char *directory = arguments->output ? arguments->output : standard;
+    const fw_run_options options = {.directory = directory,
+                                    .overwrite = arguments->overwrite,
+                                    .threads = fw_command_threads(arguments),
+                                    .at_once = arguments->threads,
+                                    .name = name,
+                                    .progress = arguments->quiet ? NULL : stderr,
+                                    .cautions = stderr};
+    fw_leftovers *leftovers;
+    fw_status status = fw_leftovers_find(&leftovers, directory, scenario, error);
+    if (status == FW_OK)
+        status = (fw_scenario_is_sweep(scenario) ? run_sweep : run)(scenario, &options, leftovers,
+                                                                    arguments->no_plot, error);
+    fw_leftovers_destroy(leftovers);
+    fw_scenario_destroy(scenario);
+    return status;
+}
+
+/* The scenario of a result, as it was run. */
+static fw_status load_scenario_of(const char *directory, fw_scenario **scenario, fw_error *error)
+{
+    fw_playback *playback;
+    FW_TRY(fw_trajectory_mend(directory, error));
+    FW_TRY(fw_playback_open(&playback, directory, error));
+    fw_status status = FW_OK;
+    if (strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0)
+        status = fw_fail(error, FW_BAD_INPUT, "%s: the run is finished, there is nothing to resume",
+                         directory);
+    else
+        status = fw_scenario_read(scenario, directory, playback->scenario,
+                                  strlen(playback->scenario), NULL, 0, error);
+    if (status == FW_OK) fw_provenance_compare(stderr, playback->revision, directory);
+    fw_playback_close(playback);
+    return status;
+}
+
+static fw_status go_on(const char *directory, const fw_run_options *options, bool no_plot,
+                       fw_error *error)
+{
+    fw_scenario *scenario;
+    fw_study *study;
+    char note[FW_SENTENCE_SIZE];
+    FW_TRY(load_scenario_of(directory, &scenario, error));
+    fw_status status = fw_study_resume(&study, scenario, options, note, error);
+    if (status == FW_OK) {
+        if (note[0]) fprintf(stderr, "fretwork: %s\n", note);
+        status = finish(study, scenario, directory, no_plot, error);
+        fw_study_destroy(study);
+    }
+    fw_scenario_destroy(scenario);
+    return status;
+}
+
+static fw_status go_on_with_sweep(const char *directory, const fw_run_options *options,
+                                  bool no_plot, fw_error *error)
+{
+    fw_scenario *scenario;
+    fw_sweep *sweep;
+    FW_TRY(fw_sweep_load(&scenario, directory, error));
+    fw_status status = fw_sweep_resume(&sweep, scenario, options, error);
+    if (status == FW_OK) {
+        status = finish_sweep(sweep, scenario, directory, no_plot, error);
+        fw_sweep_destroy(sweep);
+    }
+    fw_scenario_destroy(scenario);
+    return status;
+}
+
+fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
+{
+    const char *directory = arguments->words[0];
+    const fw_run_options options = {.directory = directory,
+                                    .threads = fw_command_threads(arguments),
+                                    .at_once = arguments->threads,
+                                    .name = directory,
+                                    .progress = arguments->quiet ? NULL : stderr,
+                                    .cautions = stderr};
+    return fw_sweep_is_in(directory)
+               ? go_on_with_sweep(directory, &options, arguments->no_plot, error)
+               : go_on(directory, &options, arguments->no_plot, error);
+}

@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* figure_forces.c - deformed bodies with the forces on their particles.
+ * Keeps no state. Invariant: one length of arrow means one force in all panels. Start reading at
+ * fw_figure_forces(). */
+#include "experiments/drawing/colour_bar.h"
+#include "experiments/drawing/figure.h"
+#include "experiments/drawing/legend.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+typedef fw_figure_forces_panel forces_panel;
+
+static const double chain_height = 22, name_height = 5.2, panel_gap = 2.5; /* mm */
+static const double disc_radius = .95, ring_radius = 1.25; /* mm, where links are long enough */
+
+static const fw_stroke thin_arrow = {{0, .447, .698, 1}, .38, FW_DASH_NONE};
+static const fw_stroke fat_arrow = {{.835, .369, 0, 1}, 1.15, FW_DASH_NONE};
+static const double thin_head = 1.9, fat_head = 3.4; /* mm */
+
+static fw_view_bounds bounds_of(const forces_panel *panel)
+{
+    fw_view_bounds bounds = fw_view_bounds_empty();
+    fw_range_include(&bounds.x, panel->original_x, panel->count, false);
+    fw_range_include(&bounds.x, panel->x, panel->count, false);
+    fw_range_include(&bounds.y, panel->original_y, panel->count, false);
+    fw_range_include(&bounds.y, panel->y, panel->count, false);
+    return bounds;
+}
+
+/* A straight horizontal chain: everything would lie on one line. */
+static bool is_chain(const forces_panel *panel)
+{
+    fw_view_bounds bounds = bounds_of(panel);
+    return bounds.x.high > bounds.x.low &&
+           bounds.y.high - bounds.y.low <= 1e-6 * (bounds.x.high - bounds.x.low);
+}
+
+/* The shortest original link, or the extent of the body without links. */
+static double shortest_link(const forces_panel *panel)
+{
+    double shortest = INFINITY;
+    for (int k = 0; k < panel->link_count; ++k) {
+        int a = panel->links[2 * k], b = panel->links[2 * k + 1];
+        double length = hypot(panel->original_x[a] - panel->original_x[b],
+                              panel->original_y[a] - panel->original_y[b]);
+        if (length > 0) shortest = fmin(shortest, length);
+    }
+    fw_view_bounds bounds = bounds_of(panel);
+    double extent = fmax(bounds.x.high - bounds.x.low, bounds.y.high - bounds.y.low);
+    return isfinite(shortest) ? shortest : extent > 0 ? extent : 1;
+}
+
+static fw_range with_room(fw_range range, double room)
+{
+    if (fw_range_is_empty(range)) range = (fw_range){0, 0};
+    return (fw_range){range.low - room, range.high + room};
+}
+
+/* Chains share their x axis; other bodies have their own. */
+static void choose_ranges(const fw_figure_forces_plan *plan, fw_panel *panels)
+{
+    fw_range chains = fw_range_empty();
+    double room = 0;
+    for (int k = 0; k < plan->panel_count; ++k) {
+        if (!is_chain(&plan->panels[k])) continue;
+        fw_view_bounds bounds = bounds_of(&plan->panels[k]);
+        fw_range_include(&chains, (double[]){bounds.x.low, bounds.x.high}, 2, false);
+        room = fmax(room, .55 * shortest_link(&plan->panels[k]));
+    }
+    /* A chain of few long links needs no more than a tenth of its length. */
+    room = fmin(room, .1 * (chains.high - chains.low));
+    for (int k = 0; k < plan->panel_count; ++k) {
+        const forces_panel *body = &plan->panels[k];
+        fw_view_bounds bounds = bounds_of(body);
+        double own_room = .6 * shortest_link(body);
+        panels[k].x.range =
+            is_chain(body) ? with_room(chains, room) : with_room(bounds.x, own_room);
+        panels[k].y.range = is_chain(body) ? (fw_range){-1, 1} : with_room(bounds.y, own_room);
+    }
+}
+
+/* Chains one below the other over the whole width. */
+static double place_chain(const fw_page *page, const fw_figure_forces_plan *plan, int number,
+                          fw_panel *panel, double top)
+{
+    double width = page->width - 2 * FW_PAGE_MARGIN - 2;
+    bool followed = number + 1 < plan->panel_count && is_chain(&plan->panels[number + 1]);
+    panel->x.bare = followed;
+    panel->box = (fw_rect){FW_PAGE_MARGIN + 1, 0, width, chain_height};
+    panel->box.top = top + (plan->panels[number].name ? name_height : 0);
+    fw_axis_prepare(&panel->x, width, true);
+    return panel->box.top + chain_height + fw_axis_depth(&panel->x, true);
+}
+
+/* The panel of another body, as if its column were the page. */
+static double place_body(const fw_page *page, const forces_panel *body, fw_panel *panel, int column,
+                         int columns, double top)
+{
+    fw_page part = *page;
+    part.width = page->width / columns;
+    fw_page_fit_equal(&part, panel, 3, 20, .62 * page->width);
+    panel->box.left += column * part.width;
+    panel->box.top = top + (body->name ? name_height : 0) + fw_axis_note_height(&panel->y);
+    return panel->box.top + panel->box.height + fw_axis_depth(&panel->x, true);
+}
+
+/* Returns where the lowest panel ends. Other bodies than chains stand two in a row. */
+static double lay_out(const fw_page *page, const fw_figure_forces_plan *plan, fw_panel *panels,
+                      double top)
+{
+    double bottom = top;
+    for (int k = 0; k < plan->panel_count;) {
+        double row_top = bottom > top ? bottom + panel_gap : top;
+        if (is_chain(&plan->panels[k])) {
+            bottom = place_chain(page, plan, k, &panels[k], row_top);
+            k += 1;
+            continue;
+        }
+        bool pair = k + 1 < plan->panel_count && !is_chain(&plan->panels[k + 1]);
+        /* The last of an odd number is as large as the others. */
+        int columns = pair || (k > 0 && !is_chain(&plan->panels[k - 1])) ? 2 : 1;
+        for (int column = 0; column <= (int)pair; ++column, ++k)
+            bottom = fmax(bottom,
+                          place_body(page, &plan->panels[k], &panels[k], column, columns, row_top));
+    }
+    return bottom;
+}
+
+static double largest_force(const fw_figure_forces_plan *plan, bool external)
+{
+    double largest = 0;
+    for (int k = 0; k < plan->panel_count; ++k) {
+        for (int f = 0; f < plan->panels[k].force_count; ++f) {
+            const fw_figure_force *force = &plan->panels[k].forces[f];
+            double size = hypot(force->force.x, force->force.y);
+            if (force->external == external && isfinite(size)) largest = fmax(largest, size);
+        }
+    }
+    return largest;
+}
+
+/* mm per force, such that no arrow is longer than 14 mm or shorter than can be helped: internal
+ * ones take less than half of the shortest link, so that those of two neighbours do not meet,
+ * external ones no more than the room round the body. */
+static double choose_force_scale(const fw_figure_forces_plan *plan, const fw_panel *panels)
+{
+    double internal = largest_force(plan, false), external = largest_force(plan, true);
+    double scale = INFINITY;
+    for (int k = 0; k < plan->panel_count; ++k) {
+        double link = shortest_link(&plan->panels[k]) * fw_panel_scale(&panels[k]);
+        if (internal > 0) scale = fmin(scale, fmin(14, fmax(.42 * link, 4)) / internal);
+        if (external > 0) scale = fmin(scale, fmin(14, fmax(.55 * link, 4)) / external);
+    }
+    return isfinite(scale) ? scale : 0;
+}
+
+/* Where a particle lies on the paper. In the panel of a chain the original places form the upper
+ * row, the present ones the lower. */
+static fw_vec2 place_of(const forces_panel *body, const fw_panel *panel, int particle,
+                        bool original)
+{
+    double x = original ? body->original_x[particle] : body->x[particle];
+    double y = original ? body->original_y[particle] : body->y[particle];
+    fw_vec2 place = fw_panel_place(panel, x, y);
+    if (is_chain(body)) place.y = panel->box.top + (original ? .26 : .66) * panel->box.height;
+    return place;
+}
+
+static void draw_links(const forces_panel *body, const fw_panel *panel, bool original)
+{
+    const fw_stroke line = {fw_colour_grey(original ? .72 : .55), original ? .2 : .35,
+                            original ? FW_DASH_LONG : FW_DASH_NONE};
+    for (int k = 0; k < body->link_count; ++k) {
+        fw_canvas_line(panel->canvas, place_of(body, panel, body->links[2 * k], original),
+                       place_of(body, panel, body->links[2 * k + 1], original), line);
+    }
+}
+
+/* Small where links are short, so that arrows come out from behind them. */
+static double particle_size(const forces_panel *body, const fw_panel *panel)
+{
+    return fmin(1, fmax(.35, shortest_link(body) * fw_panel_scale(panel) / 14));
+}
+
+static void draw_particles(const forces_panel *body, const fw_panel *panel)
+{
+    const fw_stroke rim = {fw_colour_grey(.35), .28, FW_DASH_NONE};
+    const fw_stroke guide = {fw_colour_grey(.45), .18, FW_DASH_DOTS};
+    double size = is_chain(body) ? 1 : particle_size(body, panel);
+    for (int k = 0; k < body->count; ++k) {
+        fw_vec2 from = place_of(body, panel, k, true), to = place_of(body, panel, k, false);
+        fw_canvas_line(panel->canvas, from, to, guide);
+        fw_canvas_disc(panel->canvas, from, size * ring_radius, fw_colour_grey(1));
+        fw_canvas_circle(panel->canvas, from, size * ring_radius, rim);
+    }
+    for (int k = 0; k < body->count; ++k) {
+        fw_canvas_disc(panel->canvas, place_of(body, panel, k, false), size * disc_radius,
+                       fw_colour_grey(.15));
+    }
+}
+
+static void draw_arrows(const forces_panel *body, const fw_panel *panel, double scale,
+                        bool external)
+{
+    for (int k = 0; k < body->force_count; ++k) {
+        const fw_figure_force *force = &body->forces[k];
+        fw_vec2 arrow = {scale * force->force.x, -scale * force->force.y};
+        if (force->external != external || hypot(arrow.x, arrow.y) < .15) continue;
+        fw_vec2 from = place_of(body, panel, force->particle, false);
+        fw_canvas_arrow(panel->canvas, from, fw_vec2_add(from, arrow),
+                        external ? fat_arrow : thin_arrow, external ? fat_head : thin_head);
+    }
+}
+
+static void draw_panel(const forces_panel *body, const fw_panel *panel, double scale)
+{
+    fw_canvas_clip(panel->canvas, panel->box);
+    draw_links(body, panel, true);
+    draw_links(body, panel, false);
+    draw_arrows(body, panel, scale, true);
+    draw_particles(body, panel);
+    draw_arrows(body, panel, scale, false);
+    fw_canvas_unclip(panel->canvas);
+    fw_panel_draw_axes(panel, 0);
+    double note = is_chain(body) ? 0 : fw_axis_note_height(&panel->y);
+    if (!body->name) return;
+    fw_canvas_text(
+        panel->canvas, (fw_vec2){panel->box.left, panel->box.top - 1.3 - note}, body->name,
+        (fw_text_look){FW_TEXT_SIZE, fw_colour_grey(.1), FW_TEXT_LEFT, FW_TEXT_BASELINE, 0, false});
+}
+
+/* The largest of 1, 2, 5 times a power of ten that is not above the value. */
+static double round_down(double value)
+{
+    double unit = pow(10, floor(log10(value)));
+    return (value >= 5 * unit ? 5 : value >= 2 * unit ? 2 : 1) * unit;
+}
+
+typedef struct forces_legend {
+    int count;
+    fw_legend_entry entries[5];
+    char scale_label[48];
+} forces_legend;
+
+static void describe(forces_legend *legend, double largest, double scale)
+{
+    const fw_legend_entry fixed[4] = {
+        {"original", fw_colour_grey(.35), FW_LEGEND_RING, 0},
+        {"deformed", fw_colour_grey(.15), FW_LEGEND_DISC, 0},
+        {"internal force", thin_arrow.colour, FW_LEGEND_ARROW, 0},
+        {"external force", fat_arrow.colour, FW_LEGEND_FAT_ARROW, 0},
+    };
+    legend->count = largest > 0 ? 4 : 2;
+    for (int k = 0; k < legend->count; ++k) legend->entries[k] = fixed[k];
+    if (!(largest > 0)) return;
+    char number[32];
+    fw_ticks_print_number(number, sizeof number, round_down(largest), 3);
+    snprintf(legend->scale_label, sizeof legend->scale_label, "force of %s", number);
+    legend->entries[legend->count++] = (fw_legend_entry){
+        legend->scale_label, fw_colour_grey(.1), FW_LEGEND_ARROW, scale * round_down(largest)};
+}
+
+static fw_status draw_all(const fw_page *page, const fw_figure_forces_plan *plan, fw_panel *panels,
+                          fw_error *error)
+{
+    double top = fw_page_top(page), width = page->width - 2 * FW_PAGE_MARGIN;
+    double largest = fmax(largest_force(plan, false), largest_force(plan, true));
+    forces_legend legend;
+    describe(&legend, largest, 1);
+    lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
+    double scale = choose_force_scale(plan, panels);
+    describe(&legend, largest, scale);
+    /* The scale arrow may have made the legend higher. */
+    double bottom =
+        lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
+    fw_canvas *canvas;
+    FW_TRY(fw_page_open(page, bottom, &canvas, error));
+    fw_legend_draw(legend.entries, legend.count, canvas, (fw_vec2){FW_PAGE_MARGIN, top}, width);
+    for (int k = 0; k < plan->panel_count; ++k) {
+        panels[k].canvas = canvas;
+        draw_panel(&plan->panels[k], &panels[k], scale);
+    }
+    return fw_page_close(canvas, FW_OK, error);
+}
+
+fw_status fw_figure_forces(const fw_page *page, const fw_figure_forces_plan *plan, fw_error *error)
+{
+    char x_label[64], y_label[64];
+    const char *unit = plan->length_unit ? plan->length_unit : "lattice units";
+    if (plan->panel_count < 1) {
+        return fw_fail(error, FW_BAD_INPUT, "the picture '%s' has no body to show", page->file);
+    }
+    fw_panel *panels = calloc((size_t)plan->panel_count, sizeof *panels);
+    if (!panels) return fw_fail_memory(error, "the panels of a picture");
+    snprintf(x_label, sizeof x_label, "x / %s", unit);
+    snprintf(y_label, sizeof y_label, "y / %s", unit);
+    for (int k = 0; k < plan->panel_count; ++k) {
+        panels[k].x.label = x_label;
+        panels[k].y.label = y_label;
+    }
+    choose_ranges(plan, panels);
+    for (int k = 0; k < plan->panel_count; ++k) panels[k].y.hidden = is_chain(&plan->panels[k]);
+    fw_status status = draw_all(page, plan, panels, error);
+    free(panels);
+    return status;
+}

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* figure_map.c - a number at every place of a grid as colour, with curves over it.
+ * Keeps no state. Start reading at fw_figure_map(). */
+#include "experiments/drawing/colour_bar.h"
+#include "experiments/drawing/figure.h"
+
+#include <math.h>
+#include <stddef.h>
+
+static void draw_cells(const fw_figure_map_plan *plan, const fw_panel *panel,
+                       const fw_colour_scale *scale)
+{
+    for (int row = 0; row < plan->rows; ++row) {
+        for (int column = 0; column < plan->columns; ++column) {
+            double p = plan->p_first + (column - .5) * plan->p_step;
+            double q = plan->q_first + (row + .5) * plan->q_step;
+            fw_vec2 corner = fw_panel_place(panel, p, q);
+            fw_vec2 opposite = fw_panel_place(panel, p + plan->p_step, q - plan->q_step);
+            double value = plan->values[(long)row * plan->columns + column];
+            fw_rect cell = {corner.x, corner.y, opposite.x - corner.x, opposite.y - corner.y};
+            fw_canvas_rectangle(panel->canvas, cell, fw_colour_scale_at(scale, value));
+        }
+    }
+}
+
+/* White below black: to be seen on any colour. */
+static void draw_curves(const fw_figure_map_plan *plan, const fw_panel *panel)
+{
+    for (int k = 0; k < plan->curve_count; ++k) {
+        const fw_curve *curve = &plan->curves[k];
+        if (curve->look == FW_CURVE_MARKERS) {
+            fw_panel_markers(panel, curve->x, curve->y, curve->count, 1.1, fw_colour_grey(1));
+            fw_panel_markers(panel, curve->x, curve->y, curve->count, .75, fw_colour_grey(0));
+            continue;
+        }
+        fw_dash dash = curve->look == FW_CURVE_DASHES ? FW_DASH_LONG : FW_DASH_NONE;
+        fw_panel_line(panel, curve->x, curve->y, curve->count,
+                      (fw_stroke){fw_colour_grey(1), 1, FW_DASH_NONE});
+        fw_panel_line(panel, curve->x, curve->y, curve->count,
+                      (fw_stroke){fw_colour_grey(0), .45, dash});
+    }
+}
+
+fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_error *error)
+{
+    long count = (long)plan->columns * plan->rows;
+    if (count < 1) {
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the map '%s' has %d columns and %d rows; it needs at "
+                       "least one of each",
+                       page->file, plan->columns, plan->rows);
+    }
+    fw_colour_scale scale = fw_colour_scale_for(plan->colouring, plan->values, count);
+    fw_panel panel = {.canvas = NULL};
+    double p = plan->p_first - plan->p_step / 2, q = plan->q_first - plan->q_step / 2;
+    panel.x = (fw_axis){.range = {p, p + plan->columns * plan->p_step}, .label = plan->p_label};
+    panel.y = (fw_axis){.range = {q, q + plan->rows * plan->q_step}, .label = plan->q_label};
+    const fw_chart overlay = {.curves = plan->curves, .curve_count = plan->curve_count};
+    fw_legend_entry entries[FW_CHART_LEGEND_MOST];
+    int entry_count = fw_chart_legend(&overlay, entries);
+    for (int k = 0; k < entry_count; ++k) entries[k].colour = fw_colour_grey(0);
+
+    fw_colour_bar bar = fw_colour_bar_for(scale, 90);
+    for (int round = 0; round < 2; ++round) {
+        double right = fmax(fw_colour_bar_width(&bar), fw_axis_overhang(&panel.x, 100));
+        if (plan->equal_aspect) {
+            fw_page_fit_equal(page, &panel, right, 30, .8 * page->width);
+        } else {
+            fw_page_fit(page, &panel, right, 90);
+        }
+        bar = fw_colour_bar_for(scale, panel.box.height);
+    }
+    double top = fw_page_top(page);
+    panel.box.top = top + fw_legend_height(entries, entry_count, panel.box.width) +
+                    fmax(fw_axis_note_height(&panel.y), fw_colour_bar_head(&bar));
+    double bottom = panel.box.top + panel.box.height + fw_axis_depth(&panel.x, true);
+    FW_TRY(fw_page_open(page, bottom, &panel.canvas, error));
+    fw_canvas_raster_begin(panel.canvas, panel.box);
+    draw_cells(plan, &panel, &scale);
+    fw_canvas_raster_end(panel.canvas);
+    fw_canvas_clip(panel.canvas, panel.box);
+    draw_curves(plan, &panel);
+    fw_canvas_unclip(panel.canvas);
+    fw_panel_draw_axes(&panel, 0);
+    fw_legend_draw(entries, entry_count, panel.canvas, (fw_vec2){panel.box.left, top},
+                   panel.box.width);
+    fw_colour_bar_draw(&bar, panel.canvas, panel.box.left + panel.box.width, panel.box.top,
+                       panel.box.height);
+    return fw_page_close(panel.canvas, FW_OK, error);
+}

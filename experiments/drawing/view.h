@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* view.h - what a picture shows of a scene at one instant: plain arrays that a running scene and a
+ * results file can fill alike, and their drawing on a panel.
+ *
+ * All pointers are observed: they have to stay valid while a figure is drawn, nothing is owned. */
+#ifndef FW_VIEW_H
+#define FW_VIEW_H
+
+#include "contact/geometry/wall.h"
+#include "experiments/drawing/colour_scale.h"
+#include "experiments/drawing/panel.h"
+
+#include <stdint.h>
+
+typedef struct fw_view_body {
+    const char *name; /* for legends; may be NULL */
+    int count;
+    const double *x, *y; /* [count]; a particle whose place is not finite is not drawn */
+    const int *links;    /* [2 link_count] pairs of particles; may be NULL */
+    int link_count;
+    const double *field;          /* [count] what colours show, may be NULL */
+    const unsigned char *species; /* [count] number of a kind, may be NULL: all of kind `kind` */
+    int kind;
+    double spacing; /* of the lattice; 0: mean length of the links, or 1 */
+} fw_view_body;
+
+/* A wall at a displacement from the place of its definition. */
+typedef struct fw_view_wall {
+    const fw_wall_def *def;
+    fw_vec2 displacement;
+} fw_view_wall;
+
+typedef struct fw_view {
+    const char *name; /* caption where several views stand side by side; NULL: "step N" */
+    int64_t step;
+    const fw_view_body *bodies;
+    int body_count;
+    const fw_view_wall *walls;
+    int wall_count;
+    const char *const *kinds; /* [kind_count] names of the species for the legend; may be NULL */
+    int kind_count;
+} fw_view;
+
+/* Ranges of x and y. */
+typedef struct fw_view_bounds {
+    fw_range x, y;
+} fw_view_bounds;
+
+fw_view_bounds fw_view_bounds_empty(void);
+/* Widens the bounds by the particles, three quarters of a spacing more on each side. */
+void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view);
+/* Widens them by the walls, along x and along y by themselves, unless that made them more than
+ * `most` times as large as what they hold already: a small body in a vast box would vanish. */
+void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, double most);
+
+double fw_view_spacing(const fw_view_body *body);
+/* Particles of all bodies. */
+long fw_view_count(const fw_view *view);
+
+/* The band on the forbidden side of each wall (all of the inside, where that is forbidden). */
+void fw_view_draw_walls(const fw_view *view, const fw_panel *panel);
+/* The surfaces themselves, to be drawn over the bodies. */
+void fw_view_draw_surfaces(const fw_view *view, const fw_panel *panel);
+/* Outlines of the walls that stand elsewhere in `last`, a later view of the same scene. */
+void fw_view_draw_moved(const fw_view *view, const fw_view *last, const fw_panel *panel,
+                        fw_stroke stroke);
+void fw_view_draw_links(const fw_view_body *body, const fw_panel *panel, fw_stroke stroke);
+/* Discs in one colour, radius in mm. */
+void fw_view_draw_discs(const fw_view_body *body, const fw_panel *panel, double radius,
+                        fw_colour colour);
+
+/* How particles are drawn where they carry colours. */
+typedef enum fw_view_look {
+    FW_VIEW_CELLS, /* each fills the places nearest to it: a solid looks solid, gaps are gaps */
+    FW_VIEW_DISCS  /* discs of the spacing's diameter */
+} fw_view_look;
+
+/* Particles coloured by their field on `scale`, or by species where scale is NULL.
+ * FW_SYSTEM_FAILED without memory. */
+fw_status fw_view_draw_particles(const fw_view *view, const fw_panel *panel, fw_view_look look,
+                                 const fw_colour_scale *scale, fw_error *error);
+
+#endif

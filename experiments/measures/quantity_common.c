@@ -1,0 +1,382 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* quantity_common.c - what can be measured of any solid and of walls. Keeps no state. */
+#include "experiments/setup/member.h"
+#include "experiments/measures/quantity.h"
+
+#include "core/particles/langevin.h"
+#include "core/boltzmann/lb_solid.h"
+
+#include <math.h>
+
+static void put(double *out, fw_vec2 v)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+}
+
+static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subject)
+{
+    return fw_experiment_solid(experiment, subject.body);
+}
+
+/* --- energy and momentum --- */
+
+static fw_energies energies_of(const fw_experiment *experiment, fw_subject subject)
+{
+    if (subject.body < 0) return fw_scene_energies(experiment->scene);
+    return fw_member_energies(experiment, subject.body);
+}
+
+static fw_vec2 momentum_of(const fw_experiment *experiment, fw_subject subject)
+{
+    if (subject.body < 0) return fw_scene_momentum(experiment->scene);
+    return fw_member_momentum(experiment, subject.body);
+}
+
+static double total(fw_energies energies)
+{
+    return energies.kinetic + energies.elastic;
+}
+
+static void energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = total(energies_of(experiment, subject));
+}
+
+static void kinetic_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = energies_of(experiment, subject).kinetic;
+}
+
+static void elastic_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = energies_of(experiment, subject).elastic;
+}
+
+static void energy_per_particle(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    double count = 0;
+    for (int b = 0; b < experiment->member_count; ++b)
+        if (subject.body < 0 || subject.body == b) count += experiment->members[b].count;
+    const double walls = subject.body < 0 ? fw_scene_ledger(experiment->scene).wall_stored : 0;
+    out[0] = (total(energies_of(experiment, subject)) + walls) / count;
+}
+
+static void energy_drift(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    const fw_ledger ledger = fw_scene_ledger(experiment->scene);
+    const double now = total(fw_scene_energies(experiment->scene)) + ledger.wall_stored;
+    out[0] = now / ledger.energy_at_start - 1;
+}
+
+/* What the ledger says the energy should be, and the largest of the sums it is made of. */
+static void energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    fw_ledger l = fw_scene_ledger(experiment->scene);
+    double booked = fw_ledger_energy(&l);
+    double now = total(fw_scene_energies(experiment->scene));
+    double scale = fmax(fmax(fabs(now), fabs(l.energy_at_start)), l.dissipated + l.friction_heat);
+    out[0] = scale > 0 ? (now - booked) / scale : 0;
+}
+
+/* Movable particles of all bodies are one solid, with one account: theirs is taken together. */
+static bool goes_with(const fw_experiment *experiment, int body, int other)
+{
+    return experiment->members[other].solid == experiment->members[body].solid;
+}
+
+static void body_energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    if (subject.body < 0) {
+        energy_error(experiment, subject, out);
+        return;
+    }
+    /* The energy of a single body that meets no wall: all it exchanged is in its own account. */
+    const fw_solid *solid = body_of(experiment, subject);
+    double start = 0;
+    for (int b = 0; b < experiment->member_count; ++b)
+        if (goes_with(experiment, subject.body, b)) start += experiment->energy_at_start[b];
+    double booked = start + solid->account.work - solid->account.dissipated + solid->account.heat;
+    double now = total(fw_solid_energies(solid));
+    double scale = fmax(fmax(fabs(now), fabs(start)), solid->account.dissipated);
+    out[0] = scale > 0 ? (now - booked) / scale : 0;
+}
+
+static void momentum(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, momentum_of(experiment, subject));
+}
+
+static void momentum_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    fw_vec2 now, booked;
+    if (subject.body < 0) {
+        fw_ledger l = fw_scene_ledger(experiment->scene);
+        now = fw_scene_momentum(experiment->scene);
+        booked = fw_ledger_momentum(&l);
+    } else {
+        const fw_solid *solid = body_of(experiment, subject);
+        now = fw_solid_momentum(solid);
+        booked = fw_vec2_add(solid->account.impulse, solid->account.drag);
+        for (int b = 0; b < experiment->member_count; ++b)
+            if (goes_with(experiment, subject.body, b))
+                booked = fw_vec2_add(booked, experiment->momentum_at_start[b]);
+    }
+    put(out, fw_vec2_subtract(now, booked));
+}
+
+static fw_vec2 momentum_of_particle(const fw_solid *solid, int i)
+{
+    if (solid->model == &fw_lb_solid_model) return fw_lb_solid_psi(solid, i);
+    const fw_langevin *motion = (const fw_langevin *)solid;
+    return fw_vec2_scale(motion->mass[i], (fw_vec2){motion->velocity_x[i], motion->velocity_y[i]});
+}
+
+static void angular_momentum(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_member *member = &experiment->members[subject.body];
+    const fw_solid *solid = body_of(experiment, subject);
+    out[0] = 0;
+    for (int i = member->first; i < member->first + member->count; ++i)
+        out[0] += fw_vec2_cross(fw_solid_position(solid, i), momentum_of_particle(solid, i));
+}
+
+static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    fw_vec2 now = momentum_of(experiment, subject);
+    fw_vec2 start = subject.body < 0 ? fw_scene_ledger(experiment->scene).momentum_at_start
+                                     : experiment->momentum_at_start[subject.body];
+    out[0] = sqrt(fw_vec2_dot(now, now) / fw_vec2_dot(start, start));
+}
+
+/* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
+static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    fw_vec2 p = fw_member_momentum(experiment, subject.body);
+    fw_sym2 inverse = fw_sym2_invert(fw_member_mass(experiment, subject.body));
+    out[0] =
+        0.5 * fw_sym2_form(p, inverse, p) / total(fw_member_energies(experiment, subject.body));
+}
+
+static void mean_velocity(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, fw_sym2_apply(fw_sym2_invert(fw_member_mass(experiment, subject.body)),
+                           fw_member_momentum(experiment, subject.body)));
+}
+
+/* --- the ledger --- */
+
+static void external_work(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).external_work;
+}
+
+static void wall_work(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).wall_work;
+}
+
+static void wall_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).wall_stored;
+}
+
+static void dissipated(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).dissipated;
+}
+
+static void friction_heat(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).friction_heat;
+}
+
+static void noise_heat(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_ledger(experiment->scene).noise_heat;
+}
+
+static void fracture_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = body_of(experiment, subject)->account.fracture;
+}
+
+/* --- motion and shape --- */
+
+static void centre_of_mass(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, fw_member_centre_of_mass(experiment, subject.body));
+}
+
+static void position(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    int particle = experiment->members[subject.body].first + subject.particle;
+    put(out, fw_solid_position(body_of(experiment, subject), particle));
+}
+
+static fw_vec2 displacement_of(const fw_experiment *experiment, int body, int particle)
+{
+    const fw_member *member = &experiment->members[body];
+    const fw_scenario_body *from = &experiment->scenario->bodies[body];
+    const fw_vec2 rest = from->shape.kind == FW_SHAPE_PLACED
+                             ? experiment->start[body][particle]
+                             : fw_lattice_position(&from->lattice, member->sites.site[particle]);
+    return fw_vec2_subtract(
+        fw_solid_position(fw_experiment_solid(experiment, body), member->first + particle), rest);
+}
+
+static void displacement(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, displacement_of(experiment, subject.body, subject.particle));
+}
+
+static void elongation(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    int last = experiment->members[subject.body].count - 1;
+    put(out, fw_vec2_subtract(displacement_of(experiment, subject.body, last),
+                              displacement_of(experiment, subject.body, 0)));
+}
+
+/* Largest distance of any particle from where it started, in x or y. */
+static void return_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_solid *solid = body_of(experiment, subject);
+    const fw_vec2 *start = experiment->start[subject.body];
+    out[0] = 0;
+    for (int l = 0; l < experiment->members[subject.body].count; ++l) {
+        fw_vec2 at = fw_solid_position(solid, experiment->members[subject.body].first + l);
+        out[0] = fmax(out[0], fmax(fabs(at.x - start[l].x), fabs(at.y - start[l].y)));
+    }
+}
+
+static void mean_square_displacement(const fw_experiment *experiment, fw_subject subject,
+                                     double *out)
+{
+    const fw_member *member = &experiment->members[subject.body];
+    const fw_solid *solid = body_of(experiment, subject);
+    double sum = 0;
+    for (int l = 0; l < member->count; ++l) {
+        const fw_vec2 moved = fw_vec2_subtract(fw_solid_position(solid, member->first + l),
+                                               experiment->start[subject.body][l]);
+        sum += fw_vec2_dot(moved, moved);
+    }
+    out[0] = sum / member->count;
+}
+
+/* The angle that turns the start best into the present (least squares), about the middle. */
+static void rotation(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_member *member = &experiment->members[subject.body];
+    const fw_vec2 *start = experiment->start[subject.body];
+    const fw_solid *solid = body_of(experiment, subject);
+    fw_vec2 before = {0, 0}, now = {0, 0};
+    for (int l = 0; l < member->count; ++l) {
+        before = fw_vec2_add(before, start[l]);
+        now = fw_vec2_add(now, fw_solid_position(solid, member->first + l));
+    }
+    before = fw_vec2_scale(1. / member->count, before);
+    now = fw_vec2_scale(1. / member->count, now);
+    double cosine = 0, sine = 0;
+    for (int l = 0; l < member->count; ++l) {
+        const fw_vec2 from = fw_vec2_subtract(start[l], before);
+        const fw_vec2 to = fw_vec2_subtract(fw_solid_position(solid, member->first + l), now);
+        cosine += fw_vec2_dot(from, to);
+        sine += fw_vec2_cross(from, to);
+    }
+    out[0] = atan2(sine, cosine) * 180 / acos(-1);
+}
+
+/* --- walls --- */
+
+static void penetration(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    int body = subject.body < 0 ? -1 : experiment->members[subject.body].solid;
+    out[0] = fw_scene_penetration(experiment->scene, body);
+}
+
+static void unresolved(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = (double)fw_scene_unresolved(experiment->scene);
+}
+
+static const fw_wall_account *account_of(const fw_experiment *experiment, fw_subject subject)
+{
+    return fw_scene_wall_account(experiment->scene, subject.wall);
+}
+
+static void reaction(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, account_of(experiment, subject)->reaction);
+}
+
+static void wall_impulse(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, account_of(experiment, subject)->impulse);
+}
+
+/* Along the tangent over along the normal, of the wall's first facet. */
+static void friction_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_facet *facet = fw_wall_facet(fw_scene_wall(experiment->scene, subject.wall), 0);
+    fw_vec2 impulse = account_of(experiment, subject)->impulse;
+    out[0] = fabs(fw_vec2_dot(impulse, fw_vec2_turn(facet->normal))) /
+             fw_vec2_dot(impulse, facet->normal);
+}
+
+static void contacts(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->contacts;
+}
+
+static void contacts_so_far(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->held;
+}
+
+/* clang-format off */
+const fw_quantity fw_common_quantities[] = {
+    {"energy", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy together", NULL, energy},
+    {"kinetic-energy", FW_SCOPE_BODIES, "", "energy", "energy of motion", NULL, kinetic_energy},
+    {"elastic-energy", FW_SCOPE_BODIES, "", "energy", "energy of deformation", NULL, elastic_energy},
+    {"energy-per-particle", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy (of the scene: and that in penalty walls) over the number of particles", NULL, energy_per_particle},
+    {"energy-drift", FW_SCOPE_SCENE, "", "1", "energy, with that in penalty walls, over the energy at the start, minus 1", NULL, energy_drift},
+    {"energy-error", FW_SCOPE_BODIES, "", "1", "energy minus what the ledger of work and heat says, relative; of one body only while it meets no wall", NULL, body_energy_error},
+    {"kinetic-fraction", FW_SCOPE_BODY, "", "1", "energy of the motion of the centre of mass over all energy", NULL, kinetic_fraction},
+    {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum},
+    {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error},
+    {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", "lattice-boltzmann movable-particles linear-lattice", angular_momentum},
+    {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio},
+    {"mean-velocity", FW_SCOPE_BODY, "x y", "length/time", "momentum over mass, both of the whole body", NULL, mean_velocity},
+    {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work},
+    {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work},
+    {"wall-energy", FW_SCOPE_SCENE, "", "energy", "stored in the springs of penalty walls", NULL, wall_energy},
+    {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated},
+    {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat},
+    {"noise-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, noise_heat},
+    {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy},
+    {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass},
+    {"position", FW_SCOPE_SITE, "x y", "length", "of one particle", NULL, position},
+    {"displacement", FW_SCOPE_SITE, "x y", "length", "of one particle from its place in the lattice, or from where it was placed", NULL, displacement},
+    {"elongation", FW_SCOPE_BODY, "x y", "length", "displacement of the last particle minus that of the first", NULL, elongation},
+    {"return-error", FW_SCOPE_BODY, "", "length", "largest distance of a particle from its start, in x or y", NULL, return_error},
+    {"mean-square-displacement", FW_SCOPE_BODY, "", "length^2", "of all particles from where they started", NULL, mean_square_displacement},
+    {"rotation", FW_SCOPE_BODY, "", "degrees", "by which the body has turned since the start, -180 to 180", NULL, rotation},
+    {"penetration", FW_SCOPE_BODIES, "", "length", "how deep any particle lies behind a wall", NULL, penetration},
+    {"unresolved", FW_SCOPE_SCENE, "", "1", "contacts since the start in which no consistent set of walls was found and the particle was held fast", NULL, unresolved},
+    {"reaction", FW_SCOPE_WALL, "x y", "force", "[F(t) + F(t-1)]/2 of the wall on all bodies", NULL, reaction},
+    {"wall-impulse", FW_SCOPE_WALL, "x y", "momentum", "of the wall on all bodies since the start", NULL, wall_impulse},
+    {"friction-ratio", FW_SCOPE_WALL, "", "1", "impulse of a straight wall along its tangent over that along its normal, since the start", NULL, friction_ratio},
+    {"contacts", FW_SCOPE_WALL, "", "1", "particles that the wall holds in this step", NULL, contacts},
+    {"contacts-so-far", FW_SCOPE_WALL, "", "1", "the same, summed over all steps", NULL, contacts_so_far},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+};
+/* clang-format on */

@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* quantity_driven.c - what can be measured of what is driven, grips and pistons, and where two
+ * bodies rub. Keeps no state. */
+#include "experiments/measures/quantity.h"
+
+#include "core/particles/particles.h"
+
+#include <math.h>
+
+static void put(double *out, fw_vec2 v)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+}
+
+/* --- what grips and pistons have in common --- */
+
+typedef struct driven {
+    fw_vec2 displacement, reaction, impulse, way;
+    double torque, work;
+} driven;
+
+static driven driven_of(const fw_experiment *experiment, fw_subject subject)
+{
+    if (subject.grip >= 0) {
+        const fw_grip_account *a =
+            fw_grip_observe_account(fw_scene_observe_grip(experiment->scene, subject.grip));
+        return (driven){a->displacement, a->reaction, a->impulse, a->way, a->torque, a->work};
+    }
+    const fw_piston_account *a =
+        fw_piston_observe_account(fw_scene_observe_piston(experiment->scene, subject.wall));
+    return (driven){a->displacement, a->reaction, a->impulse, a->way, a->torque, a->work};
+}
+
+static void displacement(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, driven_of(experiment, subject).displacement);
+}
+
+static void force(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, driven_of(experiment, subject).reaction);
+}
+
+static void impulse(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, driven_of(experiment, subject).impulse);
+}
+
+static void way(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, driven_of(experiment, subject).way);
+}
+
+static void torque(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = driven_of(experiment, subject).torque;
+}
+
+static void work(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = driven_of(experiment, subject).work;
+}
+
+/* --- pistons alone --- */
+
+static const fw_piston *piston_of(const fw_experiment *experiment, fw_subject subject)
+{
+    return fw_scene_observe_piston(experiment->scene, subject.wall);
+}
+
+static const fw_piston_account *account_of(const fw_experiment *experiment, fw_subject subject)
+{
+    return fw_piston_observe_account(piston_of(experiment, subject));
+}
+
+static void velocity(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, account_of(experiment, subject)->velocity);
+}
+
+static void heat(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->heat;
+}
+
+static void kinetic_energy(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = fw_piston_kinetic_energy(piston_of(experiment, subject));
+}
+
+static void energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = fw_piston_energy_error(piston_of(experiment, subject));
+}
+
+static void momentum_error(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    put(out, fw_piston_momentum_error(piston_of(experiment, subject)));
+}
+
+static void unresolved(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->unresolved;
+}
+
+static void unmatched(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    out[0] = account_of(experiment, subject)->unmatched_work;
+}
+
+/* --- where two bodies rub --- */
+
+static void slip(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    if (fw_scene_grip_count(experiment->scene) < 2) {
+        put(out, (fw_vec2){NAN, NAN});
+        return;
+    }
+    const fw_subject first = {.grip = 0}, second = {.grip = 1};
+    put(out, fw_vec2_subtract(driven_of(experiment, first).displacement,
+                              driven_of(experiment, second).displacement));
+}
+
+static void interface_force(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    const fw_solid *particles = fw_experiment_particles(experiment);
+    if (particles && fw_particles_group_count(particles) > 1)
+        put(out, fw_particles_force_on(particles, 0, 1));
+    else
+        put(out, (fw_vec2){NAN, NAN});
+}
+
+static void contact_return_force(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = experiment->profile
+                 ? fw_profile_contact_now(experiment->profile, fw_experiment_particles(experiment))
+                 : NAN;
+}
+
+/* clang-format off */
+const fw_quantity fw_grip_quantities[] = {
+    {"grip-displacement", FW_SCOPE_GRIP, "x y", "length", "since the start", NULL, displacement},
+    {"grip-force", FW_SCOPE_GRIP, "x y", "force", "[D(t) + D(t-1)]/2, all that drives the grip", NULL, force},
+    {"grip-impulse", FW_SCOPE_GRIP, "x y", "momentum", "of what drives the grip, since the start", NULL, impulse},
+    {"grip-work", FW_SCOPE_GRIP, "", "energy", "of what drives the grip, since the start", NULL, work},
+    {"grip-torque", FW_SCOPE_GRIP, "", "energy", "of the constraint forces about the grip's centre", NULL, torque},
+    {"grip-way", FW_SCOPE_GRIP, "x y", "length", "length of its way since the start, per component", NULL, way},
+    {"slip", FW_SCOPE_SCENE, "x y", "length", "displacement of the first grip less that of the second", NULL, slip},
+    {"interface-force", FW_SCOPE_SCENE, "x y", "force", "of the second body of movable particles on the first", NULL, interface_force},
+    {"contact-return-force", FW_SCOPE_SCENE, "", "force", "mean length of the net return forces in the profile's contact region", NULL, contact_return_force},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+};
+
+const fw_quantity fw_piston_quantities[] = {
+    {"piston-displacement", FW_SCOPE_PISTON, "x y", "length", "since the start", NULL, displacement},
+    {"piston-velocity", FW_SCOPE_PISTON, "x y", "length/time", "of the piston", NULL, velocity},
+    {"piston-force", FW_SCOPE_PISTON, "x y", "force", "[D(t) + D(t-1)]/2, all that drives the piston", NULL, force},
+    {"piston-impulse", FW_SCOPE_PISTON, "x y", "momentum", "of what drives the piston, since the start", NULL, impulse},
+    {"piston-work", FW_SCOPE_PISTON, "", "energy", "of what drives the piston, since the start", NULL, work},
+    {"piston-heat", FW_SCOPE_PISTON, "", "energy", "taken by the piston's damping since the start", NULL, heat},
+    {"piston-kinetic-energy", FW_SCOPE_PISTON, "", "energy", "of the piston itself", NULL, kinetic_energy},
+    {"piston-torque", FW_SCOPE_PISTON, "", "energy", "of the bodies about the middle of the piston, which does not turn", NULL, torque},
+    {"piston-way", FW_SCOPE_PISTON, "x y", "length", "length of its way since the start, per component", NULL, way},
+    {"piston-energy-error", FW_SCOPE_PISTON, "", "energy", "kinetic energy of the piston minus what work and heat say", NULL, energy_error},
+    {"piston-momentum-error", FW_SCOPE_PISTON, "x y", "momentum", "momentum of the piston minus what the impulses say", NULL, momentum_error},
+    {"piston-unresolved", FW_SCOPE_PISTON, "", "1", "steps since the start in which no motion was found that fits the forces on the piston", NULL, unresolved},
+    {"piston-unmatched", FW_SCOPE_PISTON, "", "energy", "work of the bodies on the piston that does not fit its motion: rounding, but for unresolved steps", NULL, unmatched},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+};
+/* clang-format on */

@@ -1,0 +1,376 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* verdict.c - statistics of a series, and the table of expectations. Keeps no state. */
+#include "experiments/measures/verdict.h"
+
+#include "experiments/measures/layer.h"
+
+#include "core/averages.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const take_names[] = {
+    [FW_TAKE_LAST] = "at the end",
+    [FW_TAKE_FIRST] = "at the start",
+    [FW_TAKE_MAXIMUM] = "maximum",
+    [FW_TAKE_MINIMUM] = "minimum",
+    [FW_TAKE_LARGEST] = "largest",
+    [FW_TAKE_MEAN] = "mean",
+    [FW_TAKE_SPREAD] = "spread",
+    [FW_TAKE_CHANGE] = "change",
+    [FW_TAKE_RATE] = "rate",
+    [FW_TAKE_TIME_OF_MAXIMUM] = "time of maximum",
+    [FW_TAKE_TIME_OF_MINIMUM] = "time of minimum",
+};
+
+/* One component over the rows first .. last, which exist. */
+typedef struct series {
+    const fw_measurement *m;
+    int column;
+    int64_t first, last;
+} series;
+
+static double at(const series *s, int64_t row)
+{
+    return s->m->values[row * s->m->width + s->column];
+}
+
+/* Row of the extreme value: sign 1 for the maximum, -1 for the minimum. The first of equal ones.
+ * A value that is not finite is taken at once, so that it cannot hide. */
+static int64_t find_extreme(const series *s, double sign)
+{
+    int64_t best = s->first;
+    for (int64_t row = s->first; row <= s->last; ++row) {
+        if (!isfinite(at(s, row))) return row;
+        if (sign * at(s, row) > sign * at(s, best)) best = row;
+    }
+    return best;
+}
+
+static double mean_of(const series *s)
+{
+    double sum = 0;
+    for (int64_t row = s->first; row <= s->last; ++row) sum += at(s, row);
+    return sum / (double)(s->last - s->first + 1);
+}
+
+static double spread_of(const series *s)
+{
+    double mean = mean_of(s), sum = 0;
+    for (int64_t row = s->first; row <= s->last; ++row)
+        sum += (at(s, row) - mean) * (at(s, row) - mean);
+    int64_t count = s->last - s->first + 1;
+    return count > 1 ? sqrt(sum / (double)(count - 1)) : 0;
+}
+
+/* Least-squares slope against time. */
+static double rate_of(const series *s)
+{
+    double mean_time = 0, mean = mean_of(s), above = 0, below = 0;
+    for (int64_t row = s->first; row <= s->last; ++row) mean_time += s->m->times[row];
+    mean_time /= (double)(s->last - s->first + 1);
+    for (int64_t row = s->first; row <= s->last; ++row) {
+        double t = s->m->times[row] - mean_time;
+        above += t * (at(s, row) - mean);
+        below += t * t;
+    }
+    return above / below;
+}
+
+static double largest_of(const series *s)
+{
+    double largest = 0;
+    for (int64_t row = s->first; row <= s->last; ++row) {
+        if (!isfinite(at(s, row))) return at(s, row);
+        largest = fmax(largest, fabs(at(s, row)));
+    }
+    return largest;
+}
+
+static double take(const series *s, fw_take what)
+{
+    switch (what) {
+    case FW_TAKE_LAST:
+        return at(s, s->last);
+    case FW_TAKE_FIRST:
+        return at(s, s->first);
+    case FW_TAKE_MAXIMUM:
+        return at(s, find_extreme(s, 1));
+    case FW_TAKE_MINIMUM:
+        return at(s, find_extreme(s, -1));
+    case FW_TAKE_LARGEST:
+        return largest_of(s);
+    case FW_TAKE_MEAN:
+        return mean_of(s);
+    case FW_TAKE_SPREAD:
+        return spread_of(s);
+    case FW_TAKE_CHANGE:
+        return at(s, s->last) - at(s, s->first);
+    case FW_TAKE_RATE:
+        return rate_of(s);
+    case FW_TAKE_TIME_OF_MAXIMUM:
+        return s->m->times[find_extreme(s, 1)];
+    case FW_TAKE_TIME_OF_MINIMUM:
+        return s->m->times[find_extreme(s, -1)];
+    }
+    return NAN;
+}
+
+static double measure(const fw_measurement *m, const fw_expectation *e, int column)
+{
+    series s = {m, column, -1, -1};
+    int64_t from = e->has_at ? e->at : e->from, until = e->has_at ? e->at : e->until;
+    for (int64_t row = 0; row < m->count; ++row) {
+        if (m->steps[row] < from || m->steps[row] > until) continue;
+        if (s.first < 0) s.first = row;
+        s.last = row;
+    }
+    if (s.first < 0) return NAN;
+    return take(&s, e->has_at ? FW_TAKE_LAST : e->take);
+}
+
+static void name_quantity(fw_verdict *verdict, const fw_probe *probe, int component)
+{
+    const fw_expectation *e = verdict->expectation;
+    char part[8];
+    fw_quantity_component_name(probe->quantity, component, part);
+    int length = snprintf(verdict->quantity, sizeof verdict->quantity, "%s%s%s, ", probe->label,
+                          part[0] ? " " : "", part);
+    char *end = verdict->quantity + length;
+    size_t room = sizeof verdict->quantity - (size_t)length;
+    if (e->has_at)
+        snprintf(end, room, "step %lld", (long long)e->at);
+    else
+        snprintf(end, room, "%s", take_names[e->take]);
+}
+
+static void judge(fw_verdict *verdict)
+{
+    const fw_expectation *e = verdict->expectation;
+    double x = verdict->measured;
+    const double unsure = isfinite(verdict->error) ? verdict->error : 0;
+    switch (e->kind) {
+    case FW_VERDICT_VALUE:
+        verdict->holds = fabs(x - e->value) <= e->within;
+        snprintf(verdict->expected, sizeof verdict->expected, "%.10g +- %.2g", e->value, e->within);
+        break;
+    case FW_VERDICT_RELATIVE:
+        verdict->holds = fabs(x - e->value) <= e->within * fabs(e->value);
+        snprintf(verdict->expected, sizeof verdict->expected, "%.10g +- %.2g %%", e->value,
+                 100 * e->within);
+        break;
+    case FW_VERDICT_BOUNDS:
+        verdict->holds =
+            isfinite(x) && (!e->has_below || x < e->below) && (!e->has_above || x > e->above);
+        if (e->has_below && e->has_above)
+            snprintf(verdict->expected, sizeof verdict->expected, "%.6g to %.6g", e->above,
+                     e->below);
+        else
+            snprintf(verdict->expected, sizeof verdict->expected, "%s %.6g",
+                     e->has_below ? "<" : ">", e->has_below ? e->below : e->above);
+        break;
+    case FW_VERDICT_RISES:
+        verdict->holds = isfinite(x) && x > unsure;
+        snprintf(verdict->expected, sizeof verdict->expected, "rises");
+        break;
+    case FW_VERDICT_FALLS:
+        verdict->holds = isfinite(x) && x < -unsure;
+        snprintf(verdict->expected, sizeof verdict->expected, "falls");
+        break;
+    }
+}
+
+/* A number that comes out of all runs of a study, with its error. */
+static fw_verdict verdict_of_outcome(const fw_expectation *e, const fw_measurement *measurement,
+                                     int number)
+{
+    const int measure = measurement->component[number];
+    fw_verdict verdict = {.expectation = e, .measured = NAN, .error = NAN};
+    if (measurement->outcome) {
+        verdict.measured = measurement->outcome[measure];
+        verdict.error = measurement->outcome_error[measure];
+    }
+    snprintf(verdict.quantity, sizeof verdict.quantity, "%s", e->quantity.text);
+    return verdict;
+}
+
+/* The number that one run shows. */
+static double value_in(const fw_measurement *measurement, const fw_expectation *e, int number)
+{
+    const fw_probe *probe = &measurement->probes[measurement->expected[number]];
+    return measure(measurement, e, probe->first + measurement->component[number]);
+}
+
+/* Of a mean over time: from the blocks of its series. NaN of anything else, or without memory. */
+static double error_in_time(const fw_measurement *m, const fw_expectation *e, int number)
+{
+    const int column = m->probes[m->expected[number]].first + m->component[number];
+    fw_average average = {.error = NAN};
+    size_t count = 0;
+    if (e->has_at || e->take != FW_TAKE_MEAN) return NAN;
+    double *values = fw_array_of_doubles((size_t)m->count);
+    for (int64_t row = 0; values && row < m->count; ++row)
+        if (m->steps[row] >= e->from && m->steps[row] <= e->until)
+            values[count++] = m->values[row * m->width + column];
+    if (count < 2 || fw_average_of_series(&average, values, count, NULL) != FW_OK)
+        average.error = NAN;
+    free(values);
+    return average.error;
+}
+
+double fw_verdict_of_seed(const fw_scenario *scenario, const fw_measurement *measurement,
+                          int number, int seed)
+{
+    const fw_measurement *of = measurement->seeds ? measurement->seeds[seed] : measurement;
+    if (measurement->expected[number] < 0)
+        return measurement
+            ->outcome_of_seeds[seed * FW_LAYER_MEASURES + measurement->component[number]];
+    return value_in(of, &scenario->expectations[number], number);
+}
+
+/* Mean over the seeds, and the error that follows from their spread. */
+static void average_seeds(fw_verdict *verdict, const fw_measurement *measurement, int number)
+{
+    const int count = measurement->seed_count;
+    double sum = 0, squares = 0;
+    for (int n = 0; n < count; ++n)
+        sum += value_in(measurement->seeds[n], verdict->expectation, number);
+    verdict->measured = sum / count;
+    for (int n = 0; n < count; ++n) {
+        const double off =
+            value_in(measurement->seeds[n], verdict->expectation, number) - verdict->measured;
+        squares += off * off;
+    }
+    verdict->error = sqrt(squares / ((double)count * (count - 1)));
+    verdict->seeds = count;
+}
+
+/* With as many digits as the first two of its error, where that is known. */
+static void write_found(fw_verdict *verdict)
+{
+    char *end = verdict->found;
+    size_t room = sizeof verdict->found;
+    int length;
+    if (verdict->error > 0 && isfinite(verdict->error)) {
+        const double size = fmax(fabs(verdict->measured), verdict->error);
+        int digits = 2 + (int)(floor(log10(size)) - floor(log10(verdict->error)));
+        digits = digits > 12 ? 12 : digits;
+        length = snprintf(end, room, "%#.*g +- %.2g", digits, verdict->measured, verdict->error);
+    } else {
+        length = snprintf(end, room, "%.10g", verdict->measured);
+    }
+    if (verdict->seeds > 1)
+        snprintf(end + length, room - (size_t)length, " (%d seeds)", verdict->seeds);
+}
+
+fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *measurement, int number)
+{
+    const fw_expectation *e = &scenario->expectations[number];
+    fw_verdict verdict = {.expectation = e, .error = NAN, .seeds = 1};
+    if (measurement->expected[number] < 0) {
+        verdict = verdict_of_outcome(e, measurement, number);
+        verdict.seeds = (int)scenario->study.seeds;
+    } else {
+        const fw_probe *probe = &measurement->probes[measurement->expected[number]];
+        if (measurement->seeds) {
+            average_seeds(&verdict, measurement, number);
+        } else {
+            verdict.measured = value_in(measurement, e, number);
+            verdict.error = error_in_time(measurement, e, number);
+        }
+        name_quantity(&verdict, probe, measurement->component[number]);
+    }
+    verdict.asked = fw_verdict_is_asked(scenario, e);
+    fw_verdict_judge(&verdict);
+    return verdict;
+}
+
+void fw_verdict_judge(fw_verdict *verdict)
+{
+    judge(verdict);
+    write_found(verdict);
+}
+
+bool fw_verdict_is_asked(const fw_scenario *scenario, const fw_expectation *expectation)
+{
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    if (fw_expectation_is_trend(expectation)) return false;
+    return expectation->when < 0 || (sweep->is_case && expectation->when == sweep->number);
+}
+
+/* --- several --- */
+
+fw_status fw_verdicts_create(fw_verdicts *verdicts, const fw_scenario *scenario,
+                             const fw_measurement *measurement, fw_error *error)
+{
+    const int count = scenario->expectation_count;
+    verdicts->count = 0;
+    verdicts->item = calloc((size_t)count + 1, sizeof *verdicts->item);
+    if (!verdicts->item) return fw_fail_memory(error, "the verdicts");
+    for (int n = 0; n < count; ++n)
+        verdicts->item[verdicts->count++] = fw_verdict_of(scenario, measurement, n);
+    return FW_OK;
+}
+
+void fw_verdicts_clear(fw_verdicts *verdicts)
+{
+    free(verdicts->item);
+    *verdicts = (fw_verdicts){0};
+}
+
+int fw_verdicts_asked(const fw_verdicts *verdicts)
+{
+    int count = 0;
+    for (int n = 0; n < verdicts->count; ++n) count += verdicts->item[n].asked;
+    return count;
+}
+
+int fw_verdicts_failed(const fw_verdicts *verdicts)
+{
+    int count = 0;
+    for (int n = 0; n < verdicts->count; ++n)
+        count += verdicts->item[n].asked && !verdicts->item[n].holds;
+    return count;
+}
+
+static int longer(int width, const char *text)
+{
+    int length = (int)strlen(text);
+    return length > width ? length : width;
+}
+
+/* Widths of the columns; that of the cases is 0 where there are none. */
+typedef struct widths {
+    int in, quantity, expected, found;
+} widths;
+
+static void print_row(FILE *out, const widths *w, const fw_verdict *v)
+{
+    const char *source = v->expectation->source;
+    if (w->in > 0) fprintf(out, "%-*s  ", w->in, v->in ? v->in : "");
+    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", w->quantity, v->quantity, w->expected, v->expected,
+            w->found, v->found, v->holds ? "holds" : "FAILS", source ? source : "");
+    if (v->expectation->note)
+        fprintf(out, "%-*s  %s\n", w->quantity + (w->in > 0 ? w->in + 2 : 0), "",
+                v->expectation->note);
+}
+
+void fw_verdicts_print(FILE *out, const fw_verdicts *verdicts)
+{
+    widths w = {.quantity = 8, .expected = 8, .found = 16};
+    if (fw_verdicts_asked(verdicts) == 0) return;
+    for (int n = 0; n < verdicts->count; ++n) {
+        const fw_verdict *v = &verdicts->item[n];
+        if (!v->asked) continue;
+        if (v->in) w.in = longer(w.in > 4 ? w.in : 4, v->in);
+        w.quantity = longer(w.quantity, v->quantity);
+        w.expected = longer(w.expected, v->expected);
+        w.found = longer(w.found, v->found);
+    }
+    if (w.in > 0) fprintf(out, "%-*s  ", w.in, "case");
+    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", w.quantity, "quantity", w.expected, "expected",
+            w.found, "measured", "verdict", "source");
+    for (int n = 0; n < verdicts->count; ++n)
+        if (verdicts->item[n].asked) print_row(out, &w, &verdicts->item[n]);
+}

@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot_parts.h - a result as the pictures need it, and a picture that is decided; for the files
+ * plot*.c alone. */
+#ifndef FW_PLOT_PARTS_H
+#define FW_PLOT_PARTS_H
+
+#include "experiments/drawing/figure.h"
+#include "experiments/results/playback.h"
+#include "experiments/scenario/scenario.h"
+
+/* Everything but the numbers of single frames. */
+typedef struct fw_plot_result {
+    const char *directory;
+    fw_playback *playback;
+    fw_scenario *scenario; /* as it was run */
+    int64_t *steps;        /* of all frames */
+    double *times;
+    double *rest_x, *rest_y; /* places of all particles in their lattices */
+    int *links;              /* pairs of particles, numbered within their body, body by body */
+    int *link_first;         /* per body: number of its first link; one more for the end */
+    fw_wall **walls;
+    double *
+        *piston_paths; /* per wall: x and y of its displacement, per sample; NULL: on its path */
+    int64_t *sample_steps;
+    const char *length_unit;
+} fw_plot_result;
+
+/* FW_BAD_INPUT: there are no results, or no frame in them, or they are not of their scenario. */
+fw_status fw_plot_result_open(fw_plot_result *result, const char *directory, fw_error *error);
+/* Of a result that is all zero, opened, or could not be. */
+void fw_plot_result_close(fw_plot_result *result);
+
+/* The frame nearest to a step. */
+int64_t fw_plot_nearest_frame(const fw_plot_result *result, int64_t step);
+
+/* One frame as a view; the links that are broken (stretched beyond where they break) are left out.
+ */
+typedef struct fw_plot_view {
+    fw_view view;
+    double *x, *y, *field;
+    int *links;
+    fw_view_body *bodies;
+    fw_view_wall *walls;
+} fw_plot_view;
+
+/* `field`: name of the field in the file, or NULL. Cleared also after a failure. */
+fw_status fw_plot_view_load(fw_plot_view *view, const fw_plot_result *result, int64_t frame,
+                            const char *field, fw_error *error);
+void fw_plot_view_clear(fw_plot_view *view);
+
+typedef enum fw_plot_kind {
+    FW_PLOT_MOTION,
+    FW_PLOT_FORCES,
+    FW_PLOT_FIELD,
+    FW_PLOT_STRIP,
+    FW_PLOT_SERIES,
+    FW_PLOT_PROFILE,
+    FW_PLOT_LOOP,
+    FW_PLOT_ANALYSIS
+} fw_plot_kind;
+
+/* A picture with every choice made. */
+typedef struct fw_plot_picture {
+    fw_plot_kind kind;
+    fw_page page;
+    int frame_count; /* >= 1, but for series */
+    int64_t *frames; /* ascending */
+    const char *field;
+    int observable_count;
+    const char **observables;
+    int64_t from, until; /* steps of a series */
+    bool logarithmic;
+    const fw_scenario_analysis *analysis;
+} fw_plot_picture;
+
+/* --- what is found before anything is drawn --- */
+
+/* The ways of the centres of mass from the first frame shown to the last one (up to it, where it is
+ * the only one), of the bodies whose centre moves. */
+typedef struct fw_plot_paths {
+    int count;
+    fw_figure_path *path;
+    double *x, *y; /* what they point into */
+} fw_plot_paths;
+fw_status fw_plot_paths_find(fw_plot_paths *paths, const fw_plot_result *result,
+                             const fw_plot_picture *picture, fw_error *error);
+
+/* A panel for each body in each frame, with the forces of its links, which follow from where its
+ * particles are (Chopard & Marconi Eq 31), and the external ones where the file has them. Where a
+ * body has travelled, its original places are moved along. */
+typedef struct fw_plot_forces {
+    const fw_plot_result *result;
+    int panel_count;
+    fw_figure_forces_panel *panels;
+    char (*names)[256]; /* what the panels point into */
+    fw_figure_force *arrows;
+    int arrow_count, view_count;
+    fw_plot_view *views;
+    fw_sym2 *stiffness;              /* of all links of the result */
+    double *force_x, *force_y;       /* of one frame */
+    double *original_x, *original_y; /* of all frames: at rest, moved along with the body */
+} fw_plot_forces;
+fw_status fw_plot_forces_find(fw_plot_forces *forces, const fw_plot_result *result,
+                              const fw_plot_picture *picture, fw_error *error);
+
+/* The curves that the observables of a picture stand for, in panels. */
+typedef struct fw_plot_series {
+    const fw_plot_result *result;
+    int panel_count;
+    fw_chart *charts;
+    fw_curve *drawn; /* what the charts point into */
+    char (*labels)[4 * FW_NAME_SIZE];
+    int curve_count;
+    struct fw_plot_curve *curves;
+    int64_t *steps; /* of all samples */
+    double *times;
+    int first, shown; /* samples that are drawn */
+} fw_plot_series;
+fw_status fw_plot_series_find(fw_plot_series *series, const fw_plot_result *result,
+                              const fw_plot_picture *picture, fw_error *error);
+
+/* All may be cleared whether they were found or not. */
+void fw_plot_paths_clear(fw_plot_paths *paths);
+void fw_plot_forces_clear(fw_plot_forces *forces);
+void fw_plot_series_clear(fw_plot_series *series);
+
+/* --- pictures --- */
+
+/* Each makes the file; the caption of the page is added to. */
+fw_status fw_plot_draw_motion(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error);
+fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture *picture,
+                             fw_error *error);
+fw_status fw_plot_draw_strip(const fw_plot_result *result, const fw_plot_picture *picture,
+                             fw_error *error);
+fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error);
+fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error);
+fw_status fw_plot_draw_profile(const fw_plot_result *result, const fw_plot_picture *picture,
+                               fw_error *error);
+fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture *picture,
+                            fw_error *error);
+fw_status fw_plot_draw_analysis(const fw_plot_result *result, const fw_plot_picture *picture,
+                                fw_error *error);
+
+#endif

@@ -1,0 +1,256 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot_profile.c - the layer between two rubbing bodies: the bodies above their profile (Popov &
+ * Filippov Fig 6), the control beside it; and the fretting loop. Keeps no state. Start reading at
+ * fw_plot_draw_profile(). */
+#include "experiments/storage/folder.h"
+#include "experiments/pictures/plot_parts.h"
+#include "experiments/measures/profile_table.h"
+#include "experiments/study/study.h"
+
+#include "core/array.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CHARTS = 2, REGIONS = 4 };
+
+/* What is drawn below the bodies. */
+static const struct {
+    fw_profile_column column;
+    const char *label;
+} drawn[CHARTS] = {{FW_PROFILE_RETURN_FORCE, "return force (force)"},
+                   {FW_PROFILE_EXCHANGES, "bond exchanges (1/time)"}};
+
+/* One column of the figure: the experiment, or its control. */
+typedef struct side {
+    fw_plot_view view;
+    double *x, *values[CHARTS], *errors[CHARTS];
+    fw_curve curves[CHARTS];
+    fw_chart charts[CHARTS];
+    fw_figure_region regions[REGIONS];
+} side;
+
+static void mark_regions(side *s, const fw_scenario_profile *plan)
+{
+    const double middle = plan->middle, contact = plan->contact, far = plan->far[0];
+    s->regions[0] = (fw_figure_region){middle - contact, middle + contact, "contact", 1};
+    s->regions[1] = (fw_figure_region){middle - far, middle - contact, "intermediate", .35};
+    s->regions[2] = (fw_figure_region){middle + contact, middle + far, "intermediate", .35};
+}
+
+/* From 0 to a little above the largest value of experiment and control. */
+static fw_range range_of(const fw_outcome *column, int count)
+{
+    double most = 0;
+    for (int b = 0; b < count; ++b) {
+        if (isfinite(column[b].mean)) most = fmax(most, column[b].mean);
+        if (isfinite(column[b].control)) most = fmax(most, column[b].control);
+    }
+    return most > 0 ? (fw_range){-.03 * most, 1.15 * most} : (fw_range){-.03, 1};
+}
+
+static fw_status fill_curves(side *s, const fw_profile_table *table, bool control, fw_error *error)
+{
+    const size_t bins = (size_t)table->bin_count;
+    s->x = fw_array_of_doubles(bins);
+    if (!s->x) return fw_fail_memory(error, "a profile");
+    for (size_t b = 0; b < bins; ++b) s->x[b] = .5 * (table->edges[b] + table->edges[b + 1]);
+    for (int n = 0; n < CHARTS; ++n) {
+        const fw_outcome *column = fw_profile_table_column(table, drawn[n].column);
+        s->values[n] = fw_array_of_doubles(bins);
+        s->errors[n] = fw_array_of_doubles(bins);
+        if (!s->values[n] || !s->errors[n]) return fw_fail_memory(error, "a profile");
+        for (size_t b = 0; b < bins; ++b) {
+            const double own_error = control ? column[b].control_error : column[b].error;
+            s->values[n][b] = control ? column[b].control : column[b].mean;
+            s->errors[n][b] = isfinite(own_error) ? own_error : 0;
+        }
+        s->curves[n] = (fw_curve){.count = table->bin_count,
+                                  .x = s->x,
+                                  .y = s->values[n],
+                                  .error = s->errors[n],
+                                  .look = FW_CURVE_LINE_AND_MARKERS,
+                                  .colour = n + 1};
+        s->charts[n] = (fw_chart){.label = drawn[n].label,
+                                  .curves = &s->curves[n],
+                                  .curve_count = 1,
+                                  .range = range_of(column, table->bin_count)};
+    }
+    return FW_OK;
+}
+
+static fw_figure_stack_plan plan_of(side *s, const fw_profile_table *table, const char *field,
+                                    const char *name)
+{
+    s->view.view.name = name;
+    return (fw_figure_stack_plan){.views = &s->view.view,
+                                  .view_count = 1,
+                                  .look = FW_VIEW_DISCS,
+                                  .colouring = {.label = field, .trim = .002},
+                                  .charts = s->charts,
+                                  .chart_count = CHARTS,
+                                  .label = table->axis == 'x' ? "x (length)" : "y (length)",
+                                  .y_label = table->axis == 'x' ? "y (length)" : "x (length)",
+                                  .regions = s->regions,
+                                  .region_count = 3};
+}
+
+static void clear_side(side *s)
+{
+    fw_plot_view_clear(&s->view);
+    free(s->x);
+    for (int n = 0; n < CHARTS; ++n) {
+        free(s->values[n]);
+        free(s->errors[n]);
+    }
+}
+
+/* The control's own results, where it left some. */
+static fw_status open_control(fw_plot_result *control, const fw_plot_result *result,
+                              char folder[FW_PATH_SIZE], bool *found, fw_error *error)
+{
+    const bool wanted = result->scenario->study.control_count > 0;
+    const int length =
+        snprintf(folder, FW_PATH_SIZE, "%s/%s", result->directory, FW_CONTROL_FOLDER);
+    *found = wanted && length < FW_PATH_SIZE;
+    return *found ? fw_plot_result_open(control, folder, error) : FW_OK;
+}
+
+/* The axis of the profile runs from left to right, whichever it is. */
+static void lay_across(fw_plot_view *view, char axis)
+{
+    if (axis == 'x') return;
+    for (int b = 0; b < view->view.body_count; ++b) {
+        const double *x = view->bodies[b].x;
+        view->bodies[b].x = view->bodies[b].y;
+        view->bodies[b].y = x;
+    }
+    view->view.wall_count = 0; /* their shapes lie as they lie */
+}
+
+static fw_status fill_sides(side sides[2], const fw_plot_result *result,
+                            const fw_plot_result *control, const fw_profile_table *table,
+                            const fw_plot_picture *picture, fw_error *error)
+{
+    FW_TRY(fw_plot_view_load(&sides[0].view, result, picture->frames[0], picture->field, error));
+    lay_across(&sides[0].view, table->axis);
+    FW_TRY(fill_curves(&sides[0], table, false, error));
+    mark_regions(&sides[0], &result->scenario->profile);
+    if (!control) return FW_OK;
+    const int64_t frame = fw_plot_nearest_frame(control, result->steps[picture->frames[0]]);
+    FW_TRY(fw_plot_view_load(&sides[1].view, control, frame, picture->field, error));
+    lay_across(&sides[1].view, table->axis);
+    FW_TRY(fill_curves(&sides[1], table, true, error));
+    mark_regions(&sides[1], &result->scenario->profile);
+    return FW_OK;
+}
+
+static fw_status draw_sides(const fw_plot_result *result, const fw_plot_picture *picture,
+                            const fw_profile_table *table, const fw_plot_result *control,
+                            fw_error *error)
+{
+    side *sides = calloc(2, sizeof *sides);
+    if (!sides) return fw_fail_memory(error, "a picture");
+    fw_status status = fill_sides(sides, result, control, table, picture, error);
+    if (status == FW_OK) {
+        const fw_figure_stack_plan plans[2] = {
+            plan_of(&sides[0], table, picture->field, control ? "experiment" : NULL),
+            plan_of(&sides[1], table, picture->field, "control")};
+        fw_page page = picture->page;
+        char caption[2048];
+        snprintf(caption, sizeof caption,
+                 "Above: the particles after step %lld, coloured by their %s. Below: profiles "
+                 "across %c, means over the samples and %lld seed%s with standard errors as bars. "
+                 "All quantities in reduced units. %s",
+                 (long long)result->steps[picture->frames[0]], picture->field, table->axis,
+                 (long long)result->scenario->study.seeds,
+                 result->scenario->study.seeds == 1 ? "" : "s", page.caption ? page.caption : "");
+        page.caption = caption;
+        if (control) page.width = 240;
+        status = control ? fw_figure_columns(&page, plans, 2, error)
+                         : fw_figure_stack(&page, plans, error);
+    }
+    clear_side(&sides[0]);
+    clear_side(&sides[1]);
+    free(sides);
+    return status;
+}
+
+fw_status fw_plot_draw_profile(const fw_plot_result *result, const fw_plot_picture *picture,
+                               fw_error *error)
+{
+    fw_plot_result control = {0};
+    char folder[FW_PATH_SIZE];
+    bool has_control;
+    fw_profile_table *table;
+    FW_TRY(fw_profile_table_read(&table, result->playback,
+                                 result->scenario->profile.axis ? 'y' : 'x', error));
+    fw_status status = open_control(&control, result, folder, &has_control, error);
+    if (status == FW_OK)
+        status = draw_sides(result, picture, table, has_control ? &control : NULL, error);
+    fw_plot_result_close(&control);
+    fw_profile_table_destroy(table);
+    return status;
+}
+
+/* --- the fretting loop --- */
+
+/* Component `along` of an observable in the steps of the profile; returns how many values. */
+static fw_status read_component(const fw_plot_result *result, const char *name, int component,
+                                double **values, int *count, fw_error *error)
+{
+    fw_playback *playback = result->playback;
+    const int number = fw_playback_find_observable(playback, name);
+    const size_t rows = (size_t)playback->sample_count;
+    *values = NULL;
+    if (number < 0 || playback->observables[number].components != 2)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: %s was not measured, expected the results of a scenario with a profile",
+                       result->directory, name);
+    double *both = fw_array_of_doubles(2 * rows);
+    int64_t *steps = calloc(rows + 1, sizeof *steps);
+    *values = fw_array_of_doubles(rows);
+    fw_status status =
+        both && steps && *values ? FW_OK : fw_fail_memory(error, "the fretting loop");
+    if (status == FW_OK) status = fw_playback_read_observable(playback, number, both, error);
+    if (status == FW_OK) status = fw_playback_read_sample_times(playback, steps, NULL, error);
+    *count = 0;
+    for (size_t row = 0; row < rows && status == FW_OK; ++row)
+        if (steps[row] >= result->scenario->profile.from &&
+            steps[row] <= result->scenario->profile.until)
+            (*values)[(*count)++] = both[2 * row + (size_t)component];
+    free(both);
+    free(steps);
+    return status;
+}
+
+fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture *picture,
+                            fw_error *error)
+{
+    const int along = result->scenario->profile.axis == 0 ? 1 : 0;
+    double *slip = NULL, *force = NULL;
+    int count = 0;
+    fw_status status = read_component(result, "slip", along, &slip, &count, error);
+    if (status == FW_OK)
+        status = read_component(result, "interface-force", along, &force, &count, error);
+    if (status == FW_OK) {
+        /* What the first body does to the second, which slip drags along. */
+        for (int n = 0; n < count; ++n) force[n] = -force[n];
+        const fw_curve curve = {.count = count, .x = slip, .y = force, .look = FW_CURVE_LINE};
+        const fw_chart chart = {
+            .label = "tangential force (force)", .curves = &curve, .curve_count = 1, .height = 90};
+        fw_page page = picture->page;
+        char caption[2048];
+        snprintf(caption, sizeof caption,
+                 "Force of the first body on the second along the interface, against the "
+                 "displacement of the first grip less that of the second. All quantities in "
+                 "reduced units. %s",
+                 page.caption ? page.caption : "");
+        page.caption = caption;
+        status = fw_figure_curves(&page, &chart, "slip of the grips (length)", NULL, 0, error);
+    }
+    free(slip);
+    free(force);
+    return status;
+}

@@ -1,0 +1,301 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot_series.c - observables over time: which curves, in which panels, under which names.
+ * Keeps no state. Invariant: quantities of one unit share a panel;
+ * pure numbers have nothing in common and get one each. Start reading at fw_plot_series_find(). */
+#include "experiments/pictures/plot_parts.h"
+
+#include "experiments/measures/column.h"
+
+#include "core/array.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { CURVES_MOST = 256 };
+
+/* One component of an observable. */
+typedef struct fw_plot_curve {
+    int observable, component;
+    char quantity[FW_NAME_SIZE], subject[FW_NAME_SIZE]; /* "momentum", "sheet" */
+    char part[FW_COLUMN_PART];                          /* "x" */
+    const char *unit;
+    int panel;
+    double *values; /* of all samples */
+    char label[4 * FW_NAME_SIZE];
+} fw_plot_curve;
+
+typedef fw_plot_curve curve;
+
+typedef fw_plot_series series;
+
+/* --- which curves --- */
+
+/* "momentum.sheet" is the momentum of sheet. */
+static void split_label(const char *label, char quantity[FW_NAME_SIZE], char subject[FW_NAME_SIZE])
+{
+    size_t length = strcspn(label, ".");
+    memcpy(quantity, label, length);
+    quantity[length] = '\0';
+    snprintf(subject, FW_NAME_SIZE, "%s", label[length] ? label + length + 1 : "");
+}
+
+/* Where there is one body, or one wall, its name says nothing new. */
+static void drop_only_subject(const fw_scenario *scenario, char *subject)
+{
+    const char *body = scenario->body_count == 1 ? scenario->bodies[0].name : NULL;
+    const char *wall = scenario->wall_count == 1 ? scenario->walls[0].def.name : NULL;
+    if ((body && strcmp(subject, body) == 0) || (wall && strcmp(subject, wall) == 0))
+        subject[0] = '\0';
+}
+
+static void add_curve(series *s, const fw_column *column)
+{
+    const fw_playback_observable *of = &s->result->playback->observables[column->observable];
+    curve *added = &s->curves[s->curve_count++];
+    *added =
+        (curve){.observable = column->observable, .component = column->component, .unit = of->unit};
+    split_label(of->name, added->quantity, added->subject);
+    drop_only_subject(s->result->scenario, added->subject);
+    memcpy(added->part, column->part, sizeof added->part);
+}
+
+static fw_status gather_curves(series *s, const fw_plot_picture *picture, fw_error *error)
+{
+    fw_column *columns;
+    int count;
+    fw_status status =
+        fw_columns_find(s->result->playback, s->result->directory, picture->observables,
+                        picture->observable_count, &columns, &count, error);
+    if (status == FW_OK && count > CURVES_MOST)
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s: %d curves in one picture, expected at most %d: fewer observables",
+                         s->result->directory, count, CURVES_MOST);
+    for (int n = 0; status == FW_OK && n < count; ++n) add_curve(s, &columns[n]);
+    free(columns);
+    return status;
+}
+
+/* --- numbers --- */
+
+/* The samples between the steps that are drawn. */
+static fw_status read_times(series *s, const fw_plot_picture *picture, fw_error *error)
+{
+    size_t count = (size_t)s->result->playback->sample_count;
+    s->steps = fw_array_allocate(count, sizeof *s->steps);
+    s->times = fw_array_of_doubles(count);
+    if (!s->steps || !s->times) return fw_fail_memory(error, "the times of a picture");
+    FW_TRY(fw_playback_read_sample_times(s->result->playback, s->steps, s->times, error));
+    for (size_t k = 0; k < count; ++k) {
+        if (s->steps[k] < picture->from) s->first += 1;
+        if (s->steps[k] >= picture->from && s->steps[k] <= picture->until) s->shown += 1;
+    }
+    if (s->shown > 0) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "%s: nothing was measured from step %lld to step %lld",
+                   s->result->directory, (long long)picture->from, (long long)picture->until);
+}
+
+static fw_status read_curves(series *s, fw_error *error)
+{
+    fw_playback *playback = s->result->playback;
+    size_t count = (size_t)playback->sample_count;
+    int most = 1;
+    for (int n = 0; n < s->curve_count; ++n) {
+        int components = playback->observables[s->curves[n].observable].components;
+        most = components > most ? components : most;
+    }
+    double *rows = fw_array_of_doubles(count * (size_t)most);
+    fw_status status = rows ? FW_OK : fw_fail_memory(error, "the observables of a picture");
+    for (int n = 0; n < s->curve_count && status == FW_OK; ++n) {
+        curve *c = &s->curves[n];
+        size_t components = (size_t)playback->observables[c->observable].components;
+        c->values = fw_array_of_doubles(count);
+        status = c->values ? fw_playback_read_observable(playback, c->observable, rows, error)
+                           : fw_fail_memory(error, "the observables of a picture");
+        for (size_t k = 0; k < count && status == FW_OK; ++k)
+            c->values[k] = rows[k * components + (size_t)c->component];
+    }
+    free(rows);
+    return status;
+}
+
+/* Is a step one unit of time? */
+static bool steps_are_times(const series *s)
+{
+    for (int k = s->first; k < s->first + s->shown; ++k)
+        if (s->times[k] != (double)s->steps[k]) return false;
+    return true;
+}
+
+/* --- panels and names --- */
+
+static bool share_panel(const curve *one, const curve *other)
+{
+    if (strcmp(one->quantity, other->quantity) == 0) return true;
+    return strcmp(one->unit, other->unit) == 0 && strcmp(one->unit, "1") != 0;
+}
+
+static void assign_panels(series *s)
+{
+    for (int n = 0; n < s->curve_count; ++n) {
+        int same = 0;
+        while (same < n && !share_panel(&s->curves[same], &s->curves[n])) ++same;
+        s->curves[n].panel = same < n ? s->curves[same].panel : s->panel_count++;
+    }
+}
+
+/* As it reads in a sentence: "kinetic energy". */
+static void print_words(char *text, size_t size, const char *name)
+{
+    snprintf(text, size, "%s", name);
+    for (char *c = text; *c; ++c)
+        if (*c == '-') *c = ' ';
+}
+
+/* What the curves of a panel have in common is said beside its axis, the rest in its legend. */
+typedef struct panel_facts {
+    const curve *first;
+    int curves;
+    bool one_quantity, one_subject, one_part;
+} panel_facts;
+
+static panel_facts facts_of(const series *s, int panel)
+{
+    panel_facts facts = {NULL, 0, true, true, true};
+    for (int n = 0; n < s->curve_count; ++n) {
+        const curve *c = &s->curves[n];
+        if (c->panel != panel) continue;
+        if (!facts.first) facts.first = c;
+        facts.curves += 1;
+        facts.one_quantity &= strcmp(c->quantity, facts.first->quantity) == 0;
+        facts.one_subject &= strcmp(c->subject, facts.first->subject) == 0;
+        facts.one_part &= strcmp(c->part, facts.first->part) == 0;
+    }
+    facts.one_part &= facts.one_quantity;
+    return facts;
+}
+
+/* "nine: elongation x", "nine: x", "x", "kinetic energy". */
+static void name_curve(curve *c, panel_facts facts)
+{
+    char quantity[FW_NAME_SIZE] = "";
+    if (!facts.one_quantity) print_words(quantity, sizeof quantity, c->quantity);
+    const char *subject = facts.one_subject ? "" : c->subject[0] ? c->subject : "all";
+    const char *part = facts.one_part ? "" : c->part;
+    snprintf(c->label, sizeof c->label, "%s%s%s%s%s", subject,
+             subject[0] && (quantity[0] || part[0]) ? ": " : "", quantity,
+             quantity[0] && part[0] ? " " : "", part);
+}
+
+/* "elongation x of nine (length)", "energy", "kinetic fraction". */
+static void name_panel(panel_facts facts, char *label, size_t size)
+{
+    const curve *c = facts.first;
+    char quantity[FW_NAME_SIZE];
+    print_words(quantity, sizeof quantity, facts.one_quantity ? c->quantity : c->unit);
+    bool own_unit = facts.one_quantity && c->unit[0] && strcmp(c->unit, "1") != 0 &&
+                    strcmp(c->unit, quantity) != 0;
+    const char *part = facts.one_part ? c->part : "";
+    const char *subject = facts.one_subject ? c->subject : "";
+    snprintf(label, size, "%s%s%s%s%s%s%s%s", quantity, part[0] ? " " : "", part,
+             subject[0] ? " of " : "", subject, own_unit ? " (" : "", own_unit ? c->unit : "",
+             own_unit ? ")" : "");
+}
+
+/* A curve that lies on another one would hide it: it is dashed, so that both are seen. */
+static bool lies_on(const series *s, const curve *one, const curve *other, fw_range values)
+{
+    const double unseen = .004 * (values.high - values.low);
+    for (int k = s->first; k < s->first + s->shown; ++k)
+        if (!(fabs(one->values[k] - other->values[k]) <= unseen)) return false;
+    return true;
+}
+
+static fw_curve_look look_of(const series *s, int number)
+{
+    const curve *c = &s->curves[number];
+    fw_range values = fw_range_empty();
+    for (int n = 0; n < s->curve_count; ++n)
+        if (s->curves[n].panel == c->panel)
+            fw_range_include(&values, s->curves[n].values + s->first, s->shown, false);
+    for (int n = 0; n < number; ++n)
+        if (s->curves[n].panel == c->panel && lies_on(s, c, &s->curves[n], values))
+            return FW_CURVE_DASHES;
+    return FW_CURVE_LINE;
+}
+
+static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
+{
+    assign_panels(s);
+    s->charts = calloc((size_t)s->panel_count, sizeof *s->charts);
+    s->labels = calloc((size_t)s->panel_count, sizeof *s->labels);
+    s->drawn = calloc((size_t)s->curve_count, sizeof *s->drawn);
+    if (!s->charts || !s->labels || !s->drawn) return fw_fail_memory(error, "the panels");
+    fw_curve *next = s->drawn;
+    for (int p = 0; p < s->panel_count; ++p) {
+        panel_facts facts = facts_of(s, p);
+        name_panel(facts, s->labels[p], sizeof s->labels[p]);
+        s->charts[p] = (fw_chart){.label = s->labels[p],
+                                  .curves = next,
+                                  .curve_count = facts.curves,
+                                  .logarithmic = logarithmic};
+        for (int n = 0; n < s->curve_count; ++n) {
+            curve *c = &s->curves[n];
+            if (c->panel != p) continue;
+            name_curve(c, facts);
+            *next++ = (fw_curve){.label = facts.curves > 1 ? c->label : NULL,
+                                 .count = s->shown,
+                                 .x = s->times + s->first,
+                                 .y = c->values + s->first,
+                                 .look = look_of(s, n)};
+        }
+    }
+    return FW_OK;
+}
+
+static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error *error)
+{
+    char caption[2048];
+    fw_page page = picture->page;
+    bool by_step = steps_are_times(s);
+    const fw_scenario_run *run = &s->result->scenario->run;
+    const fw_figure_mark reversal = {(double)run->reverse_at, "reversal"};
+    snprintf(caption, sizeof caption, "%s%sAll quantities in reduced units.", page.caption,
+             page.caption[0] ? " " : "");
+    page.caption = caption;
+    return fw_figure_series(&page, s->charts, s->panel_count, by_step ? "time / steps" : "time",
+                            &reversal, run->reverse_at > 0 && by_step, error);
+}
+
+fw_status fw_plot_series_find(fw_plot_series *s, const fw_plot_result *result,
+                              const fw_plot_picture *picture, fw_error *error)
+{
+    *s = (fw_plot_series){.result = result, .curves = calloc(CURVES_MOST, sizeof *s->curves)};
+    if (!s->curves) return fw_fail_memory(error, "the curves of a picture");
+    FW_TRY(gather_curves(s, picture, error));
+    FW_TRY(read_times(s, picture, error));
+    FW_TRY(read_curves(s, error));
+    return lay_out(s, picture->logarithmic, error);
+}
+
+void fw_plot_series_clear(fw_plot_series *s)
+{
+    for (int n = 0; n < s->curve_count; ++n) free(s->curves[n].values);
+    free(s->curves);
+    free(s->steps);
+    free(s->times);
+    free(s->charts);
+    free(s->drawn);
+    free(s->labels);
+    *s = (fw_plot_series){0};
+}
+
+fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error)
+{
+    series s;
+    fw_status status = fw_plot_series_find(&s, result, picture, error);
+    if (status == FW_OK) status = draw(&s, picture, error);
+    fw_plot_series_clear(&s);
+    return status;
+}

@@ -1,0 +1,419 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* trajectory.c - the results file while a run writes it.
+ * State: the folder it holds, the open file, the series of frames and that of samples. Invariant:
+ * between two calls the file on disk has its final structure, and every committed row is whole.
+ * Start reading at fw_trajectory_create(); trajectory_layout.c makes what never changes. */
+#include "experiments/results/trajectory.h"
+
+#include "experiments/storage/folder.h"
+#include "experiments/results/provenance.h"
+#include "experiments/storage/series.h"
+#include "experiments/results/trajectory_head.h"
+#include "experiments/results/trajectory_layout.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define FRESH_FILE "trajectory.h5.new"
+
+/* Samples gathered before they are written, and the longest time that takes in seconds. */
+enum { SAMPLE_BLOCK = 256, SAMPLE_SECONDS = 1 };
+
+struct fw_trajectory {
+    fw_folder *folder;
+    fw_hdf5 *file;
+    fw_series *frames, *samples;
+    int *counts, body_count, particle_count;
+    int position, velocity, force, *fields, field_count; /* quantities of the frames; -1: none */
+    int *components, observable_count;
+    double *vectors, *scalars; /* a row of particles; the z of vectors stays 0 */
+};
+
+fw_trajectory_def fw_trajectory_def_default(void)
+{
+    return (fw_trajectory_def){
+        .directory = "results", .title = "", .scenario = "", .threads = 1, .velocity = true};
+}
+
+double fw_trajectory_size(const fw_trajectory_def *def)
+{
+    double particles = 0, links = 0, components = 0;
+    for (int i = 0; i < def->body_count; ++i) {
+        particles += def->bodies[i].count;
+        links += def->bodies[i].link_count;
+    }
+    for (int i = 0; i < def->observable_count; ++i) components += def->observables[i].components;
+    for (int i = 0; i < def->array_count; ++i)
+        components += (double)def->arrays[i].rows * def->arrays[i].columns /
+                      fmax(1, (double)def->sample_count);
+    double tables = 0;
+    for (int g = 0; g < def->group_count; ++g)
+        for (int n = 0; n < def->groups[g].table_count; ++n)
+            tables += 8 * (double)fw_table_size(&def->groups[g].tables[n]);
+    int numbers = 3 * (1 + def->velocity + def->force) + def->field_count;
+    return (double)fw_layout_structure(def) + (double)strlen(def->scenario) + tables +
+           16 * particles + 8 * links + (double)def->frame_count * (8 * numbers * particles + 16) +
+           (double)def->sample_count * (8 * components + 16);
+}
+
+static fw_status allocate(fw_trajectory **trajectory, const fw_trajectory_def *def, fw_error *error)
+{
+    fw_trajectory *fresh = calloc(1, sizeof *fresh);
+    *trajectory = fresh;
+    if (!fresh) return fw_fail_memory(error, "the results file");
+    fresh->body_count = def->body_count;
+    fresh->field_count = def->field_count;
+    fresh->observable_count = def->observable_count;
+    fresh->counts = calloc((size_t)def->body_count + 1, sizeof *fresh->counts);
+    fresh->fields = calloc((size_t)def->field_count + 1, sizeof *fresh->fields);
+    fresh->components = calloc((size_t)def->observable_count + 1, sizeof *fresh->components);
+    if (!fresh->counts || !fresh->fields || !fresh->components)
+        return fw_fail_memory(error, "the results file");
+    for (int i = 0; i < def->observable_count; ++i)
+        fresh->components[i] = def->observables[i].components;
+    for (int i = 0; i < def->body_count; ++i) {
+        fresh->counts[i] = def->bodies[i].count;
+        fresh->particle_count += def->bodies[i].count;
+    }
+    fresh->vectors = fw_array_of_doubles(3 * (size_t)fresh->particle_count);
+    fresh->scalars = fw_array_of_doubles((size_t)fresh->particle_count);
+    if (!fresh->vectors || !fresh->scalars) return fw_fail_memory(error, "a frame of results");
+    return FW_OK;
+}
+
+static int add_element(fw_trajectory *trajectory, const char *name, int rank)
+{
+    char path[FW_NAME_SIZE + 64];
+    uint64_t extent[] = {(uint64_t)trajectory->particle_count, 3};
+    snprintf(path, sizeof path, "particles/trajectory/%s", name);
+    return fw_series_add(trajectory->frames, path, rank, extent);
+}
+
+/* Makes both series, or finds them in the file. */
+static fw_status add_series(fw_trajectory *trajectory, const fw_trajectory_def *def, bool fresh,
+                            fw_error *error)
+{
+    bool complete = true;
+    trajectory->frames =
+        fw_series_create(trajectory->file, "parameters/frames_committed", fresh, 1, 0);
+    trajectory->samples = fw_series_create(trajectory->file, "parameters/samples_committed", fresh,
+                                           SAMPLE_BLOCK, SAMPLE_SECONDS);
+    if (!trajectory->frames || !trajectory->samples)
+        return fw_fail_memory(error, "the rows of results");
+    trajectory->position = add_element(trajectory, "position", 2);
+    trajectory->velocity = def->velocity ? add_element(trajectory, "velocity", 2) : -1;
+    trajectory->force = def->force ? add_element(trajectory, "force", 2) : -1;
+    complete = trajectory->position >= 0 && (!def->velocity || trajectory->velocity >= 0) &&
+               (!def->force || trajectory->force >= 0);
+    for (int i = 0; i < def->field_count; ++i) {
+        trajectory->fields[i] = add_element(trajectory, def->fields[i].name, 1);
+        complete = complete && trajectory->fields[i] >= 0;
+    }
+    for (int i = 0; i < def->observable_count; ++i) {
+        char path[FW_NAME_SIZE + 64];
+        uint64_t components = (uint64_t)def->observables[i].components;
+        snprintf(path, sizeof path, "observables/%s", def->observables[i].name);
+        complete =
+            fw_series_add(trajectory->samples, path, components > 1, &components) == i && complete;
+    }
+    return complete ? FW_OK : fw_fail_memory(error, "the rows of results");
+}
+
+static void release(fw_trajectory *trajectory)
+{
+    if (!trajectory) return;
+    fw_series_destroy(trajectory->frames);
+    fw_series_destroy(trajectory->samples);
+    free(trajectory->counts);
+    free(trajectory->fields);
+    free(trajectory->components);
+    free(trajectory->vectors);
+    free(trajectory->scalars);
+    free(trajectory);
+}
+
+/* Lays out the whole file; `*cramped` when its structure needs more than `structure` bytes. */
+static fw_status lay_out(fw_trajectory *trajectory, const fw_trajectory_def *def, size_t structure,
+                         bool *cramped, fw_error *error)
+{
+    char path[FW_PATH_SIZE];
+    FW_TRY(fw_folder_path(trajectory->folder, FRESH_FILE, path, error));
+    FW_TRY(fw_hdf5_create(&trajectory->file, path, structure, error));
+    fw_layout_make(trajectory->file, def);
+    FW_TRY(add_series(trajectory, def, true, error));
+    fw_layout_describe(trajectory->file, def);
+    fw_series_reserve(trajectory->samples, def->sample_count);
+    fw_series_reserve(trajectory->frames, def->frame_count);
+    FW_TRY(fw_hdf5_check(trajectory->file, error));
+    *cramped = !fw_hdf5_is_compact(trajectory->file);
+    if (!*cramped) fw_hdf5_reserve(trajectory->file);
+    fw_hdf5_sync(trajectory->file);
+    return fw_hdf5_check(trajectory->file, error);
+}
+
+bool fw_trajectory_is_in(const fw_folder *folder)
+{
+    return fw_folder_has(folder, FW_TRAJECTORY_FILE) || fw_folder_has(folder, FW_SWEEP_SCENARIO);
+}
+
+fw_status fw_trajectory_refuse(const char *directory, fw_error *error)
+{
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s holds a result already; --overwrite replaces it, -o DIR puts the new one "
+                   "elsewhere",
+                   directory);
+}
+
+/* What belongs to an earlier result: beside a new one it would make no sense. */
+static fw_status forget(const fw_folder *folder, fw_error *error)
+{
+    static const char *const files[] = {"checkpoint-A", "checkpoint-B", FW_SWEEP_FILE,
+                                        FW_SWEEP_SCENARIO};
+    for (size_t n = 0; n < sizeof files / sizeof files[0]; ++n)
+        FW_TRY(fw_folder_remove(folder, files[n], error));
+    return fw_head_remove(folder, error);
+}
+
+fw_status fw_trajectory_discard(const fw_folder *folder, fw_error *error)
+{
+    FW_TRY(fw_folder_remove(folder, FW_TRAJECTORY_FILE, error));
+    return forget(folder, error);
+}
+
+/* The fresh file becomes the result. */
+static fw_status publish(const fw_folder *folder, fw_error *error)
+{
+    FW_TRY(forget(folder, error));
+    return fw_folder_replace(folder, FRESH_FILE, FW_TRAJECTORY_FILE, error);
+}
+
+static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
+                           const fw_trajectory_def *def, fw_error *error)
+{
+    if (fw_trajectory_is_in(folder) && !def->overwrite)
+        return fw_trajectory_refuse(def->directory, error);
+    /* Before it is tried: laying out what will never fit could take hours. */
+    double needed = fw_trajectory_size(def), room = fw_folder_room(folder);
+    if (needed > room)
+        return fw_fail(error, FW_SYSTEM_FAILED,
+                       "no room for %s/" FW_TRAJECTORY_FILE ", which takes %.3g MB: %.3g MB are "
+                       "free",
+                       def->directory, needed / 1e6, room / 1e6);
+    /* The size of the structure is a guess; HDF5 tells afterwards whether it was enough. */
+    bool cramped = true;
+    for (size_t structure = fw_layout_structure(def); cramped; structure *= 2) {
+        fw_error ignored;
+        if (*trajectory) {
+            fw_hdf5_close((*trajectory)->file, &ignored);
+            release(*trajectory);
+        }
+        FW_TRY(allocate(trajectory, def, error));
+        (*trajectory)->folder = folder;
+        FW_TRY(lay_out(*trajectory, def, structure, &cramped, error));
+    }
+    return publish(folder, error);
+}
+
+fw_status fw_trajectory_create(fw_trajectory **trajectory, const fw_trajectory_def *def,
+                               fw_error *error)
+{
+    *trajectory = NULL;
+    fw_folder *folder;
+    FW_TRY(fw_layout_check(def, error));
+    FW_TRY(fw_folder_create(&folder, def->directory, error));
+    fw_status status = create_in(folder, trajectory, def, error);
+    if (status == FW_OK) return FW_OK;
+    fw_error ignored;
+    if (*trajectory) fw_hdf5_close((*trajectory)->file, &ignored);
+    fw_folder_discard(folder, FRESH_FILE);
+    fw_folder_abandon(folder);
+    release(*trajectory);
+    *trajectory = NULL;
+    return status;
+}
+
+fw_status fw_trajectory_mend(const char *directory, fw_error *error)
+{
+    fw_folder *folder;
+    FW_TRY(fw_folder_open(&folder, directory, error));
+    fw_status status = FW_OK;
+    if (!fw_folder_has(folder, FW_TRAJECTORY_FILE))
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s holds no results; a run that ended before it had laid them out is "
+                         "started again with `fretwork run`",
+                         directory);
+    else if (fw_head_is_torn(folder))
+        status = fw_head_restore(folder, error);
+    if (status == FW_OK && fw_head_is_torn(folder)) status = fw_head_remove(folder, error);
+    fw_folder_close(folder);
+    return status;
+}
+
+/* Everything in the file is what the definition says, and goes back to the given rows. */
+static fw_status resume_in(fw_trajectory *trajectory, const fw_trajectory_def *def, int64_t frames,
+                           int64_t samples, fw_error *error)
+{
+    char path[FW_PATH_SIZE];
+    FW_TRY(fw_folder_path(trajectory->folder, FW_TRAJECTORY_FILE, path, error));
+    FW_TRY(fw_head_restore(trajectory->folder, error));
+    FW_TRY(fw_hdf5_open(&trajectory->file, path, true, error));
+    FW_TRY(fw_layout_compare(trajectory->file, def, error));
+    FW_TRY(add_series(trajectory, def, false, error));
+    FW_TRY(fw_hdf5_check(trajectory->file, error));
+    if (fw_series_count(trajectory->frames) < frames ||
+        fw_series_count(trajectory->samples) < samples)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s holds %lld frames and %lld samples, less than the %lld and %lld of the "
+                       "checkpoint",
+                       path, (long long)fw_series_count(trajectory->frames),
+                       (long long)fw_series_count(trajectory->samples), (long long)frames,
+                       (long long)samples);
+    if (fw_series_room(trajectory->frames) < def->frame_count ||
+        (def->observable_count > 0 && fw_series_room(trajectory->samples) < def->sample_count))
+        return fw_fail(error, FW_BAD_INPUT, "%s has no room for the %lld frames of this run", path,
+                       (long long)def->frame_count);
+    fw_series_rewind(trajectory->frames, frames);
+    fw_series_rewind(trajectory->samples, samples);
+    fw_layout_reopen(trajectory->file);
+    fw_hdf5_sync(trajectory->file);
+    FW_TRY(fw_hdf5_check(trajectory->file, error));
+    return fw_head_remove(trajectory->folder, error);
+}
+
+fw_status fw_trajectory_reopen(fw_trajectory **trajectory, const fw_trajectory_def *def,
+                               int64_t frames, int64_t samples, fw_error *error)
+{
+    fw_folder *folder;
+    *trajectory = NULL;
+    FW_TRY(fw_layout_check(def, error));
+    FW_TRY(fw_folder_open(&folder, def->directory, error));
+    fw_status status = allocate(trajectory, def, error);
+    if (status == FW_OK) {
+        (*trajectory)->folder = folder;
+        status = resume_in(*trajectory, def, frames, samples, error);
+        if (status == FW_OK) return FW_OK;
+        fw_error ignored;
+        fw_hdf5_close((*trajectory)->file, &ignored);
+    }
+    fw_folder_close(folder);
+    release(*trajectory);
+    *trajectory = NULL;
+    return status;
+}
+
+fw_status fw_trajectory_write_frame(fw_trajectory *trajectory, int64_t step, double time,
+                                    const fw_frame_body *bodies, fw_error *error)
+{
+    const int kinds[] = {trajectory->position, trajectory->velocity, trajectory->force};
+    for (int kind = 0; kind < 3; ++kind) {
+        if (kinds[kind] < 0) continue;
+        double *restrict to = trajectory->vectors;
+        for (int body = 0; body < trajectory->body_count; ++body) {
+            const fw_frame_body *from = &bodies[body];
+            const double *x = kind == 0 ? from->x : kind == 1 ? from->velocity_x : from->force_x;
+            const double *y = kind == 0 ? from->y : kind == 1 ? from->velocity_y : from->force_y;
+            for (int i = 0; i < trajectory->counts[body]; ++i, to += 3) {
+                to[0] = x[i];
+                to[1] = y[i];
+            }
+        }
+        fw_series_write(trajectory->frames, kinds[kind], trajectory->vectors);
+    }
+    for (int field = 0; field < trajectory->field_count; ++field) {
+        double *to = trajectory->scalars;
+        for (int body = 0; body < trajectory->body_count; ++body) {
+            const double *from = bodies[body].fields ? bodies[body].fields[field] : NULL;
+            for (int i = 0; i < trajectory->counts[body]; ++i) *to++ = from ? from[i] : NAN;
+        }
+        fw_series_write(trajectory->frames, trajectory->fields[field], trajectory->scalars);
+    }
+    fw_series_end_row(trajectory->frames, step, time);
+    return fw_hdf5_check(trajectory->file, error);
+}
+
+fw_status fw_trajectory_write_sample(fw_trajectory *trajectory, int64_t step, double time,
+                                     const double *values, fw_error *error)
+{
+    for (int i = 0; i < trajectory->observable_count; ++i) {
+        fw_series_write(trajectory->samples, i, values);
+        values += trajectory->components[i];
+    }
+    fw_series_end_row(trajectory->samples, step, time);
+    return fw_hdf5_check(trajectory->file, error);
+}
+
+fw_status fw_trajectory_write_array(fw_trajectory *trajectory, const fw_trajectory_array *array,
+                                    const double *values, fw_error *error)
+{
+    char path[FW_NAME_SIZE + 64];
+    snprintf(path, sizeof path, "observables/%s", array->name);
+    const uint64_t first_extent = (uint64_t)(array->rows > 1 ? array->rows : array->columns);
+    fw_dataset dataset = fw_hdf5_find(trajectory->file, path);
+    if (dataset < 0) fw_hdf5_refuse(trajectory->file, path);
+    fw_hdf5_write(trajectory->file, dataset, FW_F64, 0, first_extent, values);
+    fw_hdf5_release(dataset);
+    return fw_hdf5_check(trajectory->file, error);
+}
+
+int64_t fw_trajectory_frame_count(const fw_trajectory *trajectory)
+{
+    return fw_series_count(trajectory->frames);
+}
+
+int64_t fw_trajectory_sample_count(const fw_trajectory *trajectory)
+{
+    return fw_series_count(trajectory->samples);
+}
+
+fw_status fw_trajectory_sync(fw_trajectory *trajectory, fw_error *error)
+{
+    fw_series_commit(trajectory->frames);
+    fw_series_commit(trajectory->samples);
+    fw_hdf5_sync(trajectory->file);
+    return fw_hdf5_check(trajectory->file, error);
+}
+
+/* Cuts the room for rows that were not written, with a way back at any moment. */
+static fw_status cut(fw_trajectory *trajectory, bool resumable, fw_error *error)
+{
+    fw_hdf5 *file = trajectory->file;
+    uint64_t head = fw_layout_head(file);
+    fw_hdf5_sync(file);
+    FW_TRY(fw_hdf5_check(file, error));
+    FW_TRY(fw_head_save(trajectory->folder, head, fw_hdf5_size(file), error));
+    fw_series_reserve(trajectory->samples, fw_series_count(trajectory->samples));
+    fw_series_reserve(trajectory->frames, fw_series_count(trajectory->frames));
+    fw_hdf5_sync(file);
+    trajectory->file = NULL;
+    FW_TRY(fw_hdf5_close(file, error));
+    return fw_head_settle(trajectory->folder, resumable, error);
+}
+
+fw_status fw_trajectory_finish(fw_trajectory *trajectory, const char *exit_reason, fw_error *error)
+{
+    char end[FW_PROVENANCE_SIZE];
+    fw_provenance_time(end, sizeof end);
+    fw_series_commit(trajectory->frames);
+    fw_series_commit(trajectory->samples);
+    fw_layout_note(trajectory->file, "end", end);
+    fw_layout_note(trajectory->file, "exit_reason", exit_reason);
+    if (fw_series_count(trajectory->frames) < fw_series_room(trajectory->frames) ||
+        fw_series_count(trajectory->samples) < fw_series_room(trajectory->samples))
+        return cut(trajectory, strcmp(exit_reason, FW_RUN_FINISHED) != 0, error);
+    fw_hdf5_sync(trajectory->file);
+    fw_status status = fw_hdf5_close(trajectory->file, error);
+    trajectory->file = NULL;
+    return status;
+}
+
+void fw_trajectory_destroy(fw_trajectory *trajectory)
+{
+    if (!trajectory) return;
+    fw_error ignored;
+    fw_hdf5_close(trajectory->file, &ignored);
+    fw_folder_close(trajectory->folder);
+    release(trajectory);
+}

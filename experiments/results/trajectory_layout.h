@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* trajectory_layout.h - the parts of a results file that stay as they are while a run writes:
+ * H5MD's metadata, bodies, links, scenario and provenance. For trajectory.c only. */
+#ifndef FW_TRAJECTORY_LAYOUT_H
+#define FW_TRAJECTORY_LAYOUT_H
+
+#include "experiments/storage/hdf5_file.h"
+#include "experiments/results/trajectory.h"
+
+/* FW_BAD_INPUT when a name or number of the definition cannot be used. */
+fw_status fw_layout_check(const fw_trajectory_def *def, fw_error *error);
+
+/* Bytes that the structure of the file is likely to take. */
+size_t fw_layout_structure(const fw_trajectory_def *def);
+
+/* Everything but the series. Failures stick to the file. */
+void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def);
+/* Attributes of the series' elements, once these are there. */
+void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def);
+
+/* FW_BAD_INPUT when the file is not one of ours, was closed for good, or holds other bodies than
+ * the definition. */
+fw_status fw_layout_compare(fw_hdf5 *file, const fw_trajectory_def *def, fw_error *error);
+/* Notes that the run goes on. */
+void fw_layout_reopen(fw_hdf5 *file);
+/* Bytes at the head of the file that hold its structure and no data. */
+uint64_t fw_layout_head(fw_hdf5 *file);
+
+/* Rewrites one text of parameters/provenance. */
+void fw_layout_note(fw_hdf5 *file, const char *name, const char *text);
+
+#endif

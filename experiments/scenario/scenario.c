@@ -1,0 +1,212 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario.c - from a text to plain data: parse, apply --set, check every key, fill in, check what
+ * belongs together. Keeps no state beyond the scenario it makes.
+ * Start reading at build(). */
+#include "experiments/scenario/scenario.h"
+
+#include "experiments/text/number.h"
+#include "experiments/scenario/scenario_parts.h"
+#include "experiments/scenario/settings.h"
+#include "experiments/text/spelling.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error *error,
+                           const char *format, ...)
+{
+    char sentence[FW_SENTENCE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(sentence, sizeof sentence, format, arguments);
+    va_end(arguments);
+    return fw_document_fail(scenario->document, place, error, "%s", sentence);
+}
+
+const fw_node *fw_scenario_part(const fw_scenario *scenario, const char *key, int *count)
+{
+    const fw_node *part = fw_node_find(fw_document_root(scenario->document), key);
+    *count = part ? part->count : 0;
+    return part;
+}
+
+fw_status fw_scenario_allocate(const fw_scenario *scenario, size_t count, size_t size, void *room,
+                               fw_error *error)
+{
+    void *made = fw_document_allocate(scenario->document, count, size);
+    memcpy(room, &made, sizeof made);
+    return made ? FW_OK : fw_document_fail_memory(scenario->document, error);
+}
+
+fw_status fw_scenario_find(const fw_scenario *scenario, const fw_node *named, const char *kind,
+                           const fw_node *name, int *index, fw_error *error)
+{
+    fw_guess guess = fw_guess_begin(name->text);
+    *index = 0;
+    for (const fw_node *child = named ? named->first : NULL; child; child = child->next) {
+        if (!strcmp(child->key, name->text)) return FW_OK;
+        fw_guess_offer(&guess, child->key);
+        *index += 1;
+    }
+    *index = -1;
+    if (guess.best)
+        return fw_scenario_fail(scenario, name->place, error,
+                                "there is no %s '%s'; did you mean '%s'?", kind, name->text,
+                                guess.best);
+    if (!named || !named->first)
+        return fw_scenario_fail(scenario, name->place, error,
+                                "there is no %s '%s': the scenario has none at all", kind,
+                                name->text);
+    return fw_scenario_fail(scenario, name->place, error,
+                            "there is no %s '%s', expected one that the scenario names, such as "
+                            "'%s'",
+                            kind, name->text, named->first->key);
+}
+
+static const fw_node *run_key(const fw_scenario *scenario, const char *key)
+{
+    int count;
+    return fw_node_find(fw_scenario_part(scenario, "run", &count), key);
+}
+
+static fw_status complete_run(fw_scenario *scenario, fw_error *error)
+{
+    enum { FRAMES = 200 };
+    fw_scenario_run *run = &scenario->run;
+    if (!run->record_every) run->record_every = (run->steps + FRAMES - 1) / FRAMES;
+    if (run->reverse_at >= run->steps)
+        return fw_scenario_fail(scenario, run_key(scenario, "reverse-at")->place, error,
+                                "run.reverse-at is %lld, expected less than the %lld steps of the "
+                                "run",
+                                (long long)run->reverse_at, (long long)run->steps);
+    return FW_OK;
+}
+
+static fw_status refuse_lines(const fw_scenario *scenario, const char *key, fw_error *error)
+{
+    int count;
+    const fw_node *node = fw_scenario_part(scenario, key, &count);
+    if (!node || !strchr(node->text, '\n')) return FW_OK;
+    return fw_scenario_fail(scenario, node->place, error,
+                            "%s has more than one line, expected one; longer texts belong in "
+                            "'about'",
+                            key);
+}
+
+static fw_status refuse_twins(const fw_scenario *scenario, const char *what,
+                              const fw_scenario_names *names, fw_error *error)
+{
+    for (int n = 1; n < names->count; ++n)
+        for (int m = 0; m < n; ++m)
+            if (!strcmp(names->item[n].text, names->item[m].text))
+                return fw_scenario_fail(scenario, names->item[n].place, error,
+                                        "%s names '%s' twice", what, names->item[n].text);
+    return FW_OK;
+}
+
+static fw_status build(fw_scenario *scenario, const char *const *settings, int setting_count,
+                       fw_error *error)
+{
+    fw_document *document = scenario->document;
+    FW_TRY(fw_settings_apply(document, settings, setting_count, error));
+    FW_TRY(fw_schema_check(document, "scenario", error));
+    FW_TRY(fw_scenario_read_sweep(scenario, error));
+    FW_TRY(fw_schema_fill(document, "scenario", fw_document_root(document), scenario, error));
+    FW_TRY(refuse_lines(scenario, "title", error));
+    FW_TRY(refuse_lines(scenario, "figure", error));
+    FW_TRY(complete_run(scenario, error));
+    FW_TRY(refuse_twins(scenario, "measure", &scenario->measure, error));
+    FW_TRY(refuse_twins(scenario, "record.fields", &scenario->record.fields, error));
+    FW_TRY(fw_scenario_read_materials(scenario, error));
+    FW_TRY(fw_scenario_read_bodies(scenario, error));
+    FW_TRY(fw_scenario_check_dynamics(scenario, error));
+    FW_TRY(fw_scenario_check_clock(scenario, error));
+    FW_TRY(fw_scenario_read_walls(scenario, error));
+    FW_TRY(fw_scenario_read_forces(scenario, error));
+    FW_TRY(fw_scenario_read_grips(scenario, error));
+    FW_TRY(fw_scenario_read_phases(scenario, error));
+    FW_TRY(fw_scenario_read_study(scenario, error));
+    FW_TRY(fw_scenario_read_analyses(scenario, error));
+    FW_TRY(fw_scenario_read_expectations(scenario, error));
+    return fw_scenario_read_pictures(scenario, error);
+}
+
+/* Takes the document over, whatever happens. */
+static fw_status create(fw_scenario **scenario, fw_document *document, const char *const *settings,
+                        int setting_count, fw_error *error)
+{
+    *scenario = calloc(1, sizeof **scenario);
+    if (!*scenario) {
+        fw_document_destroy(document);
+        return fw_fail_memory(error, "a scenario");
+    }
+    (*scenario)->document = document;
+    fw_status status = build(*scenario, settings, setting_count, error);
+    if (status == FW_OK) return FW_OK;
+    fw_scenario_destroy(*scenario);
+    *scenario = NULL;
+    return status;
+}
+
+fw_status fw_scenario_read(fw_scenario **scenario, const char *file, const char *text,
+                           size_t length, const char *const *settings, int setting_count,
+                           fw_error *error)
+{
+    *scenario = NULL;
+    fw_document *document;
+    FW_TRY(fw_document_parse(&document, file, text, length, error));
+    return create(scenario, document, settings, setting_count, error);
+}
+
+fw_status fw_scenario_load(fw_scenario **scenario, const char *path, const char *const *settings,
+                           int setting_count, fw_error *error)
+{
+    *scenario = NULL;
+    fw_document *document;
+    FW_TRY(fw_document_load(&document, path, error));
+    return create(scenario, document, settings, setting_count, error);
+}
+
+bool fw_scenario_is_sweep(const fw_scenario *scenario)
+{
+    return scenario->study.sweep.value_count > 0 && !scenario->study.sweep.is_case;
+}
+
+fw_status fw_scenario_read_case(fw_scenario **made, const fw_scenario *sweep, int number,
+                                fw_error *error)
+{
+    char setting[FW_NUMBER_TEXT + 32] = "study.sweep.case=";
+    const char *const settings[] = {setting};
+    fw_document *document;
+    *made = NULL;
+    fw_number_write(setting + strlen(setting), sweep->study.sweep.values[number]);
+    FW_TRY(fw_document_clone(&document, sweep->document, error));
+    const fw_status status = create(made, document, settings, 1, error);
+    return fw_scenario_fail_case(sweep, number, status, error);
+}
+
+void fw_scenario_destroy(fw_scenario *scenario)
+{
+    if (!scenario) return;
+    for (int n = 0; n < scenario->body_count; ++n) fw_sites_clear(&scenario->bodies[n].shape.sites);
+    fw_document_destroy(scenario->document);
+    free(scenario);
+}
+
+fw_status fw_scenario_print(const fw_scenario *scenario, char **text, fw_error *error)
+{
+    *text = NULL;
+    size_t length;
+    FILE *out = open_memstream(text, &length);
+    if (!out) return fw_fail(error, FW_SYSTEM_FAILED, "the scenario as run: %s", strerror(errno));
+    fw_status status = fw_document_print(scenario->document, out, error);
+    if (fclose(out) != 0 && status == FW_OK)
+        status = fw_fail(error, FW_SYSTEM_FAILED, "the scenario as run: %s", strerror(errno));
+    if (status != FW_OK) {
+        free(*text);
+        *text = NULL;
+    }
+    return status;
+}

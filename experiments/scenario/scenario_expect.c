@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario_expect.c - what a scenario expects, and the pictures it asks for. Keeps no state. */
+#include "experiments/scenario/scenario_parts.h"
+
+#include <string.h>
+
+/* --- expectations --- */
+
+/* A phase in place of the steps that it takes. */
+static fw_status read_phase(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
+                            fw_error *error)
+{
+    const fw_node *name = fw_node_find(node, "phase");
+    if (!name) return FW_OK;
+    const fw_node *stray = fw_node_find(node, "from");
+    if (!stray) stray = fw_node_find(node, "until");
+    if (stray)
+        return fw_scenario_fail(scenario, stray->key_place, error,
+                                "the expectation of '%s' has both 'phase' and '%s', expected one "
+                                "of them",
+                                e->quantity.text, stray->key);
+    int phase;
+    FW_TRY(fw_scenario_find_phase(scenario, name, &phase, error));
+    e->from = scenario->phases[phase].from;
+    e->until = scenario->phases[phase].until;
+    return FW_OK;
+}
+
+/* What `at` and `take` look at must be measured. */
+static fw_status check_steps(const fw_scenario *scenario, const fw_node *node,
+                             const fw_expectation *e, fw_error *error)
+{
+    static const char *const series_keys[] = {"take", "from", "until", "phase", NULL};
+    const fw_scenario_run *run = &scenario->run;
+    const char *quantity = e->quantity.text;
+    if (e->has_at) {
+        for (int n = 0; series_keys[n]; ++n) {
+            const fw_node *other = fw_node_find(node, series_keys[n]);
+            if (other)
+                return fw_scenario_fail(scenario, other->key_place, error,
+                                        "the expectation of '%s' has both 'at' and '%s', expected "
+                                        "one step or a series",
+                                        quantity, series_keys[n]);
+        }
+        bool measured = e->at % run->measure_every == 0 || e->at == run->steps;
+        if (e->at <= run->steps && measured) return FW_OK;
+        return fw_scenario_fail(scenario, fw_node_find(node, "at")->place, error,
+                                "the expectation of '%s' is at step %lld, but the run ends at %lld "
+                                "and measures at multiples of %lld",
+                                quantity, (long long)e->at, (long long)run->steps,
+                                (long long)run->measure_every);
+    }
+    const fw_node *until = fw_node_find(node, "until");
+    if (e->from > run->steps)
+        return fw_scenario_fail(scenario, fw_node_find(node, "from")->place, error,
+                                "the expectation of '%s' begins at step %lld, after the %lld steps "
+                                "of the run",
+                                quantity, (long long)e->from, (long long)run->steps);
+    if (until && (e->until < e->from || e->until > run->steps))
+        return fw_scenario_fail(scenario, until->place, error,
+                                "the expectation of '%s' ends at step %lld, expected %lld to %lld",
+                                quantity, (long long)e->until, (long long)e->from,
+                                (long long)run->steps);
+    return FW_OK;
+}
+
+/* How it changes over a sweep, in place of a value. */
+static fw_status read_trend(const fw_scenario *scenario, const fw_node *node, const fw_node *trend,
+                            fw_expectation *e, fw_error *error)
+{
+    static const char *const others[] = {"value", "below", "above", "when", NULL};
+    for (int n = 0; others[n]; ++n) {
+        const fw_node *other = fw_node_find(node, others[n]);
+        if (other)
+            return fw_scenario_fail(scenario, other->key_place, error,
+                                    "the expectation of '%s' has both 'trend' and '%s', expected "
+                                    "one of them",
+                                    e->quantity.text, others[n]);
+    }
+    if (scenario->study.sweep.value_count < 2)
+        return fw_scenario_fail(scenario, trend->key_place, error,
+                                "the expectation of '%s' has a 'trend', but the study has no "
+                                "'sweep' of two values or more",
+                                e->quantity.text);
+    e->kind = fw_node_word(trend, "rises|falls") == 0 ? FW_VERDICT_RISES : FW_VERDICT_FALLS;
+    return FW_OK;
+}
+
+static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
+                              fw_error *error)
+{
+    const fw_node *value = fw_node_find(node, "value");
+    const fw_node *within = fw_node_find(node, "within");
+    const fw_node *relative = fw_node_find(node, "within-relative");
+    const fw_node *below = fw_node_find(node, "below"), *above = fw_node_find(node, "above");
+    const fw_node *trend = fw_node_find(node, "trend");
+    const char *quantity = e->quantity.text;
+    if (trend) return read_trend(scenario, node, trend, e, error);
+    e->has_below = below != NULL;
+    e->has_above = above != NULL;
+    if (value && (below || above))
+        return fw_scenario_fail(scenario, (below ? below : above)->key_place, error,
+                                "the expectation of '%s' has both 'value' and '%s', expected a "
+                                "value or bounds",
+                                quantity, below ? "below" : "above");
+    if (!value && !below && !above)
+        return fw_scenario_fail(scenario, node->place, error,
+                                "the expectation of '%s' expects nothing: it needs 'value' with "
+                                "'within', or 'below', or 'above', or 'trend'",
+                                quantity);
+    if (below && above && e->above >= e->below)
+        return fw_scenario_fail(scenario, above->place, error,
+                                "the expectation of '%s' is above %g and below %g, which no number "
+                                "is",
+                                quantity, e->above, e->below);
+    e->kind = FW_VERDICT_BOUNDS;
+    if (!value) return FW_OK;
+    if (!within == !relative)
+        return fw_scenario_fail(scenario, relative ? relative->key_place : value->key_place, error,
+                                "the expectation of '%s' has %s, expected one of the two", quantity,
+                                within ? "both 'within' and 'within-relative'"
+                                       : "a 'value' without 'within' or 'within-relative'");
+    if (relative && e->value == 0)
+        return fw_scenario_fail(scenario, relative->key_place, error,
+                                "the expectation of '%s' is 0 within a part of 0, expected "
+                                "'within' instead of 'within-relative'",
+                                quantity);
+    e->kind = within ? FW_VERDICT_VALUE : FW_VERDICT_RELATIVE;
+    e->within = fw_node_number(within ? within : relative);
+    return FW_OK;
+}
+
+static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw_expectation *e,
+                                  fw_error *error)
+{
+    e->place = node->place;
+    FW_TRY(fw_schema_fill(scenario->document, "expectation", node, e, error));
+    e->has_at = fw_node_find(node, "at") != NULL;
+    e->has_site = fw_node_find(node, "site") != NULL;
+    const fw_node *when = fw_node_find(node, "when");
+    e->when = -1;
+    if (when) FW_TRY(fw_scenario_find_value(scenario, when, &e->when, error));
+    e->body_index = e->wall_index = e->grip_index = e->analysis_index = -1;
+    int count;
+    const fw_node *body = fw_node_find(node, "body"), *wall = fw_node_find(node, "wall");
+    const fw_node *analysis = fw_node_find(node, "analysis");
+    if (body)
+        FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "bodies", &count), "body",
+                                body, &e->body_index, error));
+    if (wall)
+        FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "walls", &count), "wall", wall,
+                                &e->wall_index, error));
+    const fw_node *grip = fw_node_find(node, "grip");
+    if (grip)
+        FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "grips", &count), "grip", grip,
+                                &e->grip_index, error));
+    if (analysis)
+        FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "analysis", &count),
+                                "analysis", analysis, &e->analysis_index, error));
+    if (e->has_site && !fw_scenario_has_site(&scenario->bodies[e->body_index], e->site))
+        return fw_scenario_fail(scenario, fw_node_find(node, "site")->place, error,
+                                "site [%d, %d] is not one of body '%s'", e->site.i, e->site.j,
+                                e->body.text);
+    FW_TRY(read_phase(scenario, node, e, error));
+    FW_TRY(check_steps(scenario, node, e, error));
+    return read_verdict(scenario, node, e, error);
+}
+
+fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error)
+{
+    int count;
+    const fw_node *part = fw_scenario_part(scenario, "expect", &count);
+    if (!part) return FW_OK;
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->expectations,
+                                &scenario->expectations, error));
+    for (const fw_node *node = part->first; node; node = node->next)
+        FW_TRY(read_expectation(scenario, node,
+                                &scenario->expectations[scenario->expectation_count++], error));
+    return FW_OK;
+}
+
+/* --- pictures --- */
+
+/* Keys that mean nothing for a picture of this kind are refused, not passed over. */
+static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
+                            const fw_scenario_picture *picture, fw_error *error)
+{
+    enum {
+        MOTION = 1 << FW_PICTURE_MOTION,
+        FORCES = 1 << FW_PICTURE_FORCES,
+        FIELD = 1 << FW_PICTURE_FIELD,
+        SERIES = 1 << FW_PICTURE_SERIES,
+        ANALYSIS = 1 << FW_PICTURE_ANALYSIS,
+        PROFILE = 1 << FW_PICTURE_PROFILE,
+        LOOP = 1 << FW_PICTURE_LOOP,
+        SWEEP = 1 << FW_PICTURE_SWEEP
+    };
+    static const struct {
+        const char *key;
+        unsigned kinds; /* that draw it */
+    } keys[] = {{"observables", SERIES | SWEEP},
+                {"from", SERIES},
+                {"until", SERIES},
+                {"logarithmic", SERIES | SWEEP},
+                {"instants", MOTION | FORCES | FIELD},
+                {"field", MOTION | FORCES | FIELD | PROFILE},
+                {"analysis", ANALYSIS}};
+    const fw_node *kind = fw_node_find(node, "kind");
+    for (size_t n = 0; n < sizeof keys / sizeof keys[0]; ++n) {
+        const fw_node *stray = fw_node_find(node, keys[n].key);
+        if (stray && !(keys[n].kinds >> picture->kind & 1))
+            return fw_scenario_fail(scenario, stray->key_place, error,
+                                    "pictures.%s has '%s', which a picture of kind '%s' does not "
+                                    "draw",
+                                    node->key, stray->key, kind->text);
+    }
+    if (picture->kind == FW_PICTURE_SWEEP && scenario->study.sweep.value_count == 0)
+        return fw_scenario_fail(scenario, kind->place, error,
+                                "pictures.%s is of kind 'sweep', but the study has no 'sweep'",
+                                node->key);
+    if (((PROFILE | LOOP) >> picture->kind & 1) && scenario->profile.every == 0)
+        return fw_scenario_fail(scenario, kind->place, error,
+                                "pictures.%s is of kind '%s', but the scenario has no 'profile'",
+                                node->key, kind->text);
+    if (picture->kind == FW_PICTURE_LOOP && scenario->grip_count < 2)
+        return fw_scenario_fail(scenario, kind->place, error,
+                                "pictures.%s is of kind 'loop', force against slip, but the "
+                                "scenario has %d grips, expected two that rub",
+                                node->key, scenario->grip_count);
+    const fw_node *until = fw_node_find(node, "until"), *from = fw_node_find(node, "from");
+    if (picture->from >= scenario->run.steps && from && scenario->run.steps > 0)
+        return fw_scenario_fail(scenario, from->place, error,
+                                "pictures.%s begins at step %lld, but the run ends at %lld",
+                                node->key, (long long)picture->from,
+                                (long long)scenario->run.steps);
+    if (until && (picture->until <= picture->from || picture->until > scenario->run.steps))
+        return fw_scenario_fail(scenario, until->place, error,
+                                "pictures.%s ends at step %lld, expected %lld to %lld", node->key,
+                                (long long)picture->until, (long long)picture->from + 1,
+                                (long long)scenario->run.steps);
+    return FW_OK;
+}
+
+/* The one named, or the only one. */
+static fw_status check_analysis(const fw_scenario *scenario, const fw_node *node,
+                                fw_scenario_picture *picture, fw_error *error)
+{
+    if (picture->kind != FW_PICTURE_ANALYSIS) return FW_OK;
+    int count, index;
+    const fw_node *part = fw_scenario_part(scenario, "analysis", &count);
+    const fw_node *named = fw_node_find(node, "analysis");
+    if (named) return fw_scenario_find(scenario, part, "analysis", named, &index, error);
+    if (count != 1)
+        return fw_scenario_fail(scenario, picture->place, error,
+                                "pictures.%s draws an analysis, of which the scenario has %d, "
+                                "expected the key 'analysis'",
+                                picture->name, count);
+    picture->analysis = (fw_scenario_name){part->first->key, part->first->key_place};
+    return FW_OK;
+}
+
+static fw_status read_instants(const fw_scenario *scenario, const fw_node *list,
+                               fw_scenario_picture *picture, fw_error *error)
+{
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *picture->instants,
+                                &picture->instants, error));
+    for (const fw_node *node = list->first; node; node = node->next) {
+        int64_t instant = fw_node_integer(node);
+        int count = picture->instant_count;
+        if (instant > scenario->run.steps)
+            return fw_scenario_fail(scenario, node->place, error,
+                                    "pictures.%s shows step %lld, but the run ends at %lld",
+                                    picture->name, (long long)instant,
+                                    (long long)scenario->run.steps);
+        if (count && instant <= picture->instants[count - 1])
+            return fw_scenario_fail(scenario, node->place, error,
+                                    "pictures.%s shows step %lld after step %lld, expected "
+                                    "ascending steps",
+                                    picture->name, (long long)instant,
+                                    (long long)picture->instants[count - 1]);
+        picture->instants[picture->instant_count++] = instant;
+    }
+    return FW_OK;
+}
+
+fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
+{
+    int count;
+    const fw_node *part = fw_scenario_part(scenario, "pictures", &count);
+    if (!part) return FW_OK;
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->pictures,
+                                &scenario->pictures, error));
+    for (const fw_node *node = part->first; node; node = node->next) {
+        fw_scenario_picture *picture = &scenario->pictures[scenario->picture_count++];
+        picture->name = node->key;
+        picture->place = node->key_place;
+        FW_TRY(fw_schema_fill(scenario->document, "picture", node, picture, error));
+        FW_TRY(check_kind(scenario, node, picture, error));
+        FW_TRY(check_analysis(scenario, node, picture, error));
+        const fw_node *instants = fw_node_find(node, "instants");
+        if (instants) FW_TRY(read_instants(scenario, instants, picture, error));
+    }
+    return FW_OK;
+}

@@ -1,0 +1,426 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* schema.c - is a tree what the table says? Keeps no state but the path to the node at hand.
+ * Invariant: what has passed can be read by fw_schema_fill without further questions.
+ * Start reading at check_mapping(). */
+#include "experiments/scenario/schema.h"
+
+#include "experiments/text/number.h"
+#include "experiments/text/spelling.h"
+#include "experiments/text/text.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+enum { PATH_SIZE = 320, EXPECTED_SIZE = 400 };
+
+typedef struct checker {
+    const fw_document *document;
+    fw_error *error;
+    char path[PATH_SIZE]; /* "bodies.sheet.velocity" */
+} checker;
+
+const fw_key *fw_schema_find(const char *section, const char *name)
+{
+    for (const fw_key *key = fw_schema_keys; key->section; ++key)
+        if (!strcmp(key->section, section) && !strcmp(key->name, name)) return key;
+    return NULL;
+}
+
+const fw_section *fw_schema_section(const char *name)
+{
+    const fw_section *section = fw_schema_sections;
+    while (section->name && strcmp(section->name, name)) ++section;
+    assert(section->name);
+    return section;
+}
+
+/* --- the path to where we are --- */
+
+static size_t enter(checker *c, const char *name)
+{
+    size_t before = strlen(c->path);
+    snprintf(c->path + before, sizeof c->path - before, "%s%s", before ? "." : "", name);
+    return before;
+}
+
+static size_t enter_item(checker *c, int number)
+{
+    char name[16];
+    snprintf(name, sizeof name, "%d", number);
+    return enter(c, name);
+}
+
+static void leave(checker *c, size_t before)
+{
+    c->path[before] = '\0';
+}
+
+/* --- sentences --- */
+
+typedef struct description {
+    char text[FW_QUOTE_SIZE + 24];
+} description;
+
+static description describe(const fw_node *node)
+{
+    description d;
+    if (node->kind == FW_SCALAR && node->length == 0)
+        snprintf(d.text, sizeof d.text, "empty");
+    else if (node->kind == FW_SCALAR)
+        snprintf(d.text, sizeof d.text, "%s'%s'", node->quoted ? "the text " : "",
+                 fw_text_quote(node->text, node->length).text);
+    else
+        snprintf(d.text, sizeof d.text, "a %s of %d", node->kind == FW_LIST ? "list" : "mapping",
+                 node->count);
+    return d;
+}
+
+static fw_status refuse(checker *c, const fw_node *node, const fw_key *key)
+{
+    char expected[EXPECTED_SIZE];
+    fw_schema_expected(key, expected, sizeof expected);
+    return fw_document_fail(c->document, node->place, c->error, "%s is %s, expected %s", c->path,
+                            describe(node).text, expected);
+}
+
+fw_status fw_schema_check_key(const fw_document *document, const char *section, const char *path,
+                              const char *key, fw_place place, fw_error *error)
+{
+    if (fw_schema_find(section, key)) return FW_OK;
+    const char *thing = fw_schema_section(section)->thing;
+    fw_quote found = fw_text_quote(key, strlen(key));
+    fw_guess guess = fw_guess_begin(key);
+    char all[EXPECTED_SIZE] = "";
+    for (const fw_key *known = fw_schema_keys; known->section; ++known) {
+        if (strcmp(known->section, section)) continue;
+        fw_guess_offer(&guess, known->name);
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", known->name);
+    }
+    const char *in = *path ? " in " : "";
+    if (guess.best)
+        return fw_document_fail(document, place, error, "unknown key '%s'%s%s; did you mean '%s'?",
+                                found.text, in, path, guess.best);
+    return fw_document_fail(document, place, error,
+                            "unknown key '%s'%s%s, expected a key of %s: %s", found.text, in, path,
+                            thing, all);
+}
+
+/* --- single values --- */
+
+static bool in_bounds(const fw_key *key, double value)
+{
+    if ((key->bounds & FW_ABOVE) && !(value > key->low)) return false;
+    if ((key->bounds & FW_FROM) && !(value >= key->low)) return false;
+    if ((key->bounds & FW_UP_TO) && !(value <= key->high)) return false;
+    return true;
+}
+
+/* A number of at most `most` in size where a single one may be. */
+static fw_status check_number(checker *c, const fw_node *node, const fw_key *key, double most)
+{
+    if (node->kind != FW_SCALAR || node->quoted) return refuse(c, node, key);
+    double value = 0;
+    int64_t integer = 0;
+    bool whole = key->forms & FW_FORM_INTEGER;
+    fw_number_fault fault = whole ? fw_integer_read(node->text, node->length, &integer)
+                                  : fw_number_read(node->text, node->length, &value);
+    if (whole) value = (double)integer;
+    bool huge = fault == FW_NUMBER_TOO_LARGE || fault == FW_NUMBER_NOT_FINITE || fabs(value) > most;
+    if (fault == FW_NUMBER_FINE && !huge && in_bounds(key, value)) return FW_OK;
+
+    char expected[EXPECTED_SIZE];
+    fw_schema_expected(key, expected, sizeof expected);
+    fw_quote found = fw_text_quote(node->text, node->length);
+    if (fault == FW_NUMBER_TOO_SMALL)
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is '%s', which is not 0 but too small for a number here",
+                                c->path, found.text);
+    if (fault == FW_NUMBER_NOT_WHOLE)
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is '%s', expected %s, written without point, exponent or "
+                                "leading zeros",
+                                c->path, found.text, expected);
+    if (huge && !(key->bounds & FW_UP_TO))
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is '%s', expected %s, finite and at most %.15g in size",
+                                c->path, found.text, expected, most);
+    return refuse(c, node, key);
+}
+
+/* How many values a layout such as "[x, y]" has. */
+static int layout_length(const char *layout)
+{
+    int length = 1;
+    for (const char *c = layout; *c; ++c) length += *c == ',';
+    return length;
+}
+
+static fw_status check_numbers(checker *c, const fw_node *node, const fw_key *key, bool whole)
+{
+    if (node->kind != FW_LIST || node->count != layout_length(key->layout))
+        return refuse(c, node, key);
+    fw_key single = *key;
+    single.forms = whole ? FW_FORM_INTEGER : FW_FORM_NUMBER;
+    int number = 0;
+    for (const fw_node *child = node->first; child; child = child->next) {
+        size_t before = enter_item(c, number++);
+        FW_TRY(check_number(c, child, &single, whole ? FW_COORDINATE_MOST : FW_NUMBER_MOST));
+        leave(c, before);
+    }
+    return FW_OK;
+}
+
+static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *key)
+{
+    fw_key single = *key;
+    single.forms = FW_FORM_NUMBER;
+    if (node->kind == FW_SCALAR) {
+        return node->quoted || !node->length ? refuse(c, node, key)
+                                             : check_number(c, node, &single, FW_NUMBER_MOST);
+    }
+    bool full = node->kind == FW_LIST && node->count == 2;
+    if (!full && !(node->kind == FW_LIST && node->count == 3)) return refuse(c, node, key);
+
+    /* Entries may be negative; the matrix as a whole has the bounds. */
+    single.bounds = FW_UNBOUNDED;
+    double entry[4];
+    int count = 0;
+    for (const fw_node *row = node->first; row; row = row->next) {
+        if (full && (row->kind != FW_LIST || row->count != 2)) return refuse(c, node, key);
+        for (const fw_node *child = full ? row->first : row; child; child = child->next) {
+            size_t before = enter_item(c, count);
+            FW_TRY(check_number(c, child, &single, FW_NUMBER_MOST));
+            leave(c, before);
+            entry[count++] = fw_node_number(child);
+            if (!full) break;
+        }
+    }
+    if (full && entry[1] != entry[2])
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is a matrix with %.17g to the right of %.17g on its diagonal "
+                                "but %.17g below it, expected a symmetric one: any other would "
+                                "create energy from nothing",
+                                c->path, entry[1], entry[0], entry[2]);
+    double xx = entry[0], xy = entry[1], yy = full ? entry[3] : entry[2];
+    if ((key->bounds & FW_ABOVE) && !(xx > 0 && yy > 0 && xx * yy - xy * xy > 0))
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is [[%.17g, %.17g], [%.17g, %.17g]], expected a positive "
+                                "definite matrix: this one is zero or negative in some direction",
+                                c->path, xx, xy, xy, yy);
+    return FW_OK;
+}
+
+static bool is_word(const char *text, size_t length, const char *words)
+{
+    for (const char *word = words; *word;) {
+        size_t size = strcspn(word, "|");
+        if (size == length && !memcmp(word, text, length)) return true;
+        word += size + (word[size] == '|');
+    }
+    return false;
+}
+
+static fw_status check_word(checker *c, const fw_node *node, const fw_key *key)
+{
+    if (is_word(node->text, node->length, key->words)) return FW_OK;
+    enum { WORDS_MOST = 16 };
+    char words[WORDS_MOST][FW_NAME_BYTES];
+    fw_guess guess = fw_guess_begin(node->text);
+    const char *word = key->words;
+    for (int count = 0; *word; ++count) {
+        assert(count < WORDS_MOST);
+        size_t size = strcspn(word, "|");
+        snprintf(words[count], FW_NAME_BYTES, "%.*s", (int)size, word);
+        fw_guess_offer(&guess, words[count]);
+        word += size + (word[size] == '|');
+    }
+    if (!guess.best) return refuse(c, node, key);
+    char expected[EXPECTED_SIZE];
+    fw_schema_expected(key, expected, sizeof expected);
+    return fw_document_fail(c->document, node->place, c->error,
+                            "%s is '%s', expected %s; did you mean '%s'?", c->path,
+                            fw_text_quote(node->text, node->length).text, expected, guess.best);
+}
+
+static bool is_name(const char *text, size_t length)
+{
+    if (length == 0 || length >= FW_NAME_BYTES) return false;
+    for (size_t n = 0; n < length; ++n) {
+        char c = text[n];
+        bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+        bool other = (c >= '0' && c <= '9') || c == '-' || c == '_';
+        if (!letter && !(other && n > 0)) return false;
+    }
+    return true;
+}
+
+/* Names with a dot between each two. */
+static bool is_path(const char *text, size_t length)
+{
+    for (;;) {
+        const char *dot = memchr(text, '.', length);
+        if (!dot) return is_name(text, length);
+        size_t part = (size_t)(dot - text);
+        if (!is_name(text, part)) return false;
+        text += part + 1;
+        length -= part + 1;
+    }
+}
+
+/* --- values made of others --- */
+
+static fw_status check_mapping(checker *c, const fw_node *mapping, const char *section);
+static fw_status check_value(checker *c, const fw_node *node, const fw_key *key);
+
+static fw_status check_list(checker *c, const fw_node *node, const fw_key *key)
+{
+    int most = key->most ? key->most : FW_ITEMS_MOST;
+    if (node->count < key->least || node->count > most)
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s has %d items, expected %d to %d", c->path, node->count,
+                                key->least, most);
+    fw_key item = *key;
+    item.forms = key->items;
+    item.items = 0;
+    int number = 0;
+    for (const fw_node *child = node->first; child; child = child->next) {
+        size_t before = enter_item(c, number++);
+        FW_TRY(check_value(c, child, &item));
+        leave(c, before);
+    }
+    return FW_OK;
+}
+
+static fw_status check_named(checker *c, const fw_node *node, const fw_key *key)
+{
+    if (node->kind != FW_MAPPING) return refuse(c, node, key);
+    if (node->count < key->least || node->count > key->most)
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s has %d names, expected %d to %d", c->path, node->count,
+                                key->least, key->most);
+    fw_key named = *key;
+    named.forms = FW_FORM_MAPPING;
+    for (const fw_node *child = node->first; child; child = child->next) {
+        size_t length = strlen(child->key);
+        if (!is_name(child->key, length))
+            return fw_document_fail(c->document, child->key_place, c->error,
+                                    "'%s' as a name in %s, expected a letter and then letters, "
+                                    "digits, '-' or '_'",
+                                    fw_text_quote(child->key, length).text, c->path);
+        size_t before = enter(c, child->key);
+        FW_TRY(check_value(c, child, &named));
+        leave(c, before);
+    }
+    return FW_OK;
+}
+
+static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key)
+{
+    if (key->forms & FW_FORM_SYMMETRIC) return check_symmetric(c, node, key);
+    if (key->forms & (FW_FORM_NUMBER | FW_FORM_ANGLE))
+        return check_number(c, node, key, FW_NUMBER_MOST);
+    if (key->forms & FW_FORM_INTEGER) return check_number(c, node, key, FW_INTEGER_MOST);
+    if (node->length == 0) return refuse(c, node, key);
+    if (key->forms & FW_FORM_TEXT) return FW_OK;
+    if (key->forms & FW_FORM_WORD) return check_word(c, node, key);
+    if (key->forms & FW_FORM_FLAG)
+        return !node->quoted && is_word(node->text, node->length, "true|false")
+                   ? FW_OK
+                   : refuse(c, node, key);
+    if (key->forms & FW_FORM_NAME)
+        return is_name(node->text, node->length) ? FW_OK : refuse(c, node, key);
+    if (key->forms & FW_FORM_PATH)
+        return is_path(node->text, node->length) ? FW_OK : refuse(c, node, key);
+    return refuse(c, node, key);
+}
+
+static fw_status check_value(checker *c, const fw_node *node, const fw_key *key)
+{
+    if (key->forms & FW_FORM_NAMED) return check_named(c, node, key);
+    if (node->kind == FW_SCALAR) return check_scalar(c, node, key);
+    if (node->kind == FW_MAPPING)
+        return key->forms & FW_FORM_MAPPING ? check_mapping(c, node, key->inside)
+                                            : refuse(c, node, key);
+    if (key->forms & FW_FORM_NUMBERS) return check_numbers(c, node, key, false);
+    if (key->forms & FW_FORM_INTEGERS) return check_numbers(c, node, key, true);
+    if (key->forms & FW_FORM_SYMMETRIC) return check_symmetric(c, node, key);
+    return key->forms & FW_FORM_LIST ? check_list(c, node, key) : refuse(c, node, key);
+}
+
+/* --- mappings --- */
+
+static const char *where(const checker *c)
+{
+    return *c->path ? c->path : "the scenario";
+}
+
+static fw_status check_alternatives(checker *c, const fw_node *mapping, const char *section)
+{
+    const fw_node *given = NULL;
+    char all[EXPECTED_SIZE] = "";
+    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
+        if (strcmp(key->section, section) || !key->alternative) continue;
+        size_t used = strlen(all);
+        snprintf(all + used, sizeof all - used, "%s%s", used ? "|" : "", key->name);
+        const fw_node *node = fw_node_find(mapping, key->name);
+        if (node && given) {
+            bool later = node->key_place.line > given->key_place.line ||
+                         (node->key_place.line == given->key_place.line &&
+                          node->key_place.column > given->key_place.column);
+            return fw_document_fail(c->document, later ? node->key_place : given->key_place,
+                                    c->error, "%s has both '%s' and '%s', expected one of them",
+                                    where(c), given->key, node->key);
+        }
+        if (node) given = node;
+    }
+    if (given || !*all) return FW_OK;
+    char expected[EXPECTED_SIZE];
+    fw_schema_list_words(all, expected, sizeof expected);
+    return fw_document_fail(c->document, mapping->place, c->error, "%s is incomplete, expected %s",
+                            where(c), expected);
+}
+
+static fw_status check_presence(checker *c, const fw_node *mapping, const char *section)
+{
+    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
+        if (strcmp(key->section, section)) continue;
+        const fw_node *node = fw_node_find(mapping, key->name);
+        if (key->required && !node)
+            return fw_document_fail(c->document, mapping->key ? mapping->key_place : mapping->place,
+                                    c->error, "%s has no '%s', which %s must have", where(c),
+                                    key->name, fw_schema_section(section)->thing);
+        if (node && key->needs && !fw_node_find(mapping, key->needs))
+            return fw_document_fail(c->document, node->key_place, c->error,
+                                    "%s has '%s' but no '%s', without which it means nothing",
+                                    where(c), key->name, key->needs);
+    }
+    return check_alternatives(c, mapping, section);
+}
+
+static fw_status check_mapping(checker *c, const fw_node *mapping, const char *section)
+{
+    /* Unknown keys first: a misspelt one would also be missed as required. */
+    for (const fw_node *child = mapping->first; child; child = child->next)
+        FW_TRY(fw_schema_check_key(c->document, section, c->path, child->key, child->key_place,
+                                   c->error));
+    for (const fw_node *child = mapping->first; child; child = child->next) {
+        size_t before = enter(c, child->key);
+        FW_TRY(check_value(c, child, fw_schema_find(section, child->key)));
+        leave(c, before);
+    }
+    return check_presence(c, mapping, section);
+}
+
+fw_status fw_schema_check(const fw_document *document, const char *section, fw_error *error)
+{
+    const fw_node *root = fw_document_root(document);
+    checker c = {.document = document, .error = error};
+    if (root->kind != FW_MAPPING)
+        return fw_document_fail(document, root->place, error,
+                                "the scenario is %s, expected keys such as 'title: ...' in lines "
+                                "of their own",
+                                describe(root).text);
+    return check_mapping(&c, root, section);
+}

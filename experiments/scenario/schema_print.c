@@ -1,0 +1,180 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* schema_print.c - the table in words: what a sentence says was expected, and the reference.
+ * Keeps no state. */
+#include "experiments/scenario/schema.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <string.h>
+
+static void append(char *out, size_t size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+static void append(char *out, size_t size, const char *format, ...)
+{
+    size_t used = strlen(out);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(out + used, size - used, format, arguments);
+    va_end(arguments);
+}
+
+void fw_schema_list_words(const char *words, char *out, size_t size)
+{
+    snprintf(out, size, "%s", strchr(words, '|') ? "one of " : "");
+    for (const char *word = words; *word;) {
+        size_t length = strcspn(word, "|");
+        append(out, size, "%s%.*s", word == words ? "" : ", ", (int)length, word);
+        word += length + (word[length] == '|');
+    }
+}
+
+/* " above 0 and up to 1", or "". */
+static void list_bounds(const fw_key *key, char *out, size_t size)
+{
+    out[0] = '\0';
+    if (key->bounds & FW_ABOVE) append(out, size, " above %.13g", key->low);
+    if (key->bounds & FW_FROM)
+        append(out, size, key->bounds & FW_UP_TO ? " from %.13g" : " of at least %.13g", key->low);
+    if (key->bounds & FW_UP_TO)
+        append(out, size, "%s %.13g", key->bounds & FW_ABOVE ? " and up to" : " to", key->high);
+}
+
+/* "a mapping with 'material', 'shape' and others": what must be in it. */
+static void append_mapping(const char *section, char *out, size_t size)
+{
+    append(out, size, "a mapping");
+    char alternatives[256] = "", required[256] = "";
+    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
+        if (strcmp(key->section, section)) continue;
+        if (key->alternative)
+            append(alternatives, sizeof alternatives, "%s%s", *alternatives ? "|" : "", key->name);
+        if (key->required)
+            append(required, sizeof required, "%s%s", *required ? ", " : "", key->name);
+    }
+    if (*required) append(out, size, " with %s", required);
+    if (!*alternatives) return;
+    char words[300];
+    fw_schema_list_words(alternatives, words, sizeof words);
+    append(out, size, "%s%s", *required ? " and " : " with ", words);
+}
+
+/* Each form in words, for a sentence or, with fewer of them, for the reference. */
+static void append_forms(const fw_key *key, unsigned forms, bool sentence, char *out, size_t size)
+{
+    static const struct {
+        unsigned form;
+        const char *words;
+    } simple[] = {{FW_FORM_TEXT, "a text"},
+                  {FW_FORM_NAME, "a name"},
+                  {FW_FORM_FLAG, "true or false"},
+                  {FW_FORM_NUMBER, "a number"},
+                  {FW_FORM_ANGLE, "an angle"},
+                  {FW_FORM_INTEGER, "a whole number"},
+                  {FW_FORM_PATH, "a name, or names with dots between them"}};
+    if (forms == FW_FORM_SELECTION) {
+        append(out, size, "%s",
+               sentence ? "all, a side, [[i, j], ...] or a mapping" : "a selection");
+        return;
+    }
+    char bounds[80], words[300];
+    list_bounds(key, bounds, sizeof bounds);
+    const char *join = "";
+    for (size_t n = 0; n < sizeof simple / sizeof simple[0]; ++n)
+        if (forms & simple[n].form) {
+            bool bounded = simple[n].form & (FW_FORM_NUMBER | FW_FORM_ANGLE | FW_FORM_INTEGER);
+            append(out, size, "%s%s%s", join, simple[n].words, bounded ? bounds : "");
+            if (simple[n].form == FW_FORM_ANGLE && sentence) append(out, size, " degrees");
+            join = " or ";
+        }
+    if (forms & FW_FORM_WORD) {
+        fw_schema_list_words(key->words, words, sizeof words);
+        append(out, size, "%s%s", join, words);
+        join = " or ";
+    }
+    if (forms & (FW_FORM_NUMBERS | FW_FORM_INTEGERS)) {
+        append(out, size, "%s%s, each a %snumber%s", join, key->layout,
+               forms & FW_FORM_INTEGERS ? "whole " : "", bounds);
+        join = " or ";
+    }
+    if (forms & FW_FORM_SYMMETRIC) {
+        append(out, size, "%sa number%s, [xx, xy, yy] or [[xx, xy], [xy, yy]]", join, bounds);
+        join = " or ";
+    }
+    if (forms & FW_FORM_LIST) {
+        append(out, size, "%sa list of items, each ", join);
+        append_forms(key, key->items, sentence, out, size);
+        join = ", or ";
+    }
+    if (forms & FW_FORM_MAPPING) {
+        append(out, size, "%s", join);
+        if (sentence)
+            append_mapping(key->inside, out, size);
+        else
+            append(out, size, "keys of *%s*", fw_schema_section(key->inside)->heading);
+    }
+    if (forms & FW_FORM_NAMED) {
+        append(out, size, "%snames of your own, each with ", join);
+        append_forms(key, FW_FORM_MAPPING, sentence, out, size);
+    }
+}
+
+void fw_schema_expected(const fw_key *key, char *out, size_t size)
+{
+    out[0] = '\0';
+    append_forms(key, key->forms, true, out, size);
+}
+
+/* --- the reference --- */
+
+static void print_default(const fw_key *key, FILE *out)
+{
+    if (key->required)
+        fputs("*required*", out);
+    else if (key->alternative)
+        fputs("*one of these*", out);
+    else if (key->otherwise)
+        fputs(key->otherwise, out);
+    else if (key->standard)
+        fprintf(out, "`%s`", key->standard);
+}
+
+/* In a table of Markdown a bar would begin the next column. */
+static void print_cell(const char *text, FILE *out)
+{
+    for (; *text; ++text) {
+        if (*text == '|') fputc('\\', out);
+        fputc(*text, out);
+    }
+}
+
+static void print_key(const fw_key *key, FILE *out)
+{
+    char forms[600] = "";
+    append_forms(key, key->forms, false, forms, sizeof forms);
+    fprintf(out, "| `%s` | %s | %s | ", key->name, forms, key->unit ? key->unit : "");
+    print_default(key, out);
+    fputs(" | ", out);
+    print_cell(key->meaning, out);
+    if (key->needs) fprintf(out, "; goes with `%s`", key->needs);
+    fputs(" |\n", out);
+}
+
+fw_status fw_schema_print(FILE *out, fw_error *error)
+{
+    fprintf(out,
+            "A scenario is YAML: one document, no anchors, aliases and tags. Lengths, masses and "
+            "times are in reduced units. A number is written as `12`, `-0.5` or `2.5e-3`, is "
+            "finite and at most %g in size; a whole number has neither point nor exponent and is "
+            "at most %g in size (%d for sites); angles and phases are in degrees; a name is a "
+            "letter followed by letters, digits, `-` or `_`. Whatever is not in these tables is "
+            "refused.\n",
+            FW_NUMBER_MOST, FW_INTEGER_MOST, FW_COORDINATE_MOST);
+    for (const fw_section *section = fw_schema_sections; section->name; ++section) {
+        fprintf(out, "\n### %s\n\n%s\n\n", section->heading, section->meaning);
+        fputs("| key | value | unit | default | meaning |\n|---|---|---|---|---|\n", out);
+        for (const fw_key *key = fw_schema_keys; key->section; ++key)
+            if (!strcmp(key->section, section->name)) print_key(key, out);
+    }
+    if (!ferror(out)) return FW_OK;
+    return fw_fail(error, FW_SYSTEM_FAILED, "the reference cannot be written: %s", strerror(errno));
+}

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* build_boltzmann.c - LB solids from bodies of a scenario. Keeps no state. */
+#include "experiments/setup/build.h"
+
+#include "core/boltzmann/lb_solid.h"
+
+#include <stdlib.h>
+
+/* Arrays per site that are only needed while a solid is made. */
+typedef struct start_values {
+    fw_vec2 *displacement, *velocity;
+    fw_sym2 *rest_mass, *stiffness[2];
+    bool *selected;
+} start_values;
+
+static void release_start(start_values *start)
+{
+    free(start->displacement);
+    free(start->velocity);
+    free(start->rest_mass);
+    free(start->stiffness[FW_EAST]);
+    free(start->stiffness[FW_NORTH]);
+    free(start->selected);
+}
+
+static bool allocate_start(start_values *start, size_t count)
+{
+    start->displacement = calloc(count, sizeof *start->displacement);
+    start->velocity = calloc(count, sizeof *start->velocity);
+    start->rest_mass = calloc(count, sizeof *start->rest_mass);
+    start->stiffness[FW_EAST] = calloc(count, sizeof *start->stiffness[FW_EAST]);
+    start->stiffness[FW_NORTH] = calloc(count, sizeof *start->stiffness[FW_NORTH]);
+    start->selected = calloc(count, sizeof *start->selected);
+    return start->displacement && start->velocity && start->rest_mass &&
+           start->stiffness[FW_EAST] && start->stiffness[FW_NORTH] && start->selected;
+}
+
+static fw_status mark_selected(const fw_selection *selection, const fw_sites *sites, bool *selected,
+                               fw_error *error)
+{
+    int *particles, count;
+    FW_TRY(fw_selection_particles(selection, sites, &particles, &count, error));
+    for (int l = 0; l < sites->count; ++l) selected[l] = false;
+    for (int k = 0; k < count; ++k) selected[particles[k]] = true;
+    free(particles);
+    return FW_OK;
+}
+
+static bool is_chosen(fw_link_choice choice, bool here, bool there)
+{
+    switch (choice) {
+    case FW_LINKS_INSIDE:
+        return here && there;
+    case FW_LINKS_ACROSS:
+        return here != there;
+    case FW_LINKS_TOUCHING:
+        return here || there;
+    }
+    return false;
+}
+
+static fw_status fill_masses_and_links(const fw_scenario_body *body, const fw_sites *sites,
+                                       start_values *start, fw_error *error)
+{
+    for (int n = 0; n < body->rest_mass.count; ++n) {
+        FW_TRY(mark_selected(&body->rest_mass.item[n].sites, sites, start->selected, error));
+        for (int l = 0; l < sites->count; ++l)
+            if (start->selected[l]) start->rest_mass[l] = body->rest_mass.item[n].value;
+    }
+    for (int n = 0; n < body->link_stiffness.count; ++n) {
+        const fw_replacement *change = &body->link_stiffness.item[n];
+        FW_TRY(mark_selected(&change->sites, sites, start->selected, error));
+        for (int l = 0; l < sites->count; ++l)
+            for (int d = FW_EAST; d <= FW_NORTH; ++d) {
+                int m = fw_sites_find(sites, fw_site_neighbour(sites->site[l], d));
+                if (m >= 0 && is_chosen(change->links, start->selected[l], start->selected[m]))
+                    start->stiffness[d][l] = change->value;
+            }
+    }
+    return FW_OK;
+}
+
+static fw_status fill_start(const fw_scenario *scenario, int number, const fw_sites *sites,
+                            start_values *start, fw_error *error)
+{
+    const fw_scenario_body *body = &scenario->bodies[number];
+    const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
+    const uint64_t seed = (uint64_t)scenario->run.seed;
+    for (int l = 0; l < sites->count; ++l) {
+        start->velocity[l] = body->velocity;
+        start->rest_mass[l] = material->rest_mass;
+        start->stiffness[FW_EAST][l] = start->stiffness[FW_NORTH][l] = material->link_stiffness;
+    }
+    FW_TRY(fw_build_patterns(&body->displacement, sites, &body->lattice, seed,
+                             fw_build_displacement_stream(number), start->displacement, error));
+    FW_TRY(fw_build_patterns(&body->velocities, sites, &body->lattice, seed,
+                             fw_build_velocity_stream(number), start->velocity, error));
+    return fill_masses_and_links(body, sites, start, error);
+}
+
+fw_status fw_build_boltzmann(const fw_scenario *scenario, int number, const fw_sites *sites,
+                             fw_solid **solid, fw_error *error)
+{
+    const fw_scenario_body *body = &scenario->bodies[number];
+    const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
+    start_values start = {0};
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    fw_status status = FW_OK;
+    if (!allocate_start(&start, (size_t)sites->count))
+        status = fw_fail_memory(error, "the starting state of a body");
+    if (status == FW_OK) status = fill_start(scenario, number, sites, &start, error);
+    if (status == FW_OK) {
+        def.sites = sites;
+        def.lattice = body->lattice;
+        def.damping = material->damping;
+        def.rest_masses = start.rest_mass;
+        def.stiffness_east = start.stiffness[FW_EAST];
+        def.stiffness_north = start.stiffness[FW_NORTH];
+        if (material->break_at > 0) def.break_at = material->break_at;
+        def.displacement = start.displacement;
+        def.velocity = start.velocity;
+        status = fw_lb_solid_create(solid, &def, error);
+        status = fw_build_fail(scenario, number, status, error);
+    }
+    release_start(&start);
+    return status;
+}

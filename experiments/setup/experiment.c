@@ -1,0 +1,327 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* experiment.c - from plain data to solids, walls and loads. Start at fw_experiment_create(). */
+#include "experiments/setup/experiment.h"
+
+#include "core/boltzmann/lb_solid.h"
+#include "core/particles/linear_lattice.h"
+#include "core/noise.h"
+#include "core/particles/particles.h"
+#include "experiments/setup/build.h"
+#include "experiments/setup/member.h"
+#include "experiments/setup/overlap.h"
+#include "experiments/setup/phase.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* What the scene calls the solid that all movable particles are in; no body can have a blank. */
+static const char PARTICLES[] = "movable particles";
+
+static fw_material_kind kind_of(const fw_experiment *experiment, int member)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    return scenario->materials[scenario->bodies[member].material].kind;
+}
+
+static fw_status adopt(fw_experiment *experiment, int number, const char *name, fw_solid *solid,
+                       fw_error *error)
+{
+    fw_status status = fw_scene_adopt_body(experiment->scene, name, solid,
+                                           &experiment->members[number].solid, error);
+    return fw_build_fail(experiment->scenario, number, status, error);
+}
+
+/* The first body of movable particles brings all of them. */
+static fw_status add_particles(fw_experiment *experiment, int number, fw_error *error)
+{
+    int first = 0, bodies = 0;
+    for (int b = 0; b < experiment->member_count; ++b) {
+        if (kind_of(experiment, b) != FW_MOVABLE_PARTICLES) continue;
+        if (b < number) return FW_OK;
+        experiment->members[b].first = first;
+        first += experiment->members[b].count;
+        bodies += 1;
+    }
+    fw_solid *solid;
+    FW_TRY(fw_build_particles(experiment->scenario, experiment->members, &solid, error));
+    const char *name = bodies > 1 ? PARTICLES : experiment->members[number].name;
+    FW_TRY(adopt(experiment, number, name, solid, error));
+    for (int b = number + 1; b < experiment->member_count; ++b)
+        if (kind_of(experiment, b) == FW_MOVABLE_PARTICLES)
+            experiment->members[b].solid = experiment->members[number].solid;
+    return FW_OK;
+}
+
+static fw_status add_body(fw_experiment *experiment, int number, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    const fw_member *member = &experiment->members[number];
+    fw_solid *solid = NULL;
+    switch (kind_of(experiment, number)) {
+    case FW_LATTICE_BOLTZMANN:
+        FW_TRY(fw_build_boltzmann(scenario, number, &member->sites, &solid, error));
+        break;
+    case FW_LINEAR_LATTICE:
+        FW_TRY(fw_build_linear(scenario, number, &member->sites, &solid, error));
+        break;
+    case FW_ELASTIC_AUTOMATON:
+        FW_TRY(fw_build_automaton(scenario, number, &member->sites, &solid, error));
+        break;
+    case FW_MOVABLE_PARTICLES:
+        return add_particles(experiment, number, error);
+    }
+    return adopt(experiment, number, member->name, solid, error);
+}
+
+static fw_status make_sites(fw_experiment *experiment, int number, fw_error *error)
+{
+    const fw_scenario_body *body = &experiment->scenario->bodies[number];
+    fw_member *member = &experiment->members[number];
+    FW_TRY(fw_scenario_sites(body, &member->sites, error));
+    member->name = body->name;
+    member->count = member->sites.count;
+    return FW_OK;
+}
+
+static fw_status add_force(fw_experiment *experiment, int number, fw_error *error)
+{
+    static const fw_load_kind kinds[] = {
+        [FW_FORCE_EACH] = FW_LOAD_EACH,
+        [FW_FORCE_TOTAL] = FW_LOAD_TOTAL,
+        [FW_FORCE_ACCELERATION] = FW_LOAD_ACCELERATION,
+        [FW_FORCE_RANDOM] = FW_LOAD_RANDOM,
+    };
+    const fw_scenario_force *force = &experiment->scenario->forces[number];
+    const fw_member *member = &experiment->members[force->body];
+    int *particles, count;
+    FW_TRY(fw_selection_particles(&force->sites, &member->sites, &particles, &count, error));
+    for (int n = 0; n < count; ++n) particles[n] += member->first;
+    const fw_load_def def = {.kind = kinds[force->kind],
+                             .particles = particles,
+                             .particle_count = count,
+                             .vector = force->vector,
+                             .random = force->random,
+                             .balanced = force->balanced,
+                             .from = force->from,
+                             .until = force->until,
+                             .ramp = force->ramp,
+                             .period = force->period,
+                             .phase = force->phase,
+                             .seed = (uint64_t)experiment->scenario->run.seed,
+                             .stream = FW_NOISE_FORCE + (uint32_t)number};
+    fw_status status = fw_scene_add_load(experiment->scene, member->solid, &def, error);
+    free(particles);
+    return status;
+}
+
+static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, fw_error *error)
+{
+    bool found;
+    fw_vec2 where;
+    FW_TRY(fw_overlap_find(experiment, a, b, &found, &where, error));
+    if (!found) return FW_OK;
+    return fw_scenario_fail(experiment->scenario, experiment->scenario->bodies[b].place, error,
+                            "body %s starts in body %s: both have a particle near (%g, %g), "
+                            "expected at least half a spacing between them",
+                            experiment->members[b].name, experiment->members[a].name, where.x,
+                            where.y);
+}
+
+/* The scene speaks of solids; of bodies that share one it could not say which is meant. */
+static fw_status refuse_walls(const fw_experiment *experiment, int number, fw_error *error)
+{
+    const fw_member *member = &experiment->members[number];
+    if (member->count == fw_experiment_solid(experiment, number)->count) return FW_OK;
+    for (int w = 0; w < fw_scene_wall_count(experiment->scene); ++w) {
+        double depth;
+        const int l = fw_overlap_find_behind(experiment, number, w, &depth);
+        if (l < 0) continue;
+        const fw_vec2 at =
+            fw_solid_position(fw_experiment_solid(experiment, number), member->first + l);
+        return fw_scenario_fail(
+            experiment->scenario, experiment->scenario->bodies[number].place, error,
+            "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
+            "its surface, expected all particles on the free side",
+            member->name, fw_wall_name(fw_scene_wall(experiment->scene, w)), l, at.x, at.y, depth);
+    }
+    return FW_OK;
+}
+
+static fw_status place_of_failure(const fw_scenario *scenario, fw_place place, fw_status status,
+                                  fw_error *error)
+{
+    if (status != FW_BAD_INPUT) return status;
+    fw_error inner = *error;
+    return fw_scenario_fail(scenario, place, error, "%s", inner.sentence);
+}
+
+static fw_status refuse_reversal(const fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    for (int b = 0; b < scenario->body_count && scenario->run.reverse_at > 0; ++b) {
+        const fw_solid_model *model = fw_experiment_solid(experiment, b)->model;
+        if (!model->reverse)
+            return fw_scenario_fail(scenario, scenario->bodies[b].place, error,
+                                    "body %s cannot be reversed: the model %s does not know how, "
+                                    "expected no run.reverse-at",
+                                    scenario->bodies[b].name, model->name);
+    }
+    return FW_OK;
+}
+
+static fw_status note_start(fw_experiment *experiment, fw_error *error)
+{
+    size_t count = (size_t)experiment->member_count;
+    experiment->energy_at_start = calloc(count + 1, sizeof *experiment->energy_at_start);
+    experiment->momentum_at_start = calloc(count + 1, sizeof *experiment->momentum_at_start);
+    experiment->start = calloc(count + 1, sizeof *experiment->start);
+    if (!experiment->energy_at_start || !experiment->momentum_at_start || !experiment->start)
+        return fw_fail_memory(error, "the start of an experiment");
+    for (int b = 0; b < experiment->member_count; ++b) {
+        const fw_member *member = &experiment->members[b];
+        const fw_solid *solid = fw_experiment_solid(experiment, b);
+        fw_energies energies = fw_member_energies(experiment, b);
+        experiment->energy_at_start[b] = energies.kinetic + energies.elastic;
+        experiment->momentum_at_start[b] = fw_member_momentum(experiment, b);
+        experiment->start[b] = calloc((size_t)member->count, sizeof **experiment->start);
+        if (!experiment->start[b]) return fw_fail_memory(error, "the positions at the start");
+        for (int l = 0; l < member->count; ++l)
+            experiment->start[b][l] = fw_solid_position(solid, member->first + l);
+    }
+    return FW_OK;
+}
+
+static fw_status add_profile(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    const fw_solid *particles = fw_experiment_particles(experiment);
+    if (scenario->profile.every == 0) return FW_OK;
+    if (!particles)
+        return fw_scenario_fail(scenario, scenario->profile.place, error,
+                                "a profile is taken of movable particles, and no body is made of "
+                                "them");
+    FW_TRY(fw_profile_create(&experiment->profile, scenario, particles, error));
+    fw_profile_follow(experiment->profile, particles, 0);
+    return FW_OK;
+}
+
+static fw_status analyse(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    experiment->analyses = calloc((size_t)scenario->analysis_count + 1, sizeof(fw_analysis *));
+    if (!experiment->analyses) return fw_fail_memory(error, "the analyses of an experiment");
+    for (int n = 0; n < scenario->analysis_count; ++n) {
+        FW_TRY(fw_analysis_create(&experiment->analyses[n], scenario, n, error));
+        experiment->analysis_count += 1;
+    }
+    return FW_OK;
+}
+
+static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, fw_error *error)
+{
+    const fw_piston_def piston = {.mass = wall->piston.mass,
+                                  .velocity = wall->piston.velocity,
+                                  .damping = wall->piston.damping,
+                                  .drive = wall->piston.motion.drive};
+    return wall->is_piston ? fw_scene_add_piston(scene, &wall->def, &piston, error)
+                           : fw_scene_add_wall(scene, &wall->def, error);
+}
+
+static fw_status fill(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    fw_vec2 middle =
+        scenario->body_count > 0 ? scenario->bodies[0].lattice.origin : (fw_vec2){0, 0};
+    FW_TRY(fw_scene_create(&experiment->scene, middle, scenario->run.limit, error));
+    for (int b = 0; b < scenario->body_count; ++b) FW_TRY(make_sites(experiment, b, error));
+    for (int b = 0; b < scenario->body_count; ++b) FW_TRY(add_body(experiment, b, error));
+    FW_TRY(refuse_reversal(experiment, error));
+    for (int a = 0; a < scenario->body_count; ++a)
+        for (int b = a + 1; b < scenario->body_count; ++b)
+            /* Within one solid the energy of overlapping particles was looked at already. */
+            if (experiment->members[a].solid != experiment->members[b].solid)
+                FW_TRY(refuse_overlap(experiment, a, b, error));
+    for (int w = 0; w < scenario->wall_count; ++w) {
+        const fw_scenario_wall *wall = &scenario->walls[w];
+        FW_TRY(place_of_failure(scenario, wall->place, add_wall(experiment->scene, wall, error),
+                                error));
+    }
+    for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
+    for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
+    FW_TRY(fw_grips_add(experiment, error));
+    fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
+    FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
+    FW_TRY(note_start(experiment, error));
+    FW_TRY(add_profile(experiment, error));
+    return analyse(experiment, error);
+}
+
+fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *scenario,
+                               fw_error *error)
+{
+    *experiment = NULL;
+    fw_experiment *made = calloc(1, sizeof *made);
+    fw_member *members = calloc((size_t)scenario->body_count + 1, sizeof *members);
+    if (!made || !members) {
+        free(made);
+        free(members);
+        return fw_fail_memory(error, "an experiment");
+    }
+    made->scenario = scenario;
+    made->members = members;
+    made->phase = -1;
+    made->member_count = scenario->body_count;
+    fw_status status = fill(made, error);
+    if (status != FW_OK) {
+        fw_experiment_destroy(made);
+        return status;
+    }
+    *experiment = made;
+    return FW_OK;
+}
+
+void fw_experiment_destroy(fw_experiment *experiment)
+{
+    if (!experiment) return;
+    fw_profile_destroy(experiment->profile);
+    fw_scene_destroy(experiment->scene);
+    for (int b = 0; b < experiment->member_count; ++b)
+        fw_sites_clear(&experiment->members[b].sites);
+    for (int b = 0; experiment->start && b < experiment->member_count; ++b)
+        free(experiment->start[b]);
+    for (int n = 0; n < experiment->analysis_count; ++n)
+        fw_analysis_destroy(experiment->analyses[n]);
+    free(experiment->analyses);
+    free(experiment->start);
+    free(experiment->energy_at_start);
+    free(experiment->momentum_at_start);
+    free(experiment->members);
+    free(experiment);
+}
+
+fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
+{
+    FW_TRY(fw_phase_enter(experiment, error));
+    FW_TRY(fw_scene_step(experiment->scene, error));
+    if (experiment->scenario->run.reverse_at != 0 &&
+        fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
+        for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b)
+            fw_solid_reverse(fw_scene_body(experiment->scene, b));
+    if (experiment->profile)
+        fw_profile_follow(experiment->profile, fw_experiment_particles(experiment),
+                          fw_scene_steps(experiment->scene));
+    return FW_OK;
+}
+
+const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int member)
+{
+    return fw_scene_observe_body(experiment->scene, experiment->members[member].solid);
+}
+
+const fw_solid *fw_experiment_particles(const fw_experiment *experiment)
+{
+    for (int b = 0; b < experiment->member_count; ++b)
+        if (fw_solid_is_particles(fw_experiment_solid(experiment, b)))
+            return fw_experiment_solid(experiment, b);
+    return NULL;
+}

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* overlap.c - particles of two bodies at one place: those in the common part of both frames, sorted
+ * along x, each compared with the few that follow it closely. Keeps no state. */
+#include "experiments/setup/overlap.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The smallest distance that two bodies may keep, in spacings: closer ones share a place. */
+static const double APART = 0.5;
+
+typedef struct point {
+    fw_vec2 at;
+    int body;
+} point;
+
+static fw_box frame_of(const fw_experiment *experiment, int body)
+{
+    const fw_member *member = &experiment->members[body];
+    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (int i = member->first; i < member->first + member->count; ++i) {
+        box.low.x = fmin(box.low.x, solid->x[i]);
+        box.low.y = fmin(box.low.y, solid->y[i]);
+        box.high.x = fmax(box.high.x, solid->x[i]);
+        box.high.y = fmax(box.high.y, solid->y[i]);
+    }
+    return box;
+}
+
+static int compare_points(const void *left, const void *right)
+{
+    const point *a = left, *b = right;
+    if (a->at.x != b->at.x) return a->at.x < b->at.x ? -1 : 1;
+    return (a->at.y > b->at.y) - (a->at.y < b->at.y);
+}
+
+static int collect(const fw_experiment *experiment, int body, fw_box common, point *points)
+{
+    const fw_member *member = &experiment->members[body];
+    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    int count = 0;
+    for (int i = member->first; i < member->first + member->count; ++i) {
+        fw_vec2 at = fw_solid_position(solid, i);
+        if (at.x >= common.low.x && at.x <= common.high.x && at.y >= common.low.y &&
+            at.y <= common.high.y)
+            points[count++] = (point){at, body};
+    }
+    return count;
+}
+
+static bool find_pair(const point *points, int count, double apart, fw_vec2 *where)
+{
+    for (int i = 0; i < count; ++i)
+        for (int j = i + 1; j < count && points[j].at.x - points[i].at.x < apart; ++j) {
+            fw_vec2 between = fw_vec2_subtract(points[j].at, points[i].at);
+            if (points[i].body == points[j].body || hypot(between.x, between.y) >= apart) continue;
+            *where = fw_vec2_add(points[i].at, fw_vec2_scale(0.5, between));
+            return true;
+        }
+    return false;
+}
+
+fw_status fw_overlap_find(const fw_experiment *experiment, int a, int b, bool *found,
+                          fw_vec2 *where, fw_error *error)
+{
+    const fw_scenario_body *bodies = experiment->scenario->bodies;
+    double apart = APART * fmin(bodies[a].lattice.spacing, bodies[b].lattice.spacing);
+    fw_box fa = frame_of(experiment, a), fb = frame_of(experiment, b);
+    const fw_box common = {
+        {fmax(fa.low.x, fb.low.x) - apart, fmax(fa.low.y, fb.low.y) - apart},
+        {fmin(fa.high.x, fb.high.x) + apart, fmin(fa.high.y, fb.high.y) + apart}};
+    *found = false;
+    if (!(common.low.x <= common.high.x && common.low.y <= common.high.y)) return FW_OK;
+    size_t most = (size_t)experiment->members[a].count + (size_t)experiment->members[b].count;
+    point *points = calloc(most, sizeof *points);
+    if (!points) return fw_fail_memory(error, "a look at where bodies overlap");
+    int count = collect(experiment, a, common, points);
+    count += collect(experiment, b, common, points + count);
+    qsort(points, (size_t)count, sizeof *points, compare_points);
+    *found = find_pair(points, count, apart, where);
+    free(points);
+    return FW_OK;
+}
+
+int fw_overlap_find_behind(const fw_experiment *experiment, int body, int wall, double *depth)
+{
+    static const double on_surface = 1e-14;
+    const fw_member *member = &experiment->members[body];
+    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    const fw_wall *of = fw_scene_wall(experiment->scene, wall);
+    const fw_vec2 place = fw_wall_displacement(of, 0);
+    for (int l = 0; l < member->count; ++l) {
+        const fw_vec2 at = fw_solid_position(solid, member->first + l);
+        *depth = fw_wall_depth(of, fw_vec2_subtract(at, place));
+        if (*depth > on_surface * (1 + fabs(at.x) + fabs(at.y))) return l;
+    }
+    return -1;
+}

@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* phase.h - grips, and the phases of a run that change what drives them and the heat bath.
+ * Which phase holds follows from the step alone: it is no part of the state. */
+#ifndef FW_PHASE_H
+#define FW_PHASE_H
+
+#include "experiments/setup/experiment.h"
+
+/* Adds the scenario's grips to the scene, each with its own drive. FW_BAD_INPUT at the place of a
+ * grip that holds nothing, or a particle that another one holds. */
+fw_status fw_grips_add(fw_experiment *experiment, fw_error *error);
+
+/* Gives the scene the parameters of the phase that the next step belongs to. */
+fw_status fw_phase_enter(fw_experiment *experiment, fw_error *error);
+
+#endif

@@ -1,0 +1,69 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* csv.c - comma-separated values. Keeps no state. */
+#include "experiments/storage/csv.h"
+
+#include "experiments/storage/whole_file.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+void fw_csv_write_text(FILE *out, const char *text)
+{
+    if (!strpbrk(text, ",\"\r\n")) {
+        fputs(text, out);
+        return;
+    }
+    fputc('"', out);
+    for (; *text; ++text) {
+        if (*text == '"') fputc('"', out);
+        fputc(*text, out);
+    }
+    fputc('"', out);
+}
+
+void fw_csv_write_number(FILE *out, double value)
+{
+    if (isnan(value))
+        fputs("nan", out);
+    else
+        fprintf(out, "%.17g", value);
+}
+
+char *fw_csv_cut(char *line, char **value)
+{
+    char *to = line;
+    const bool quoted = *line == '"';
+    *value = line;
+    if (quoted) ++line;
+    for (; *line; ++line) {
+        if (quoted && *line == '"') {
+            if (line[1] != '"') break;
+            ++line;
+        } else if (!quoted && (*line == ',' || *line == '\n')) {
+            break;
+        }
+        *to++ = *line;
+    }
+    line += quoted && *line == '"';
+    const bool more = *line == ',';
+    *to = '\0';
+    return more ? line + 1 : NULL;
+}
+
+fw_status fw_csv_save(const char *path, void (*write)(FILE *out, const void *object),
+                      const void *object, fw_error *error)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *memory = open_memstream(&text, &size);
+    if (memory) write(memory, object);
+    fw_status status = FW_OK;
+    if (!memory || fclose(memory) != 0)
+        status = fw_fail_memory(error, path);
+    else
+        status = fw_whole_file_write(path, text, size, error);
+    free(text);
+    return status;
+}

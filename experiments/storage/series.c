@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* series.c - rows that are gathered, written and then committed.
+ * State: datasets of step, time and each quantity, and a block of rows in memory. Invariant: rows
+ * [0, committed) are in the file; rows [committed, ended) are in the block, where a block of one
+ * row writes its quantities straight to the file. Start reading at fw_series_commit(). */
+#include "experiments/storage/series.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+enum { CHUNK_BYTES = 65536, CHUNK_ROWS = 1024, LEAST_ROWS = 16, LONGEST_PATH = 512 };
+
+typedef struct quantity {
+    fw_dataset value;
+    size_t width;  /* doubles in a row */
+    double *block; /* rows not yet written; NULL where rows are written at once */
+} quantity;
+
+struct fw_series {
+    fw_hdf5 *file;
+    fw_dataset counter, step, time;
+    bool fresh;
+    int block;
+    double longest, last_commit; /* seconds */
+    int64_t room, committed, ended;
+    int64_t *steps;
+    double *times;
+    quantity *quantities;
+    int count;
+    char moments[LONGEST_PATH]; /* the element that first had step and time */
+};
+
+static double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+fw_series *fw_series_create(fw_hdf5 *file, const char *counter, bool fresh, int block,
+                            double longest)
+{
+    fw_series *series = calloc(1, sizeof *series);
+    if (!series) return NULL;
+    series->file = file;
+    series->fresh = fresh;
+    series->block = block;
+    series->longest = longest;
+    series->last_commit = seconds_now();
+    series->steps = fw_array_allocate((size_t)block, sizeof *series->steps);
+    series->times = fw_array_of_doubles((size_t)block);
+    if (!series->steps || !series->times) {
+        fw_series_destroy(series);
+        return NULL;
+    }
+    if (fresh) {
+        series->counter = fw_hdf5_make_array(file, counter, FW_I64, 0, NULL);
+        fw_hdf5_write(file, series->counter, FW_I64, 0, 1, &series->committed);
+    } else {
+        series->counter = fw_hdf5_find(file, counter);
+        fw_hdf5_read(file, series->counter, FW_I64, 0, 1, &series->committed);
+    }
+    series->ended = series->committed;
+    return series;
+}
+
+void fw_series_destroy(fw_series *series)
+{
+    if (!series) return;
+    for (int i = 0; i < series->count; ++i) free(series->quantities[i].block);
+    free(series->quantities);
+    free(series->steps);
+    free(series->times);
+    free(series);
+}
+
+uint64_t fw_series_chunk(size_t width)
+{
+    uint64_t rows = CHUNK_BYTES / (sizeof(double) * width);
+    return rows < LEAST_ROWS ? LEAST_ROWS : rows < CHUNK_ROWS ? rows : CHUNK_ROWS;
+}
+
+/* The first element has step and time of its own, all others share them. */
+static void make_moments(fw_series *series, const char *path)
+{
+    char own[LONGEST_PATH + 8], shared[LONGEST_PATH + 8];
+    bool first = series->count == 0;
+    if (first) snprintf(series->moments, sizeof series->moments, "%s", path);
+    for (int time = 0; time < 2; ++time) {
+        snprintf(own, sizeof own, "%s/%s", path, time ? "time" : "step");
+        snprintf(shared, sizeof shared, "%s/%s", series->moments, time ? "time" : "step");
+        fw_dataset *dataset = time ? &series->time : &series->step;
+        if (!series->fresh) {
+            if (first) *dataset = fw_hdf5_find(series->file, own);
+        } else if (first) {
+            *dataset =
+                fw_hdf5_make_rows(series->file, own, time ? FW_F64 : FW_I64, 0, NULL, CHUNK_ROWS);
+        } else {
+            fw_hdf5_link(series->file, shared, own);
+        }
+    }
+}
+
+static bool has_shape(fw_series *series, fw_dataset dataset, int rank, const uint64_t *extent)
+{
+    fw_shape shape;
+    if (!fw_hdf5_shape(series->file, dataset, &shape) || shape.text || shape.rank != rank + 1)
+        return false;
+    for (int i = 0; i < rank; ++i)
+        if (shape.extent[i + 1] != extent[i]) return false;
+    if (series->count == 0) series->room = (int64_t)shape.extent[0];
+    return shape.element == FW_F64 && (int64_t)shape.extent[0] == series->room;
+}
+
+/* Whether a dataset found in the file has one element for each row that has room. */
+static bool is_line(fw_series *series, fw_dataset dataset, fw_element element)
+{
+    fw_shape shape;
+    return fw_hdf5_shape(series->file, dataset, &shape) && !shape.text &&
+           shape.element == element && shape.rank == 1 && (int64_t)shape.extent[0] == series->room;
+}
+
+int fw_series_add(fw_series *series, const char *path, int rank, const uint64_t *extent)
+{
+    assert(strlen(path) < LONGEST_PATH && rank < FW_DATASET_RANK);
+    quantity *more =
+        realloc(series->quantities, (size_t)(series->count + 1) * sizeof *series->quantities);
+    if (!more) return -1;
+    series->quantities = more;
+    quantity *added = &more[series->count];
+    *added = (quantity){.width = 1};
+    for (int i = 0; i < rank; ++i) added->width *= extent[i];
+    if (series->block > 1) {
+        added->block = fw_array_of_doubles((size_t)series->block * added->width);
+        if (!added->block) return -1;
+    }
+    char value[LONGEST_PATH + 8];
+    snprintf(value, sizeof value, "%s/value", path);
+    if (series->fresh) {
+        fw_hdf5_make_group(series->file, path);
+        added->value = fw_hdf5_make_rows(series->file, value, FW_F64, rank, extent,
+                                         series->block == 1 ? 1 : fw_series_chunk(added->width));
+    } else {
+        added->value = fw_hdf5_find(series->file, value);
+        if (!has_shape(series, added->value, rank, extent)) fw_hdf5_refuse(series->file, path);
+    }
+    make_moments(series, path);
+    if (!series->fresh && series->count == 0 &&
+        (!is_line(series, series->step, FW_I64) || !is_line(series, series->time, FW_F64)))
+        fw_hdf5_refuse(series->file, path);
+    return series->count++;
+}
+
+void fw_series_reserve(fw_series *series, int64_t rows)
+{
+    if (series->count == 0) return;
+    fw_hdf5_resize(series->file, series->step, (uint64_t)rows);
+    fw_hdf5_resize(series->file, series->time, (uint64_t)rows);
+    /* Chunks lie in the order in which they get their room; cutting off rows then frees the end of
+     * the file. Rows that share chunks gain nothing from it. */
+    int64_t stride = series->block == 1 && rows > series->room ? 1 : rows - series->room;
+    for (int64_t row = series->room; row != rows;) {
+        row += stride;
+        for (int i = 0; i < series->count; ++i)
+            fw_hdf5_resize(series->file, series->quantities[i].value, (uint64_t)row);
+    }
+    series->room = rows;
+}
+
+int64_t fw_series_room(const fw_series *series)
+{
+    return series->room;
+}
+
+void fw_series_write(fw_series *series, int number, const double *values)
+{
+    quantity *written = &series->quantities[number];
+    if (written->block)
+        memcpy(written->block + (size_t)(series->ended - series->committed) * written->width,
+               values, written->width * sizeof *values);
+    else
+        fw_hdf5_write(series->file, written->value, FW_F64, (uint64_t)series->ended, 1, values);
+}
+
+void fw_series_end_row(fw_series *series, int64_t step, double time)
+{
+    series->steps[series->ended - series->committed] = step;
+    series->times[series->ended - series->committed] = time;
+    series->ended += 1;
+    if (series->ended - series->committed == series->block ||
+        seconds_now() - series->last_commit >= series->longest)
+        fw_series_commit(series);
+}
+
+void fw_series_commit(fw_series *series)
+{
+    uint64_t first = (uint64_t)series->committed;
+    uint64_t count = (uint64_t)(series->ended - series->committed);
+    if (count == 0) return;
+    for (int i = 0; i < series->count; ++i) {
+        quantity *written = &series->quantities[i];
+        if (written->block)
+            fw_hdf5_write(series->file, written->value, FW_F64, first, count, written->block);
+    }
+    if (series->count > 0) {
+        fw_hdf5_write(series->file, series->step, FW_I64, first, count, series->steps);
+        fw_hdf5_write(series->file, series->time, FW_F64, first, count, series->times);
+    }
+    fw_hdf5_flush(series->file);
+    fw_hdf5_write(series->file, series->counter, FW_I64, 0, 1, &series->ended);
+    fw_hdf5_flush(series->file);
+    series->committed = series->ended;
+    series->last_commit = seconds_now();
+}
+
+int64_t fw_series_count(const fw_series *series)
+{
+    return series->ended;
+}
+
+void fw_series_rewind(fw_series *series, int64_t rows)
+{
+    assert(rows <= series->committed);
+    series->committed = series->ended = rows;
+    fw_hdf5_write(series->file, series->counter, FW_I64, 0, 1, &rows);
+    fw_hdf5_flush(series->file);
+}

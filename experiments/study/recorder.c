@@ -1,0 +1,503 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* recorder.c - frames, rows and checkpoints of a run.
+ * State: counters of what was written; they are part of each checkpoint. Invariant: rows and frames
+ * that a checkpoint counts are on disk before it is. */
+#include "experiments/study/recorder.h"
+
+#include "experiments/results/checkpoint.h"
+#include "experiments/measures/profile_table.h"
+#include "experiments/text/spelling.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Arrays of one body as a frame takes them. */
+typedef struct body_frame {
+    double *velocity_x, *velocity_y, *force_x, *force_y;
+    double **fields; /* NULL where the body does not have that field */
+} body_frame;
+
+/* Part of every checkpoint. */
+typedef struct written {
+    int64_t frames, rows;
+} written;
+
+struct fw_recorder {
+    fw_experiment *experiment;
+    const fw_measurement *measurement;
+    char *directory, *scenario_text;
+    fw_trajectory_def def;
+    fw_trajectory *trajectory;
+    fw_checkpoint *checkpoint;
+    int section_count;
+    fw_checkpoint_section *sections;
+    fw_state_list *states;
+    written written;
+    body_frame *bodies;
+    fw_frame_body *frame;
+    /* Arrays per solid of the scene: whole solids are asked, bodies are parts of them. */
+    double **solid_x, **solid_y;
+};
+
+/* --- what the file holds --- */
+
+static int64_t frame_count(const fw_scenario *scenario)
+{
+    int64_t whole = scenario->run.steps / scenario->run.record_every;
+    return whole + 1 + (scenario->run.steps % scenario->run.record_every != 0);
+}
+
+static fw_status describe_bodies(fw_recorder *r, fw_error *error)
+{
+    const fw_experiment *experiment = r->experiment;
+    int count = experiment->member_count;
+    fw_trajectory_body *bodies = calloc((size_t)count, sizeof *bodies);
+    r->def.bodies = bodies;
+    r->def.body_count = count;
+    if (!bodies) return fw_fail_memory(error, "the bodies of a results file");
+    for (int b = 0; b < count; ++b) {
+        const fw_member *member = &experiment->members[b];
+        const fw_solid *solid = fw_experiment_solid(experiment, b);
+        double *mass = calloc((size_t)solid->count, sizeof *mass);
+        int *links = calloc(2 * (size_t)solid->link_count + 1, sizeof *links);
+        bodies[b] = (fw_trajectory_body){
+            .name = member->name, .count = member->count, .mass = mass, .links = links};
+        if (!mass || !links) return fw_fail_memory(error, "the bodies of a results file");
+        solid->model->masses(solid, mass);
+        memmove(mass, mass + member->first, (size_t)member->count * sizeof *mass);
+        for (int n = 0; n < solid->link_count; ++n) {
+            int one = solid->links[n][0] - member->first,
+                other = solid->links[n][1] - member->first;
+            if (one < 0 || one >= member->count || other < 0 || other >= member->count) continue;
+            links[2 * bodies[b].link_count] = one;
+            links[2 * bodies[b].link_count + 1] = other;
+            bodies[b].link_count += 1;
+        }
+    }
+    return FW_OK;
+}
+
+/* A field by name, from the first body that has it; once. */
+static fw_status refuse_field(const fw_recorder *r, fw_scenario_name name, fw_error *error)
+{
+    fw_guess guess = fw_guess_begin(name.text);
+    for (int b = 0; b < r->experiment->member_count; ++b) {
+        const fw_field *field = fw_experiment_solid(r->experiment, b)->model->fields;
+        for (; field && field->name; ++field) fw_guess_offer(&guess, field->name);
+    }
+    if (guess.best)
+        return fw_scenario_fail(r->experiment->scenario, name.place, error,
+                                "no body has a field %s; did you mean %s?", name.text, guess.best);
+    return fw_scenario_fail(r->experiment->scenario, name.place, error,
+                            "no body has a field %s, expected one of those that `fretwork "
+                            "quantities` lists",
+                            name.text);
+}
+
+static fw_status add_field(fw_recorder *r, fw_trajectory_field *fields, fw_scenario_name name,
+                           fw_error *error)
+{
+    for (int n = 0; n < r->def.field_count; ++n)
+        if (strcmp(fields[n].name, name.text) == 0) return FW_OK;
+    for (int b = 0; b < r->experiment->member_count; ++b) {
+        const fw_field *field =
+            fw_solid_find_field(fw_experiment_solid(r->experiment, b), name.text);
+        if (!field) continue;
+        fields[r->def.field_count++] = (fw_trajectory_field){field->name, field->meaning};
+        return FW_OK;
+    }
+    return refuse_field(r, name, error);
+}
+
+/* What a picture shows that names none: a picture of a profile the return force, others what is
+ * recorded in any case, or else the first that a body has. */
+static fw_scenario_name standard_field(const fw_recorder *r, const fw_scenario_picture *picture)
+{
+    const bool profile = picture->kind == FW_PICTURE_PROFILE;
+    if (r->def.field_count > 0 || (!profile && picture->kind != FW_PICTURE_FIELD))
+        return (fw_scenario_name){0};
+    for (int b = 0; b < r->experiment->member_count; ++b) {
+        const fw_solid *solid = fw_experiment_solid(r->experiment, b);
+        if (profile && fw_solid_find_field(solid, "return-force"))
+            return (fw_scenario_name){.text = "return-force"};
+        if (!profile && solid->model->fields && solid->model->fields[0].name)
+            return (fw_scenario_name){.text = solid->model->fields[0].name};
+    }
+    return (fw_scenario_name){0};
+}
+
+/* Those of `record`, and those that pictures show. */
+static fw_status describe_fields(fw_recorder *r, fw_error *error)
+{
+    const fw_scenario *scenario = r->experiment->scenario;
+    const fw_scenario_names *wanted = &scenario->record.fields;
+    size_t most = (size_t)wanted->count + (size_t)scenario->picture_count;
+    fw_trajectory_field *fields = calloc(most + 1, sizeof *fields);
+    r->def.fields = fields;
+    if (!fields) return fw_fail_memory(error, "the fields of a results file");
+    for (int n = 0; n < wanted->count; ++n) FW_TRY(add_field(r, fields, wanted->item[n], error));
+    for (int p = 0; p < scenario->picture_count; ++p)
+        if (scenario->pictures[p].field.text)
+            FW_TRY(add_field(r, fields, scenario->pictures[p].field, error));
+    for (int p = 0; p < scenario->picture_count; ++p) {
+        const fw_scenario_name standard = standard_field(r, &scenario->pictures[p]);
+        if (!scenario->pictures[p].field.text && standard.text)
+            FW_TRY(add_field(r, fields, standard, error));
+    }
+    return FW_OK;
+}
+
+static fw_status describe_observables(fw_recorder *r, fw_error *error)
+{
+    const fw_measurement *m = r->measurement;
+    fw_observable *observables = calloc((size_t)m->probe_count + 1, sizeof *observables);
+    r->def.observables = observables;
+    r->def.observable_count = m->probe_count;
+    if (!observables) return fw_fail_memory(error, "the observables of a results file");
+    for (int n = 0; n < m->probe_count; ++n) {
+        const fw_probe *probe = &m->probes[n];
+        observables[n] = (fw_observable){probe->label, probe->quantity->unit,
+                                         probe->quantity->meaning, probe->components};
+    }
+    return FW_OK;
+}
+
+static fw_status describe_analyses(fw_recorder *r, fw_error *error)
+{
+    const fw_experiment *experiment = r->experiment;
+    fw_table_group *groups = calloc((size_t)experiment->analysis_count + 1, sizeof *groups);
+    r->def.groups = groups;
+    if (!groups) return fw_fail_memory(error, "the analyses of a results file");
+    for (int n = 0; n < experiment->analysis_count; ++n) {
+        const fw_analysis *analysis = experiment->analyses[n];
+        if (analysis->table_count == 0) continue;
+        groups[r->def.group_count++] =
+            (fw_table_group){analysis->what->name, analysis->tables, analysis->table_count};
+    }
+    return FW_OK;
+}
+
+static fw_status describe(fw_recorder *r, const char *directory, int threads, fw_error *error)
+{
+    const fw_scenario *scenario = r->experiment->scenario;
+    r->directory = strdup(directory);
+    if (!r->directory) return fw_fail_memory(error, "a recorder");
+    FW_TRY(fw_scenario_print(scenario, &r->scenario_text, error));
+    r->def = fw_trajectory_def_default();
+    r->def.directory = r->directory;
+    r->def.title = scenario->title;
+    r->def.scenario = r->scenario_text;
+    r->def.seed = (uint64_t)scenario->run.seed;
+    r->def.threads = threads;
+    r->def.velocity = scenario->record.velocity;
+    r->def.force = scenario->record.force;
+    r->def.frame_count = frame_count(scenario);
+    r->def.sample_count = fw_measurement_row_count(scenario);
+    FW_TRY(describe_bodies(r, error));
+    FW_TRY(describe_fields(r, error));
+    if (r->experiment->profile) {
+        fw_trajectory_array *arrays;
+        FW_TRY(fw_profile_table_arrays(&arrays, &r->def.array_count,
+                                       fw_profile_bin_count(r->experiment->profile), error));
+        r->def.arrays = arrays;
+    }
+    FW_TRY(describe_analyses(r, error));
+    return describe_observables(r, error);
+}
+
+/* --- memory of frames and sections --- */
+
+static fw_status allocate_solids(fw_recorder *r, fw_error *error)
+{
+    int count = fw_scene_body_count(r->experiment->scene);
+    r->solid_x = calloc((size_t)count, sizeof *r->solid_x);
+    r->solid_y = calloc((size_t)count, sizeof *r->solid_y);
+    if (!r->solid_x || !r->solid_y) return fw_fail_memory(error, "a frame");
+    for (int s = 0; s < count; ++s) {
+        size_t particles = (size_t)fw_scene_observe_body(r->experiment->scene, s)->count;
+        r->solid_x[s] = fw_array_of_doubles(particles);
+        r->solid_y[s] = fw_array_of_doubles(particles);
+        if (!r->solid_x[s] || !r->solid_y[s]) return fw_fail_memory(error, "a frame");
+    }
+    return FW_OK;
+}
+
+static fw_status allocate_frames(fw_recorder *r, fw_error *error)
+{
+    int count = r->experiment->member_count;
+    r->bodies = calloc((size_t)count, sizeof *r->bodies);
+    r->frame = calloc((size_t)count, sizeof *r->frame);
+    if (!r->bodies || !r->frame) return fw_fail_memory(error, "a frame");
+    for (int b = 0; b < count; ++b) {
+        body_frame *body = &r->bodies[b];
+        const fw_solid *solid = fw_experiment_solid(r->experiment, b);
+        size_t particles = (size_t)r->experiment->members[b].count;
+        body->velocity_x = fw_array_of_doubles(particles);
+        body->velocity_y = fw_array_of_doubles(particles);
+        body->force_x = fw_array_of_doubles(particles);
+        body->force_y = fw_array_of_doubles(particles);
+        body->fields = calloc((size_t)r->def.field_count + 1, sizeof *body->fields);
+        if (!body->velocity_x || !body->velocity_y || !body->force_x || !body->force_y ||
+            !body->fields)
+            return fw_fail_memory(error, "a frame");
+        for (int n = 0; n < r->def.field_count; ++n) {
+            if (!fw_solid_find_field(solid, r->def.fields[n].name)) continue;
+            body->fields[n] = fw_array_of_doubles(particles);
+            if (!body->fields[n]) return fw_fail_memory(error, "a frame");
+        }
+    }
+    return allocate_solids(r, error);
+}
+
+/* The scene's sections, the recorder's own counters, and the profile's sums. */
+static fw_status list_sections(fw_recorder *r, fw_error *error)
+{
+    int count = fw_scene_section_count(r->experiment->scene);
+    r->section_count = count + 1 + (r->experiment->profile != NULL);
+    r->sections = calloc((size_t)r->section_count, sizeof *r->sections);
+    r->states = calloc((size_t)r->section_count, sizeof *r->states);
+    if (!r->sections || !r->states) return fw_fail_memory(error, "a checkpoint");
+    for (int n = 0; n < count; ++n) {
+        r->sections[n].name = fw_scene_section(r->experiment->scene, n, &r->states[n]);
+        r->sections[n].state = &r->states[n];
+    }
+    fw_state_list_add(&r->states[count], "written", FW_I64, sizeof r->written / sizeof(int64_t),
+                      &r->written);
+    r->sections[count] = (fw_checkpoint_section){"recorder", &r->states[count]};
+    if (!r->experiment->profile) return FW_OK;
+    fw_profile_state(r->experiment->profile, &r->states[count + 1]);
+    r->sections[count + 1] = (fw_checkpoint_section){"profile", &r->states[count + 1]};
+    return FW_OK;
+}
+
+static fw_status prepare(fw_recorder **recorder, fw_experiment *experiment,
+                         const fw_measurement *measurement, const char *directory, int threads,
+                         fw_error *error)
+{
+    fw_recorder *made = calloc(1, sizeof *made);
+    *recorder = made;
+    if (!made) return fw_fail_memory(error, "a recorder");
+    made->experiment = experiment;
+    made->measurement = measurement;
+    FW_TRY(describe(made, directory, threads, error));
+    FW_TRY(allocate_frames(made, error));
+    return list_sections(made, error);
+}
+
+static fw_status give_up(fw_recorder **recorder, fw_status status)
+{
+    if (status == FW_OK) return FW_OK;
+    fw_recorder_destroy(*recorder);
+    *recorder = NULL;
+    return status;
+}
+
+fw_status fw_recorder_create(fw_recorder **recorder, fw_experiment *experiment,
+                             const fw_measurement *measurement, const char *directory,
+                             bool overwrite, int threads, fw_error *error)
+{
+    fw_status status = prepare(recorder, experiment, measurement, directory, threads, error);
+    if (status == FW_OK) {
+        fw_recorder *r = *recorder;
+        r->def.overwrite = overwrite;
+        status = fw_trajectory_create(&r->trajectory, &r->def, error);
+        if (status == FW_OK)
+            status = fw_checkpoint_open(&r->checkpoint, directory, r->scenario_text, error);
+    }
+    return give_up(recorder, status);
+}
+
+fw_status fw_recorder_reopen(fw_recorder **recorder, fw_experiment *experiment,
+                             const fw_measurement *measurement, const char *directory, int threads,
+                             int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error)
+{
+    fw_status status = prepare(recorder, experiment, measurement, directory, threads, error);
+    fw_recorder *r = *recorder;
+    fw_checkpoint_origin origin = {0};
+    if (status == FW_OK)
+        status = fw_checkpoint_open(&r->checkpoint, directory, r->scenario_text, error);
+    if (status == FW_OK && !fw_checkpoint_exists(r->checkpoint)) {
+        *rows = 0;
+        snprintf(note, FW_SENTENCE_SIZE,
+                 "the run ended before its first checkpoint, it begins again");
+    } else if (status == FW_OK) {
+        status = fw_checkpoint_load(r->checkpoint, r->sections, r->section_count, &origin, error);
+        *rows = r->written.rows;
+        if (status == FW_OK && origin.fallen_back)
+            snprintf(note, FW_SENTENCE_SIZE,
+                     "the newer checkpoint cannot be used, going on from %s at step %lld (%.700s)",
+                     origin.name, (long long)origin.step, origin.newer_error.sentence);
+    }
+    return give_up(recorder, status);
+}
+
+fw_status fw_recorder_go_on(fw_recorder *recorder, fw_error *error)
+{
+    return fw_trajectory_reopen(&recorder->trajectory, &recorder->def, recorder->written.frames,
+                                recorder->written.rows, error);
+}
+
+/* --- writing --- */
+
+fw_status fw_recorder_write_row(fw_recorder *recorder, int64_t step, double time, const double *row,
+                                fw_error *error)
+{
+    recorder->written.rows += 1;
+    return fw_trajectory_write_sample(recorder->trajectory, step, time, row, error);
+}
+
+static void copy_part(double *to, const double *from, const fw_member *member)
+{
+    memcpy(to, from + member->first, (size_t)member->count * sizeof *to);
+}
+
+static void fill_velocities(fw_recorder *r)
+{
+    const fw_experiment *experiment = r->experiment;
+    for (int s = 0; s < fw_scene_body_count(experiment->scene); ++s) {
+        const fw_solid *solid = fw_scene_observe_body(experiment->scene, s);
+        solid->model->velocities(solid, r->solid_x[s], r->solid_y[s]);
+    }
+    for (int b = 0; b < experiment->member_count; ++b) {
+        const fw_member *member = &experiment->members[b];
+        copy_part(r->bodies[b].velocity_x, r->solid_x[member->solid], member);
+        copy_part(r->bodies[b].velocity_y, r->solid_y[member->solid], member);
+    }
+}
+
+/* External and contact forces together. */
+static void fill_forces(fw_recorder *r)
+{
+    const fw_experiment *experiment = r->experiment;
+    for (int s = 0; s < fw_scene_body_count(experiment->scene); ++s) {
+        const fw_solid *solid = fw_scene_observe_body(experiment->scene, s);
+        size_t bytes = (size_t)solid->count * sizeof(double);
+        memcpy(r->solid_x[s], solid->external_x, bytes);
+        memcpy(r->solid_y[s], solid->external_y, bytes);
+        fw_scene_add_contact_forces(experiment->scene, s, r->solid_x[s], r->solid_y[s]);
+    }
+    for (int b = 0; b < experiment->member_count; ++b) {
+        const fw_member *member = &experiment->members[b];
+        copy_part(r->bodies[b].force_x, r->solid_x[member->solid], member);
+        copy_part(r->bodies[b].force_y, r->solid_y[member->solid], member);
+    }
+}
+
+static void fill_fields(fw_recorder *r)
+{
+    const fw_experiment *experiment = r->experiment;
+    for (int n = 0; n < r->def.field_count; ++n)
+        for (int b = 0; b < experiment->member_count; ++b) {
+            const fw_member *member = &experiment->members[b];
+            const fw_solid *solid = fw_experiment_solid(experiment, b);
+            const fw_field *field = fw_solid_find_field(solid, r->def.fields[n].name);
+            if (!field) continue;
+            field->fill(solid, r->solid_x[member->solid]);
+            copy_part(r->bodies[b].fields[n], r->solid_x[member->solid], member);
+        }
+}
+
+fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error)
+{
+    const fw_experiment *experiment = recorder->experiment;
+    if (recorder->def.velocity) fill_velocities(recorder);
+    if (recorder->def.force) fill_forces(recorder);
+    fill_fields(recorder);
+    for (int b = 0; b < experiment->member_count; ++b) {
+        const fw_solid *solid = fw_experiment_solid(experiment, b);
+        const body_frame *body = &recorder->bodies[b];
+        recorder->frame[b] = (fw_frame_body){
+            .x = solid->x + experiment->members[b].first,
+            .y = solid->y + experiment->members[b].first,
+            .velocity_x = body->velocity_x,
+            .velocity_y = body->velocity_y,
+            .force_x = body->force_x,
+            .force_y = body->force_y,
+            .fields = (const double *const *)body->fields,
+        };
+    }
+    recorder->written.frames += 1;
+    return fw_trajectory_write_frame(recorder->trajectory, fw_scene_steps(experiment->scene),
+                                     fw_scene_time(experiment->scene), recorder->frame, error);
+}
+
+fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error)
+{
+    FW_TRY(fw_trajectory_sync(recorder->trajectory, error));
+    return fw_checkpoint_write(recorder->checkpoint, recorder->sections, recorder->section_count,
+                               fw_scene_steps(recorder->experiment->scene), error);
+}
+
+fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_array *array,
+                                  const double *values, fw_error *error)
+{
+    return fw_trajectory_write_array(recorder->trajectory, array, values, error);
+}
+
+fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error *error)
+{
+    return fw_trajectory_finish(recorder->trajectory, reason ? reason : FW_RUN_FINISHED, error);
+}
+
+static void destroy_bodies(fw_recorder *r)
+{
+    for (int b = 0; b < r->experiment->member_count; ++b) {
+        if (r->def.bodies) {
+            free((double *)r->def.bodies[b].mass);
+            free((int *)r->def.bodies[b].links);
+        }
+        if (!r->bodies) continue;
+        for (int n = 0; r->bodies[b].fields && n < r->def.field_count; ++n)
+            free(r->bodies[b].fields[n]);
+        free(r->bodies[b].fields);
+        free(r->bodies[b].velocity_x);
+        free(r->bodies[b].velocity_y);
+        free(r->bodies[b].force_x);
+        free(r->bodies[b].force_y);
+    }
+    for (int s = 0; s < fw_scene_body_count(r->experiment->scene); ++s) {
+        if (r->solid_x) free(r->solid_x[s]);
+        if (r->solid_y) free(r->solid_y[s]);
+    }
+}
+
+void fw_recorder_destroy(fw_recorder *recorder)
+{
+    if (!recorder) return;
+    fw_trajectory_destroy(recorder->trajectory);
+    fw_checkpoint_close(recorder->checkpoint);
+    destroy_bodies(recorder);
+    free((fw_trajectory_body *)recorder->def.bodies);
+    free((fw_trajectory_field *)recorder->def.fields);
+    free((fw_observable *)recorder->def.observables);
+    free((fw_trajectory_array *)recorder->def.arrays);
+    free((fw_table_group *)recorder->def.groups);
+    free(recorder->bodies);
+    free(recorder->frame);
+    free(recorder->solid_x);
+    free(recorder->solid_y);
+    free(recorder->sections);
+    free(recorder->states);
+    free(recorder->scenario_text);
+    free(recorder->directory);
+    free(recorder);
+}
+
+fw_status fw_recorder_size(fw_experiment *experiment, const fw_measurement *measurement,
+                           fw_results_size *size, fw_error *error)
+{
+    fw_recorder *r;
+    /* Nothing is created on disk: only the definition is made. */
+    fw_status status = prepare(&r, experiment, measurement, "", 1, error);
+    if (status == FW_OK)
+        *size = (fw_results_size){
+            .frames = r->def.frame_count,
+            .rows = r->def.sample_count,
+            .row_width = measurement->width,
+            .file = fw_trajectory_size(&r->def),
+            .checkpoint = (double)fw_checkpoint_size(r->sections, r->section_count),
+        };
+    fw_recorder_destroy(r);
+    return status;
+}

@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* recorder.h - what a run leaves on disk: the results file and its checkpoints. */
+#ifndef FW_RECORDER_H
+#define FW_RECORDER_H
+
+#include "experiments/measures/measurement.h"
+#include "experiments/results/trajectory.h"
+
+typedef struct fw_recorder fw_recorder;
+
+/* Creates the results file with room for the whole run. Everything given is observed and must live
+ * as long as the recorder. */
+fw_status fw_recorder_create(fw_recorder **recorder, fw_experiment *experiment,
+                             const fw_measurement *measurement, const char *directory,
+                             bool overwrite, int threads, fw_error *error);
+
+/* First half of a resume: loads the newest checkpoint into the scene. *rows tells how many measured
+ * rows it speaks of, 0 where there is none yet and the scene is at its start; *note what the user
+ * should know, if not empty. */
+fw_status fw_recorder_reopen(fw_recorder **recorder, fw_experiment *experiment,
+                             const fw_measurement *measurement, const char *directory, int threads,
+                             int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error);
+/* Second half: cuts the results file back to the checkpoint and goes on writing behind it. */
+fw_status fw_recorder_go_on(fw_recorder *recorder, fw_error *error);
+
+fw_status fw_recorder_write_row(fw_recorder *recorder, int64_t step, double time, const double *row,
+                                fw_error *error);
+fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error);
+fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error);
+
+fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_array *array,
+                                  const double *values, fw_error *error);
+
+/* Ends the file; `reason` NULL: the run reached its end. */
+fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error *error);
+void fw_recorder_destroy(fw_recorder *recorder);
+
+/* What a whole run leaves on disk, in bytes and rows. */
+typedef struct fw_results_size {
+    int64_t frames, rows;
+    int row_width;     /* numbers measured at a time */
+    double file;       /* the results file */
+    double checkpoint; /* one of the two */
+} fw_results_size;
+/* Nothing is made; the experiment is only looked at. */
+fw_status fw_recorder_size(fw_experiment *experiment, const fw_measurement *measurement,
+                           fw_results_size *size, fw_error *error);
+
+#endif

@@ -1,0 +1,299 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* run.c - the life of a run. Several may run at a time, each in a thread of its own; they write
+ * their results one after the other, since HDF5 can do no better.
+ * State: the experiment, its series, its recorder. Invariant: what the newest checkpoint speaks of
+ * is in the results file. Start reading at fw_run_to_end(). */
+#include "experiments/study/run.h"
+
+#include "experiments/measures/caution.h"
+#include "experiments/study/interrupt.h"
+#include "experiments/results/playback.h"
+#include "experiments/study/progress.h"
+#include "experiments/study/recorder.h"
+
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Seconds between two checkpoints where the scenario does not say. */
+static const double CHECKPOINT_SECONDS = 60;
+
+struct fw_run {
+    const fw_scenario *scenario;
+    fw_run_options options;
+    fw_experiment *experiment;
+    fw_measurement *measurement;
+    fw_recorder *recorder; /* NULL: nothing is written */
+    double checkpointed;   /* clock of the last checkpoint */
+    fw_caution caution;
+};
+
+static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                        fw_error *error)
+{
+    fw_run *made = calloc(1, sizeof *made);
+    *run = made;
+    if (!made) return fw_fail_memory(error, "a run");
+    made->scenario = scenario;
+    made->options = *options;
+    made->caution.out = options->cautions;
+    omp_set_num_threads(options->threads > 0 ? options->threads : 1);
+    FW_TRY(fw_experiment_create(&made->experiment, scenario, error));
+    return fw_measurement_create(&made->measurement, made->experiment, error);
+}
+
+static fw_status measure(fw_run *run, fw_error *error)
+{
+    const double *row = fw_measurement_take(run->measurement, run->experiment);
+    if (!run->recorder) return FW_OK;
+    int64_t last = run->measurement->count - 1;
+    fw_status status;
+#pragma omp critical(results)
+    status = fw_recorder_write_row(run->recorder, run->measurement->steps[last],
+                                   run->measurement->times[last], row, error);
+    return status;
+}
+
+static fw_status record(fw_run *run, fw_error *error)
+{
+    FW_TRY(fw_caution_look(&run->caution, run->experiment, error));
+    fw_status status = FW_OK;
+    if (!run->recorder) return FW_OK;
+#pragma omp critical(results)
+    status = fw_recorder_write_frame(run->recorder, error);
+    return status;
+}
+
+static fw_status checkpoint(fw_run *run, fw_error *error)
+{
+    if (!run->recorder) return FW_OK;
+    run->checkpointed = fw_progress_clock();
+    fw_status status;
+#pragma omp critical(results)
+    status = fw_recorder_checkpoint(run->recorder, error);
+    return status;
+}
+
+/* The start counts as a step of its own: with its checkpoint a run can go on whatever ends it, and
+ * a disk without room for checkpoints shows before the first step. */
+static fw_status record_start(fw_run *run, fw_error *error)
+{
+    FW_TRY(measure(run, error));
+    FW_TRY(record(run, error));
+    return checkpoint(run, error);
+}
+
+fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                       fw_error *error)
+{
+    fw_status status = create(run, scenario, options, error);
+    if (status == FW_OK && options->directory)
+        status =
+            fw_recorder_create(&(*run)->recorder, (*run)->experiment, (*run)->measurement,
+                               options->directory, options->overwrite, options->threads, error);
+    if (status == FW_OK) status = record_start(*run, error);
+    if (status != FW_OK) {
+        fw_run_destroy(*run);
+        *run = NULL;
+    }
+    return status;
+}
+
+/* The rows that were measured before the checkpoint, from the results file. */
+static fw_status restore_rows(fw_run *run, int64_t rows, fw_error *error)
+{
+    fw_playback *playback;
+    fw_measurement *m = run->measurement;
+    FW_TRY(fw_playback_open(&playback, run->options.directory, error));
+    size_t count = (size_t)playback->sample_count, width = (size_t)m->width;
+    double *table = calloc(count * width + 1, sizeof *table);
+    double *column = calloc(count * FW_COMPONENTS_MOST + 1, sizeof *column);
+    double *times = calloc(count + 1, sizeof *times);
+    int64_t *steps = calloc(count + 1, sizeof *steps);
+    fw_status status = FW_OK;
+    if (!table || !column || !times || !steps) status = fw_fail_memory(error, "measured rows");
+    if (status == FW_OK && rows == 0 && playback->frame_count > 1)
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s holds %lld frames but no checkpoint to go on from; `fretwork run "
+                         "--overwrite` computes all of them anew",
+                         run->options.directory, (long long)playback->frame_count);
+    if (status == FW_OK && (int64_t)count < rows)
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s: the results file has %lld measured rows, expected at least the %lld "
+                         "of the checkpoint",
+                         run->options.directory, (long long)count, (long long)rows);
+    if (status == FW_OK) status = fw_playback_read_sample_times(playback, steps, times, error);
+    for (int n = 0; n < m->probe_count && status == FW_OK; ++n) {
+        const fw_probe *probe = &m->probes[n];
+        int number = fw_playback_find_observable(playback, probe->label);
+        if (number < 0 || playback->observables[number].components != probe->components) {
+            status = fw_fail(error, FW_BAD_INPUT,
+                             "%s: the results file has no observable %s as this program measures "
+                             "it, so the run cannot go on",
+                             run->options.directory, probe->label);
+            break;
+        }
+        status = fw_playback_read_observable(playback, number, column, error);
+        for (size_t row = 0; row < count && status == FW_OK; ++row)
+            memcpy(table + row * width + probe->first, column + row * (size_t)probe->components,
+                   (size_t)probe->components * sizeof *column);
+    }
+    for (int64_t row = 0; row < rows && status == FW_OK; ++row)
+        fw_measurement_restore(m, steps[row], times[row], table + (size_t)row * width);
+    free(table);
+    free(column);
+    free(times);
+    free(steps);
+    fw_playback_close(playback);
+    return status;
+}
+
+static fw_status resume(fw_run *run, char *note, fw_error *error)
+{
+    int64_t rows = 0;
+    FW_TRY(fw_recorder_reopen(&run->recorder, run->experiment, run->measurement,
+                              run->options.directory, run->options.threads, &rows, note, error));
+    if (rows > 0) FW_TRY(fw_scene_restored(run->experiment->scene, error));
+    FW_TRY(restore_rows(run, rows, error));
+    FW_TRY(fw_recorder_go_on(run->recorder, error));
+    return rows > 0 ? FW_OK : record_start(run, error);
+}
+
+fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                        char note[FW_SENTENCE_SIZE], fw_error *error)
+{
+    note[0] = '\0';
+    fw_status status = create(run, scenario, options, error);
+    if (status == FW_OK) status = resume(*run, note, error);
+    if (status != FW_OK) {
+        fw_run_destroy(*run);
+        *run = NULL;
+    }
+    return status;
+}
+
+static bool checkpoint_is_due(const fw_run *run, int64_t step)
+{
+    if (!run->recorder || step == run->scenario->run.steps) return false;
+    if (run->scenario->run.checkpoint_every > 0)
+        return step % run->scenario->run.checkpoint_every == 0;
+    return fw_progress_clock() - run->checkpointed > CHECKPOINT_SECONDS;
+}
+
+static bool frame_is_due(const fw_run *run, int64_t step)
+{
+    return step % run->scenario->run.record_every == 0 || step == run->scenario->run.steps;
+}
+
+static fw_status step_once(fw_run *run, fw_error *error)
+{
+    FW_TRY(fw_experiment_step(run->experiment, error));
+    int64_t step = fw_scene_steps(run->experiment->scene);
+    if (fw_measurement_is_due(run->scenario, step)) FW_TRY(measure(run, error));
+    if (frame_is_due(run, step)) FW_TRY(record(run, error));
+    fw_status signal = fw_interrupt_seen();
+    if (signal != FW_OK) {
+        FW_TRY(checkpoint(run, error));
+        if (!run->recorder)
+            return fw_fail(error, signal, "interrupted after %lld of %lld steps", (long long)step,
+                           (long long)run->scenario->run.steps);
+        return fw_fail(
+            error, signal,
+            "interrupted after %lld of %lld steps; `fretwork resume %s` goes on from here",
+            (long long)step, (long long)run->scenario->run.steps, run->options.directory);
+    }
+    if (checkpoint_is_due(run, step)) FW_TRY(checkpoint(run, error));
+    return FW_OK;
+}
+
+fw_status fw_run_to_end(fw_run *run, fw_error *error)
+{
+    fw_scene *scene = run->experiment->scene;
+    double particles = 0;
+    for (int b = 0; b < run->experiment->member_count; ++b)
+        particles += run->experiment->members[b].count;
+    fw_progress progress =
+        fw_progress_begin(run->options.progress, run->options.name, fw_scene_steps(scene),
+                          run->scenario->run.steps, particles);
+    fw_status status = FW_OK;
+    run->checkpointed = fw_progress_clock();
+    while (status == FW_OK && fw_scene_steps(scene) < run->scenario->run.steps) {
+        status = step_once(run, error);
+        fw_progress_show(&progress, fw_scene_steps(scene));
+    }
+    fw_progress_end(&progress);
+    if (!run->recorder) return status;
+    if (status == FW_OK) return run->options.keep_open ? FW_OK : fw_run_finish(run, error);
+    /* The reason goes into the file as far as the disk still takes it. */
+    fw_error ignored;
+#pragma omp critical(results)
+    fw_recorder_finish(run->recorder, error->sentence, &ignored);
+    return status;
+}
+
+fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,
+                             fw_error *error)
+{
+    return run->recorder ? fw_recorder_write_array(run->recorder, array, values, error) : FW_OK;
+}
+
+fw_status fw_run_finish(fw_run *run, fw_error *error)
+{
+    fw_status status = FW_OK;
+    if (!run->recorder) return FW_OK;
+#pragma omp critical(results)
+    status = fw_recorder_finish(run->recorder, NULL, error);
+    return status;
+}
+
+void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
+                        const double *outcome_of_seeds)
+{
+    run->measurement->outcome_of_seeds = outcome_of_seeds;
+    run->measurement->outcome = outcome;
+    run->measurement->outcome_error = outcome_error;
+}
+
+void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count)
+{
+    run->measurement->seeds = seeds;
+    run->measurement->seed_count = count;
+}
+
+void fw_run_destroy(fw_run *run)
+{
+    if (!run) return;
+    fw_recorder_destroy(run->recorder);
+    fw_measurement_destroy(run->measurement);
+    fw_experiment_destroy(run->experiment);
+    free(run);
+}
+
+const fw_experiment *fw_run_experiment(const fw_run *run)
+{
+    return run->experiment;
+}
+
+const fw_measurement *fw_run_measurement(const fw_run *run)
+{
+    return run->measurement;
+}
+
+fw_status fw_run_size(const fw_run *run, fw_results_size *size, fw_error *error)
+{
+    return fw_recorder_size(run->experiment, run->measurement, size, error);
+}
+
+fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step, fw_error *error)
+{
+    const fw_scene *scene = run->experiment->scene;
+    int64_t first = fw_scene_steps(scene);
+    double started = fw_progress_clock(), now = started;
+    while (now - started < seconds && fw_scene_steps(scene) < run->scenario->run.steps) {
+        FW_TRY(step_once(run, error));
+        now = fw_progress_clock();
+    }
+    int64_t steps = fw_scene_steps(scene) - first;
+    *seconds_per_step = steps > 0 ? (now - started) / (double)steps : 0;
+    return FW_OK;
+}

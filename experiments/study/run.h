@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* run.h - runs an experiment: steps, measures, records, checkpoints, and goes on where it stopped.
+ */
+#ifndef FW_RUN_H
+#define FW_RUN_H
+
+#include "experiments/measures/measurement.h"
+#include "experiments/study/recorder.h"
+
+#include <stdio.h>
+
+/* Plain data. */
+typedef struct fw_run_options {
+    const char *directory; /* of the results; NULL: only measured, nothing is written */
+    bool overwrite;        /* an earlier result is replaced, else refused */
+    int threads;
+    int at_once;      /* runs of a study side by side; 0: as many as there are processors */
+    const char *name; /* for the progress line */
+    FILE *progress;   /* NULL: none */
+    bool keep_open;   /* the results file is ended by fw_run_finish, not by the last step */
+    FILE *cautions;   /* where caution.h says what it sees; NULL: nowhere */
+} fw_run_options;
+
+typedef struct fw_run fw_run;
+
+/* From the beginning. */
+fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                       fw_error *error);
+/* From the newest checkpoint in options->directory. FW_BAD_INPUT: the run is finished, or there is
+ * nothing to go on from. `scenario` is the one in the results file. *note, if not empty, tells what
+ * the user should know. */
+fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                        char note[FW_SENTENCE_SIZE], fw_error *error);
+
+/* To the end. FW_INTERRUPTED or FW_TERMINATED: a signal came; a checkpoint was written.
+ * FW_DIVERGED, FW_SYSTEM_FAILED: the last checkpoint stays whole. */
+fw_status fw_run_to_end(fw_run *run, fw_error *error);
+
+/* With keep_open: what is known of the run as a whole, and the end. */
+fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,
+                             fw_error *error);
+fw_status fw_run_finish(fw_run *run, fw_error *error);
+/* For expectations of a study's outcome; all are observed. */
+void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
+                        const double *outcome_of_seeds);
+/* For all other expectations: what all seeds measured; observed. */
+void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count);
+
+void fw_run_destroy(fw_run *run);
+
+const fw_experiment *fw_run_experiment(const fw_run *run);
+const fw_measurement *fw_run_measurement(const fw_run *run);
+
+/* What the whole run will leave on disk, without making it. */
+fw_status fw_run_size(const fw_run *run, fw_results_size *size, fw_error *error);
+
+/* Steps and measures for about so many seconds, or to the end, and tells what a step takes. The run
+ * should have no folder: it is of no further use. */
+fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step, fw_error *error);
+
+#endif

@@ -1,0 +1,346 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* study.c - many runs at a time.
+ * State: the runs, and their outcome. Invariant: each run is stepped by one thread at a time, and
+ * what is averaged is added in the order of seeds. Start reading at fw_study_to_end(). */
+#include "experiments/study/study.h"
+
+#include "core/averages.h"
+#include "experiments/storage/csv.h"
+#include "experiments/storage/folder.h"
+#include "experiments/study/summary.h"
+
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* One run: of the experiment or of its control, with one seed. */
+typedef struct fw_replica {
+    const fw_scenario *scenario;
+    fw_scenario *own; /* NULL: it is the experiment itself */
+    fw_run_options options;
+    fw_run *run;
+    fw_status status;
+    fw_error error;
+} fw_replica;
+
+struct fw_study {
+    const fw_scenario *scenario;
+    int at_once;
+    int seed_count, run_count; /* seeds of the experiment, then those of the control */
+    fw_replica *replicas;      /* the first is the experiment itself */
+    char control_folder[FW_PATH_SIZE];
+    const fw_measurement **measurements; /* per seed of the experiment */
+    fw_profile_table *table;
+    double (*layers)[FW_LAYER_MEASURES]; /* of each run */
+    double outcome[FW_LAYER_MEASURES], outcome_error[FW_LAYER_MEASURES];
+};
+
+/* --- making --- */
+
+/* The sentence of a change that cannot be made stands after the control's place. */
+static fw_status fail_control(const fw_scenario *scenario, fw_status status, fw_error *error)
+{
+    const fw_error inner = *error;
+    if (status != FW_BAD_INPUT) return status;
+    return fw_scenario_fail(scenario, scenario->study.control_place, error, "control: %s",
+                            inner.sentence);
+}
+
+static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_t seed,
+                               fw_scenario **made, fw_error *error)
+{
+    enum { SETTINGS_MOST = 80 };
+    const char *settings[SETTINGS_MOST];
+    char seed_setting[48], *text;
+    int count = 0;
+    snprintf(seed_setting, sizeof seed_setting, "run.seed=%lld", (long long)seed);
+    settings[count++] = seed_setting;
+    for (int n = 0; control && n < scenario->study.control_count; ++n)
+        settings[count++] = scenario->study.control[n];
+    FW_TRY(fw_scenario_print(scenario, &text, error));
+    fw_status status = fw_scenario_read(made, control ? "control" : "replica", text, strlen(text),
+                                        settings, count, error);
+    free(text);
+    return control ? fail_control(scenario, status, error) : status;
+}
+
+static fw_status make_replica(fw_study *study, int number, const fw_run_options *options,
+                              fw_error *error)
+{
+    fw_replica *replica = &study->replicas[number];
+    const bool control = number >= study->seed_count;
+    const int64_t seed = study->scenario->run.seed + number % study->seed_count;
+    FW_TRY(make_scenario(study->scenario, control, seed, &replica->own, error));
+    replica->scenario = replica->own;
+    replica->options = (fw_run_options){.threads = 1, .overwrite = true};
+    if (number != study->seed_count || !options->directory) return FW_OK;
+    const int length = snprintf(study->control_folder, sizeof study->control_folder, "%s/%s",
+                                options->directory, FW_CONTROL_FOLDER);
+    if (length >= (int)sizeof study->control_folder)
+        return fw_fail(error, FW_BAD_INPUT, "%.200s...: the name of the folder is too long",
+                       options->directory);
+    replica->options.directory = study->control_folder;
+    return FW_OK;
+}
+
+static fw_status create(fw_study **study, const fw_scenario *scenario,
+                        const fw_run_options *options, fw_error *error)
+{
+    fw_study *made = calloc(1, sizeof *made);
+    *study = made;
+    if (!made) return fw_fail_memory(error, "a study");
+    made->scenario = scenario;
+    made->at_once = options->at_once;
+    made->seed_count = (int)scenario->study.seeds;
+    made->run_count = made->seed_count * (scenario->study.control_count > 0 ? 2 : 1);
+    made->replicas = calloc((size_t)made->run_count, sizeof *made->replicas);
+    made->measurements = calloc((size_t)made->seed_count, sizeof *made->measurements);
+    if (!made->replicas || !made->measurements) return fw_fail_memory(error, "a study");
+    made->replicas[0].scenario = scenario;
+    made->replicas[0].options = *options;
+    /* The results are finished when the whole study is. */
+    made->replicas[0].options.keep_open = true;
+    for (int n = 1; n < made->run_count; ++n) FW_TRY(make_replica(made, n, options, error));
+    return FW_OK;
+}
+
+/* Replicas that leave results begin here, one after the other, as their folders are made. */
+static fw_status begin_others(fw_study *study, fw_error *error)
+{
+    for (int n = 1; n < study->run_count; ++n) {
+        fw_replica *replica = &study->replicas[n];
+        if (replica->options.directory)
+            FW_TRY(fw_run_begin(&replica->run, replica->scenario, &replica->options, error));
+    }
+    return FW_OK;
+}
+
+static fw_status give_up(fw_study **study, fw_status status)
+{
+    if (status == FW_OK) return FW_OK;
+    fw_study_destroy(*study);
+    *study = NULL;
+    return status;
+}
+
+fw_status fw_study_begin(fw_study **study, const fw_scenario *scenario,
+                         const fw_run_options *options, fw_error *error)
+{
+    fw_status status = create(study, scenario, options, error);
+    if (status == FW_OK) {
+        fw_replica *first = &(*study)->replicas[0];
+        status = fw_run_begin(&first->run, scenario, &first->options, error);
+    }
+    if (status == FW_OK) status = begin_others(*study, error);
+    return give_up(study, status);
+}
+
+fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
+                          const fw_run_options *options, char note[FW_SENTENCE_SIZE],
+                          fw_error *error)
+{
+    fw_status status = create(study, scenario, options, error);
+    if (status == FW_OK) {
+        fw_replica *first = &(*study)->replicas[0];
+        status = fw_run_resume(&first->run, scenario, &first->options, note, error);
+    }
+    if (status == FW_OK) status = begin_others(*study, error);
+    return give_up(study, status);
+}
+
+void fw_study_destroy(fw_study *study)
+{
+    if (!study) return;
+    for (int n = 0; study->replicas && n < study->run_count; ++n) {
+        fw_run_destroy(study->replicas[n].run);
+        fw_scenario_destroy(study->replicas[n].own);
+    }
+    free(study->replicas);
+    free(study->measurements);
+    free(study->layers);
+    fw_profile_table_destroy(study->table);
+    free(study);
+}
+
+/* --- running --- */
+
+static void run_replica(fw_replica *replica)
+{
+    if (!replica->run)
+        replica->status =
+            fw_run_begin(&replica->run, replica->scenario, &replica->options, &replica->error);
+    if (replica->status == FW_OK) replica->status = fw_run_to_end(replica->run, &replica->error);
+}
+
+static fw_status run_all(fw_study *study, fw_error *error)
+{
+    const int threads = study->at_once > 0 ? study->at_once : omp_get_num_procs();
+    if (study->run_count == 1)
+        run_replica(&study->replicas[0]);
+    else
+#pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
+        for (int n = 0; n < study->run_count; ++n) run_replica(&study->replicas[n]);
+    for (int n = 0; n < study->run_count; ++n) {
+        if (study->replicas[n].status == FW_OK) continue;
+        *error = study->replicas[n].error;
+        return study->replicas[n].status;
+    }
+    return FW_OK;
+}
+
+/* --- the outcome --- */
+
+static const fw_experiment *experiment_of(const fw_study *study, int number)
+{
+    return fw_run_experiment(study->replicas[number].run);
+}
+
+/* Over the seeds that have a value. */
+static void average(const double *values, int count, double *mean, double *error)
+{
+    double known[1024];
+    size_t found = 0;
+    for (int n = 0; n < count; ++n)
+        if (isfinite(values[n])) known[found++] = values[n];
+    *mean = *error = NAN;
+    if (found == 0) return;
+    const fw_average result = fw_average_of_replicas(known, found);
+    *mean = result.mean;
+    if (found > 1) *error = result.error;
+}
+
+static void average_columns(fw_study *study, double *values)
+{
+    fw_profile_table *table = study->table;
+    const int seeds = study->seed_count;
+    for (int c = 0; c < FW_PROFILE_COLUMNS; ++c)
+        for (int b = 0; b < table->bin_count; ++b) {
+            fw_outcome *o = &fw_profile_table_column(table, (fw_profile_column)c)[b];
+            for (int n = 0; n < study->run_count; ++n)
+                values[n] =
+                    fw_profile_value(experiment_of(study, n)->profile, b, (fw_profile_column)c);
+            average(values, seeds, &o->mean, &o->error);
+            average(values + seeds, study->run_count - seeds, &o->control, &o->control_error);
+        }
+}
+
+static fw_status average_layer(fw_study *study, double *values, fw_error *error)
+{
+    double(*layers)[FW_LAYER_MEASURES] = study->layers;
+    const int seeds = study->seed_count;
+    for (int n = 0; n < study->run_count; ++n)
+        FW_TRY(fw_layer_of(layers[n], experiment_of(study, n),
+                           fw_run_measurement(study->replicas[n].run), error));
+    for (int n = seeds; n < study->run_count; ++n)
+        fw_layer_compare(layers[n - seeds], layers[n], experiment_of(study, n)->profile);
+    for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
+        fw_outcome *o = &study->table->layer[m];
+        for (int n = 0; n < study->run_count; ++n) values[n] = layers[n][m];
+        average(values, seeds, &o->mean, &o->error);
+        average(values + seeds, study->run_count - seeds, &o->control, &o->control_error);
+        study->outcome[m] = o->mean;
+        study->outcome_error[m] = o->error;
+    }
+    return FW_OK;
+}
+
+/* What is expected of a quantity is expected of its mean over the seeds. */
+static void compare_seeds(fw_study *study)
+{
+    if (study->seed_count == 1) return;
+    for (int n = 0; n < study->seed_count; ++n)
+        study->measurements[n] = fw_run_measurement(study->replicas[n].run);
+    fw_run_set_seeds(study->replicas[0].run, study->measurements, study->seed_count);
+}
+
+static fw_status evaluate(fw_study *study, fw_error *error)
+{
+    const fw_profile *profile = experiment_of(study, 0)->profile;
+    const int bins = fw_profile_bin_count(profile);
+    FW_TRY(fw_profile_table_create(&study->table, bins, study->scenario->profile.axis ? 'y' : 'x',
+                                   error));
+    for (int b = 0; b <= bins; ++b) study->table->edges[b] = fw_profile_edge(profile, b);
+    double *values = calloc((size_t)study->run_count, sizeof *values);
+    study->layers = calloc((size_t)study->run_count, sizeof *study->layers);
+    fw_status status =
+        values && study->layers ? FW_OK : fw_fail_memory(error, "the outcome of a study");
+    if (status == FW_OK) {
+        average_columns(study, values);
+        status = average_layer(study, values, error);
+    }
+    free(values);
+    if (status == FW_OK)
+        fw_run_set_outcome(study->replicas[0].run, study->outcome, study->outcome_error,
+                           study->layers[0]);
+    return status;
+}
+
+/* --- files --- */
+
+static void write_layers(FILE *out, const void *object)
+{
+    const fw_study *study = object;
+    fputs("seed,run", out);
+    for (int m = 0; m < FW_LAYER_MEASURES; ++m) fprintf(out, ",%s", fw_layer_quantities[m].name);
+    fputc('\n', out);
+    for (int n = 0; n < study->run_count; ++n) {
+        const bool control = n >= study->seed_count;
+        fprintf(out, "%lld,%s", (long long)study->replicas[n].scenario->run.seed,
+                control ? "control" : "experiment");
+        for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
+            fputc(',', out);
+            fw_csv_write_number(out, study->layers[n][m]);
+        }
+        fputc('\n', out);
+    }
+}
+
+static fw_status write_profile(fw_study *study, const char *directory, fw_error *error)
+{
+    fw_trajectory_array *arrays;
+    int count;
+    FW_TRY(fw_profile_table_arrays(&arrays, &count, study->table->bin_count, error));
+    fw_status status = FW_OK;
+    for (int n = 0; n < count && status == FW_OK; ++n)
+        status = fw_run_write_array(study->replicas[0].run, &arrays[n],
+                                    fw_profile_table_values(study->table, n), error);
+    free(arrays);
+    FW_TRY(status);
+    char path[FW_PATH_SIZE + sizeof FW_PROFILE_FILE];
+    snprintf(path, sizeof path, "%s/%s", directory, FW_PROFILE_FILE);
+    FW_TRY(fw_profile_table_write(study->table, path, error));
+    snprintf(path, sizeof path, "%s/%s", directory, FW_LAYER_FILE);
+    return fw_csv_save(path, write_layers, study, error);
+}
+
+/* Of several seeds, and of a case, which a sweep that goes on reads back. */
+static fw_status write_summary(const fw_study *study, const char *directory, fw_error *error)
+{
+    char path[FW_PATH_SIZE + sizeof FW_SUMMARY_FILE];
+    if (study->seed_count == 1 && !study->scenario->study.sweep.is_case) return FW_OK;
+    snprintf(path, sizeof path, "%s/%s", directory, FW_SUMMARY_FILE);
+    return fw_summary_write(path, study->scenario, fw_study_measurement(study), error);
+}
+
+fw_status fw_study_to_end(fw_study *study, fw_error *error)
+{
+    const char *directory = study->replicas[0].options.directory;
+    FW_TRY(run_all(study, error));
+    if (study->scenario->profile.every != 0) FW_TRY(evaluate(study, error));
+    compare_seeds(study);
+    if (!directory) return FW_OK;
+    if (study->table) FW_TRY(write_profile(study, directory, error));
+    FW_TRY(write_summary(study, directory, error));
+    return fw_run_finish(study->replicas[0].run, error);
+}
+
+const fw_measurement *fw_study_measurement(const fw_study *study)
+{
+    return fw_run_measurement(study->replicas[0].run);
+}
+
+const fw_profile_table *fw_study_table(const fw_study *study)
+{
+    return study->table;
+}

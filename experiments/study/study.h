@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* study.h - a scenario run as a whole: the experiment itself, its replicas over seeds, and the
+ * control of each, side by side. Only the experiment with the scenario's own seed, and its control,
+ * leave results on disk (the control in DIR/control); of the others remains what the profile,
+ * layer.csv and summary.csv say: what each seed showed of the layer, and of what is expected. No
+ * result depends on how many run at a time. */
+#ifndef FW_STUDY_H
+#define FW_STUDY_H
+
+#include "experiments/measures/profile_table.h"
+#include "experiments/study/run.h"
+
+#define FW_CONTROL_FOLDER "control"
+#define FW_PROFILE_FILE   "profile.csv"
+#define FW_LAYER_FILE     "layer.csv"
+
+typedef struct fw_study fw_study;
+
+/* Begins the experiment, or goes on with it from its newest checkpoint (see fw_run_resume); then
+ * the other runs, which are repeated from their beginning. `scenario` must live as long. */
+fw_status fw_study_begin(fw_study **study, const fw_scenario *scenario,
+                         const fw_run_options *options, fw_error *error);
+fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
+                          const fw_run_options *options, char note[FW_SENTENCE_SIZE],
+                          fw_error *error);
+/* Everything to its end, and into the results. As fw_run_to_end. */
+fw_status fw_study_to_end(fw_study *study, fw_error *error);
+void fw_study_destroy(fw_study *study);
+
+/* The experiment's own; a measurement that knows the outcome. */
+const fw_measurement *fw_study_measurement(const fw_study *study);
+/* NULL where the scenario has no profile, or before the end. */
+const fw_profile_table *fw_study_table(const fw_study *study);
+
+#endif

@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* summary.h - what was expected of a study and what each of its seeds showed, as a table in a file.
+ */
+#ifndef FW_SUMMARY_H
+#define FW_SUMMARY_H
+
+#include "experiments/measures/verdict.h"
+
+#define FW_SUMMARY_FILE "summary.csv"
+
+/* One row per expectation: quantity, expected, mean over the seeds, its standard error, verdict,
+ * and the number of each seed. FW_SYSTEM_FAILED where the file cannot be written. */
+fw_status fw_summary_write(const char *path, const fw_scenario *scenario,
+                           const fw_measurement *measurement, fw_error *error);
+/* The verdicts again, of the same scenario. FW_BAD_INPUT: it is not such a file. */
+fw_status fw_summary_read(const char *path, const fw_scenario *scenario, fw_verdicts *verdicts,
+                          fw_error *error);
+
+#endif

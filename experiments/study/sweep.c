@@ -1,0 +1,265 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep.c - studies one after the other.
+ * State: the cases, and what came out of each. Invariant: the table is there when all cases are
+ * finished.
+ * Start reading at fw_sweep_to_end(). */
+#include "experiments/study/sweep.h"
+
+#include "experiments/study/sweep_case.h"
+#include "experiments/study/sweep_outcome.h"
+#include "experiments/storage/whole_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+struct fw_sweep {
+    const fw_scenario *scenario;
+    fw_run_options options;
+    fw_folder *folder; /* NULL: nothing is written */
+    bool going_on;     /* some cases may be there already */
+    int case_count;
+    fw_sweep_case *cases;
+    fw_verdicts verdicts;
+};
+
+/* --- making --- */
+
+static fw_status create(fw_sweep **sweep, const fw_scenario *scenario,
+                        const fw_run_options *options, fw_error *error)
+{
+    fw_sweep *made = calloc(1, sizeof *made);
+    *sweep = made;
+    if (!made) return fw_fail_memory(error, "a sweep");
+    made->scenario = scenario;
+    made->options = *options;
+    made->cases = calloc((size_t)scenario->study.sweep.value_count, sizeof *made->cases);
+    if (!made->cases) return fw_fail_memory(error, "a sweep");
+    for (int n = 0; n < scenario->study.sweep.value_count; ++n)
+        FW_TRY(fw_sweep_case_make(&made->cases[made->case_count++], scenario, n, error));
+    return FW_OK;
+}
+
+/* What only shows when a run begins, such as a body that starts in a wall. */
+static fw_status check_cases(const fw_sweep *sweep, fw_error *error)
+{
+    for (int n = 0; n < sweep->case_count; ++n) {
+        const fw_status status = fw_sweep_case_check(&sweep->cases[n], error);
+        FW_TRY(fw_scenario_fail_case(sweep->scenario, n, status, error));
+    }
+    return FW_OK;
+}
+
+static fw_status give_up(fw_sweep **sweep, fw_status status)
+{
+    if (status == FW_OK) return FW_OK;
+    if (*sweep) fw_folder_abandon((*sweep)->folder);
+    if (*sweep) (*sweep)->folder = NULL;
+    fw_sweep_destroy(*sweep);
+    *sweep = NULL;
+    return status;
+}
+
+void fw_sweep_destroy(fw_sweep *sweep)
+{
+    if (!sweep) return;
+    for (int n = 0; n < sweep->case_count; ++n) fw_sweep_case_clear(&sweep->cases[n]);
+    fw_folder_close(sweep->folder);
+    fw_verdicts_clear(&sweep->verdicts);
+    free(sweep->cases);
+    free(sweep);
+}
+
+/* --- its folder --- */
+
+fw_status fw_sweep_path(const char *directory, const char *name, char path[FW_PATH_SIZE],
+                        fw_error *error)
+{
+    const int length = snprintf(path, FW_PATH_SIZE, "%s/%s", directory, name);
+    if (length < FW_PATH_SIZE) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "%.200s...: the name of the folder is too long", directory);
+}
+
+/* An earlier result goes, or is kept: then nothing begins. */
+static fw_status clear_folder(const char *path, bool overwrite, fw_error *error)
+{
+    fw_folder *folder;
+    fw_error ignored;
+    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return FW_OK;
+    fw_status status = FW_OK;
+    if (fw_trajectory_is_in(folder))
+        status =
+            overwrite ? fw_trajectory_discard(folder, error) : fw_trajectory_refuse(path, error);
+    fw_folder_close(folder);
+    return status;
+}
+
+static fw_status clear_folders(const fw_sweep *sweep, bool overwrite, fw_error *error)
+{
+    char path[FW_PATH_SIZE];
+    FW_TRY(clear_folder(sweep->options.directory, overwrite, error));
+    for (int n = 0; n < sweep->case_count; ++n) {
+        FW_TRY(fw_sweep_path(sweep->options.directory, sweep->cases[n].name, path, error));
+        FW_TRY(clear_folder(path, overwrite, error));
+    }
+    return FW_OK;
+}
+
+/* A case that another process is writing, as `fretwork resume` of it alone would. */
+static fw_status refuse_held(const fw_sweep *sweep, fw_error *error)
+{
+    char path[FW_PATH_SIZE];
+    for (int n = 0; n < sweep->case_count; ++n) {
+        fw_folder *folder;
+        fw_error ignored;
+        FW_TRY(fw_sweep_path(sweep->options.directory, sweep->cases[n].name, path, error));
+        if (fw_folder_visit(&folder, path, &ignored) != FW_OK) continue;
+        const bool result = fw_trajectory_is_in(folder);
+        fw_folder_close(folder);
+        if (!result) continue;
+        FW_TRY(fw_folder_open(&folder, path, error));
+        fw_folder_close(folder);
+    }
+    return FW_OK;
+}
+
+static fw_status take_folder(fw_sweep *sweep, fw_error *error)
+{
+    const char *directory = sweep->options.directory;
+    char path[FW_PATH_SIZE], *text;
+    if (!directory) return FW_OK;
+    FW_TRY(fw_folder_create(&sweep->folder, directory, error));
+    FW_TRY(refuse_held(sweep, error));
+    if (!sweep->options.overwrite) FW_TRY(clear_folders(sweep, false, error));
+    FW_TRY(clear_folders(sweep, true, error));
+    FW_TRY(fw_sweep_path(directory, FW_SWEEP_SCENARIO, path, error));
+    FW_TRY(fw_scenario_print(sweep->scenario, &text, error));
+    const fw_status status = fw_whole_file_write(path, text, strlen(text), error);
+    free(text);
+    return status;
+}
+
+fw_status fw_sweep_begin(fw_sweep **sweep, const fw_scenario *scenario,
+                         const fw_run_options *options, fw_error *error)
+{
+    fw_status status = create(sweep, scenario, options, error);
+    if (status == FW_OK) status = check_cases(*sweep, error);
+    if (status == FW_OK) status = take_folder(*sweep, error);
+    return give_up(sweep, status);
+}
+
+fw_status fw_sweep_resume(fw_sweep **sweep, const fw_scenario *scenario,
+                          const fw_run_options *options, fw_error *error)
+{
+    fw_status status = create(sweep, scenario, options, error);
+    if (status == FW_OK) status = fw_folder_open(&(*sweep)->folder, options->directory, error);
+    if (status == FW_OK && fw_folder_has((*sweep)->folder, FW_SWEEP_FILE))
+        status =
+            fw_fail(error, FW_BAD_INPUT, "%s: the sweep is finished, there is nothing to resume",
+                    options->directory);
+    if (status == FW_OK) (*sweep)->going_on = true;
+    return give_up(sweep, status);
+}
+
+bool fw_sweep_is_in(const char *directory)
+{
+    fw_folder *folder;
+    fw_error ignored;
+    if (fw_folder_visit(&folder, directory, &ignored) != FW_OK) return false;
+    const bool found = fw_folder_has(folder, FW_SWEEP_SCENARIO);
+    fw_folder_close(folder);
+    return found;
+}
+
+fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error *error)
+{
+    char path[FW_PATH_SIZE];
+    *scenario = NULL;
+    FW_TRY(fw_sweep_path(directory, FW_SWEEP_SCENARIO, path, error));
+    FW_TRY(fw_scenario_load(scenario, path, NULL, 0, error));
+    if (fw_scenario_is_sweep(*scenario)) return FW_OK;
+    fw_scenario_destroy(*scenario);
+    *scenario = NULL;
+    return fw_fail(error, FW_BAD_INPUT, "%s is not the scenario of a sweep", path);
+}
+
+fw_status fw_sweep_refuse(const char *directory, fw_error *error)
+{
+    fw_scenario *scenario;
+    char name[FW_CASE_NAME];
+    if (!fw_sweep_is_in(directory)) return FW_OK;
+    FW_TRY(fw_sweep_load(&scenario, directory, error));
+    fw_scenario_case_name(scenario, 0, name);
+    fw_scenario_destroy(scenario);
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s holds a sweep, expected the folder of one of its cases, such as %s/%s",
+                   directory, directory, name);
+}
+
+/* --- running --- */
+
+/* The sentence of a single run knows nothing of the others. */
+static fw_status tell_case(const fw_sweep *sweep, int number, fw_status status, fw_error *error)
+{
+    const char *name = sweep->cases[number].name, *directory = sweep->options.directory;
+    if (status == FW_DIVERGED) return fw_fail_within(error, "%s", name);
+    if (status != FW_INTERRUPTED && status != FW_TERMINATED) return status;
+    if (!directory)
+        return fw_fail(error, status, "interrupted in case %d of %d, %s", number + 1,
+                       sweep->case_count, name);
+    return fw_fail(error, status,
+                   "interrupted in case %d of %d, %s; `fretwork resume %s` goes on from here",
+                   number + 1, sweep->case_count, name, directory);
+}
+
+static fw_status complete_case(fw_sweep *sweep, int number, fw_error *error)
+{
+    fw_sweep_case *c = &sweep->cases[number];
+    fw_run_options options = sweep->options;
+    char path[FW_PATH_SIZE], progress[FW_CASE_NAME + 128];
+    snprintf(progress, sizeof progress, "%.64s %d/%d %s", options.name ? options.name : "sweep",
+             number + 1, sweep->case_count, c->name);
+    options.name = progress;
+    options.overwrite = true; /* whatever was there and counted has been looked at */
+    if (options.directory) {
+        FW_TRY(fw_sweep_path(options.directory, c->name, path, error));
+        options.directory = path;
+    }
+    return tell_case(sweep, number, fw_sweep_case_complete(c, &options, sweep->going_on, error),
+                     error);
+}
+
+/* --- the outcome --- */
+
+static fw_status write_table(const fw_sweep *sweep, fw_error *error)
+{
+    fw_sweep_table table;
+    char path[FW_PATH_SIZE];
+    if (!sweep->options.directory) return FW_OK;
+    FW_TRY(fw_sweep_path(sweep->options.directory, FW_SWEEP_FILE, path, error));
+    fw_status status = fw_sweep_outcome_table(&table, sweep->scenario, sweep->cases, error);
+    if (status == FW_OK) status = fw_sweep_table_write(&table, sweep->scenario->title, path, error);
+    fw_sweep_table_clear(&table);
+    return status;
+}
+
+fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error)
+{
+    for (int n = 0; n < sweep->case_count; ++n) FW_TRY(complete_case(sweep, n, error));
+    FW_TRY(fw_sweep_outcome_verdicts(&sweep->verdicts, sweep->scenario, sweep->cases, error));
+    return write_table(sweep, error);
+}
+
+const fw_verdicts *fw_sweep_verdicts(const fw_sweep *sweep)
+{
+    return &sweep->verdicts;
+}
+
+int fw_sweep_case_count(const fw_sweep *sweep)
+{
+    return sweep->case_count;
+}
+
+const fw_scenario *fw_sweep_scenario(const fw_sweep *sweep, int number)
+{
+    return sweep->cases[number].scenario;
+}

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep.h - a study for each of several values of a parameter, one after the other. Each case has
+ * a folder of results of its own, DIR/PARAMETER=VALUE; DIR holds the scenario of the sweep from the
+ * beginning, and its table from the end on. */
+#ifndef FW_SWEEP_H
+#define FW_SWEEP_H
+
+#include "experiments/storage/folder.h"
+#include "experiments/study/run.h"
+#include "experiments/study/sweep_table.h"
+
+typedef struct fw_sweep fw_sweep;
+
+/* Makes every case, sees that it could begin, and takes the folder; nothing runs yet. FW_BAD_INPUT
+ * leaves the folder as it was. `scenario` and what `options` point to must live as long. */
+fw_status fw_sweep_begin(fw_sweep **sweep, const fw_scenario *scenario,
+                         const fw_run_options *options, fw_error *error);
+/* Goes on in a folder that fw_sweep_begin took: cases that are finished are read back. */
+fw_status fw_sweep_resume(fw_sweep **sweep, const fw_scenario *scenario,
+                          const fw_run_options *options, fw_error *error);
+/* Every case to its end, then the table. As fw_study_to_end. */
+fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error);
+void fw_sweep_destroy(fw_sweep *sweep);
+
+/* Of all cases, one case after the other, then the trends; after the end. */
+const fw_verdicts *fw_sweep_verdicts(const fw_sweep *sweep);
+int fw_sweep_case_count(const fw_sweep *sweep);
+const fw_scenario *fw_sweep_scenario(const fw_sweep *sweep, int number);
+
+/* Does the folder hold a sweep, finished or not? */
+bool fw_sweep_is_in(const char *directory);
+/* FW_BAD_INPUT where it does, for what speaks of single results; else FW_OK. */
+fw_status fw_sweep_refuse(const char *directory, fw_error *error);
+/* The scenario of the sweep in a folder. */
+fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error *error);
+/* DIR/NAME into `path`; FW_BAD_INPUT when that is too long. */
+fw_status fw_sweep_path(const char *directory, const char *name, char path[FW_PATH_SIZE],
+                        fw_error *error);
+
+#endif

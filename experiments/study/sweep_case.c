@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep_case.c - one case.
+ * Invariant: a case is finished when its results file is, which is the last that its study writes.
+ * Start reading at fw_sweep_case_complete(). */
+#include "experiments/study/sweep_case.h"
+
+#include "experiments/storage/folder.h"
+#include "experiments/study/interrupt.h"
+#include "experiments/results/playback.h"
+#include "experiments/results/provenance.h"
+#include "experiments/study/study.h"
+#include "experiments/study/summary.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* An expectation has one number in all cases: they are compared by it. */
+static fw_status check_expectations(const fw_scenario *scenario, const fw_scenario *sweep,
+                                    fw_error *error)
+{
+    if (scenario->expectation_count == sweep->expectation_count) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "it has %d expectations, expected the %d of the sweep",
+                   scenario->expectation_count, sweep->expectation_count);
+}
+
+fw_status fw_sweep_case_make(fw_sweep_case *made, const fw_scenario *sweep, int number,
+                             fw_error *error)
+{
+    fw_scenario_case_name(sweep, number, made->name);
+    FW_TRY(fw_scenario_read_case(&made->scenario, sweep, number, error));
+    const fw_status status = check_expectations(made->scenario, sweep, error);
+    return fw_scenario_fail_case(sweep, number, status, error);
+}
+
+void fw_sweep_case_clear(fw_sweep_case *c)
+{
+    fw_verdicts_clear(&c->verdicts);
+    fw_scenario_destroy(c->scenario);
+    c->scenario = NULL;
+}
+
+fw_status fw_sweep_case_check(const fw_sweep_case *c, fw_error *error)
+{
+    fw_study *study;
+    FW_TRY(fw_study_begin(&study, c->scenario, &(fw_run_options){.threads = 1}, error));
+    fw_study_destroy(study);
+    return FW_OK;
+}
+
+/* --- cases that are there already --- */
+
+typedef enum stage { NOT_BEGUN, BEGUN, FINISHED } stage;
+
+static fw_status compare_scenarios(const fw_sweep_case *c, const fw_playback *playback,
+                                   const char *path, fw_error *error)
+{
+    char *text;
+    FW_TRY(fw_scenario_print(c->scenario, &text, error));
+    const bool same = strcmp(text, playback->scenario) == 0;
+    free(text);
+    if (same) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s holds results of another scenario than the sweep that it lies in", path);
+}
+
+static fw_status find_stage(const fw_sweep_case *c, const fw_run_options *options, stage *found,
+                            fw_error *error)
+{
+    fw_folder *folder;
+    fw_playback *playback;
+    fw_error ignored;
+    const char *path = options->directory;
+    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return FW_OK;
+    const bool begun = fw_folder_has(folder, FW_TRAJECTORY_FILE);
+    fw_folder_close(folder);
+    if (!begun) return FW_OK;
+    FW_TRY(fw_trajectory_mend(path, error));
+    FW_TRY(fw_playback_open(&playback, path, error));
+    const fw_status status = compare_scenarios(c, playback, path, error);
+    *found = strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0 ? FINISHED : BEGUN;
+    if (status == FW_OK && options->cautions)
+        fw_provenance_compare(options->cautions, playback->revision, path);
+    fw_playback_close(playback);
+    return status;
+}
+
+static fw_status read_layer(fw_sweep_case *c, const char *path, fw_error *error)
+{
+    fw_playback *playback;
+    fw_profile_table *table;
+    FW_TRY(fw_playback_open(&playback, path, error));
+    const fw_status status = fw_profile_table_read(&table, playback, 'x', error);
+    fw_playback_close(playback);
+    FW_TRY(status);
+    memcpy(c->layer, table->layer, sizeof c->layer);
+    fw_profile_table_destroy(table);
+    return FW_OK;
+}
+
+static fw_status read_case(fw_sweep_case *c, const char *path, fw_error *error)
+{
+    char summary[FW_PATH_SIZE + sizeof FW_SUMMARY_FILE];
+    if (c->scenario->profile.every != 0) FW_TRY(read_layer(c, path, error));
+    snprintf(summary, sizeof summary, "%s/%s", path, FW_SUMMARY_FILE);
+    return fw_summary_read(summary, c->scenario, &c->verdicts, error);
+}
+
+/* --- running --- */
+
+static fw_status run_case(fw_sweep_case *c, const fw_run_options *options, stage found,
+                          fw_error *error)
+{
+    fw_study *study;
+    char note[FW_SENTENCE_SIZE] = "";
+    if (found == BEGUN)
+        FW_TRY(fw_study_resume(&study, c->scenario, options, note, error));
+    else
+        FW_TRY(fw_study_begin(&study, c->scenario, options, error));
+    if (note[0] && options->cautions) fprintf(options->cautions, "fretwork: %s\n", note);
+    fw_status status = fw_study_to_end(study, error);
+    if (status == FW_OK && fw_study_table(study))
+        memcpy(c->layer, fw_study_table(study)->layer, sizeof c->layer);
+    if (status == FW_OK)
+        status = fw_verdicts_create(&c->verdicts, c->scenario, fw_study_measurement(study), error);
+    fw_study_destroy(study);
+    return status;
+}
+
+fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options, bool going_on,
+                                 fw_error *error)
+{
+    stage found = NOT_BEGUN;
+    if (going_on) FW_TRY(find_stage(c, options, &found, error));
+    if (found == FINISHED) return read_case(c, options->directory, error);
+    const fw_status signal = fw_interrupt_seen();
+    return signal == FW_OK ? run_case(c, options, found, error) : signal;
+}

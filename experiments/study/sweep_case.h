@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep_case.h - one case of a sweep: a study of its own, run, gone on with, or read back from a
+ * folder where it is finished. */
+#ifndef FW_SWEEP_CASE_H
+#define FW_SWEEP_CASE_H
+
+#include "experiments/measures/profile_table.h"
+#include "experiments/study/run.h"
+#include "experiments/measures/verdict.h"
+
+typedef struct fw_sweep_case {
+    char name[FW_CASE_NAME]; /* "A=2.5" */
+    fw_scenario *scenario;
+    fw_verdicts verdicts;                /* one per expectation; none before the end */
+    fw_outcome layer[FW_LAYER_MEASURES]; /* where there is a profile */
+} fw_sweep_case;
+
+/* Case `number` of the sweep; to be cleared also after a failure. */
+fw_status fw_sweep_case_make(fw_sweep_case *made, const fw_scenario *sweep, int number,
+                             fw_error *error);
+void fw_sweep_case_clear(fw_sweep_case *c);
+/* Could it begin? */
+fw_status fw_sweep_case_check(const fw_sweep_case *c, fw_error *error);
+
+/* To its end, in options->directory, where `going_on` says that results may lie already. As
+ * fw_study_to_end. FW_BAD_INPUT: these are of another scenario. */
+fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options, bool going_on,
+                                 fw_error *error);
+
+#endif

@@ -1,0 +1,133 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep_outcome.c - the cases side by side: their numbers as a table, and how they change.
+ * Keeps no state. */
+#include "experiments/study/sweep_outcome.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* --- the table --- */
+
+/* Over which steps, where that is not the whole run: else two numbers could have one name. */
+static void name_column(const fw_verdict *verdict, char name[FW_SWEEP_NAME])
+{
+    const size_t size = FW_SWEEP_NAME;
+    const fw_expectation *e = verdict->expectation;
+    if (e->has_at || (e->from == 0 && e->until == INT64_MAX))
+        snprintf(name, size, "%s", verdict->quantity);
+    else if (e->phase.text)
+        snprintf(name, size, "%s in %.*s", verdict->quantity, FW_NAME_BYTES, e->phase.text);
+    else if (e->until == INT64_MAX)
+        snprintf(name, size, "%s from %lld", verdict->quantity, (long long)e->from);
+    else
+        snprintf(name, size, "%s from %lld to %lld", verdict->quantity, (long long)e->from,
+                 (long long)e->until);
+}
+
+static bool add_verdict(fw_sweep_table *table, int row, const fw_verdict *verdict)
+{
+    const fw_expectation *e = verdict->expectation;
+    const fw_quantity *quantity = fw_quantity_find(e->quantity.text);
+    char name[FW_SWEEP_NAME];
+    name_column(verdict, name);
+    fw_sweep_column *column = fw_sweep_table_column(table, name, quantity ? quantity->unit : "");
+    if (!column) return false;
+    column->mean[row] = verdict->measured;
+    column->error[row] = verdict->error;
+    const bool valued = e->kind == FW_VERDICT_VALUE || e->kind == FW_VERDICT_RELATIVE;
+    if (!verdict->asked || !valued || !isnan(column->expected[row])) return true;
+    column->expected[row] = e->value;
+    column->within[row] = e->kind == FW_VERDICT_VALUE ? e->within : e->within * fabs(e->value);
+    return true;
+}
+
+static bool add_case(fw_sweep_table *table, int row, const fw_sweep_case *c)
+{
+    for (int m = 0; m < FW_LAYER_MEASURES && c->scenario->profile.every != 0; ++m) {
+        const fw_quantity *quantity = &fw_layer_quantities[m];
+        fw_sweep_column *column = fw_sweep_table_column(table, quantity->name, quantity->unit);
+        if (!column) return false;
+        column->mean[row] = c->layer[m].mean;
+        column->error[row] = c->layer[m].error;
+    }
+    for (int n = 0; n < c->verdicts.count; ++n)
+        if (!add_verdict(table, row, &c->verdicts.item[n])) return false;
+    return true;
+}
+
+fw_status fw_sweep_outcome_table(fw_sweep_table *table, const fw_scenario *sweep,
+                                 const fw_sweep_case *cases, fw_error *error)
+{
+    const fw_scenario_sweep *plan = &sweep->study.sweep;
+    FW_TRY(fw_sweep_table_create(table, plan->parameter.text, plan->unit, plan->values,
+                                 plan->value_count, error));
+    for (int n = 0; n < plan->value_count; ++n)
+        if (!add_case(table, n, &cases[n])) return fw_fail_memory(error, "the table of a sweep");
+    return FW_OK;
+}
+
+/* --- verdicts --- */
+
+/* The case with the next larger value, or -1. */
+static int case_after(const fw_scenario_sweep *plan, int number)
+{
+    const double *values = plan->values;
+    int next = -1;
+    for (int n = 0; n < plan->value_count; ++n)
+        if (values[n] > values[number] && (next < 0 || values[n] < values[next])) next = n;
+    return next;
+}
+
+/* Of the changes from each value to the next, the one that speaks most against the trend: a change
+ * counts less the less it is known. */
+static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cases, int number)
+{
+    const fw_scenario_sweep *plan = &sweep->study.sweep;
+    const fw_expectation *e = &sweep->expectations[number];
+    const double sign = e->kind == FW_VERDICT_RISES ? 1 : -1;
+    const fw_verdict *first = &cases[0].verdicts.item[number];
+    fw_verdict verdict = {.expectation = e, .asked = true, .seeds = first->seeds};
+    double worst = INFINITY;
+    for (int n = 0; n < plan->value_count; ++n) {
+        const int next = case_after(plan, n);
+        if (next < 0) continue;
+        const fw_verdict *low = &cases[n].verdicts.item[number];
+        const fw_verdict *high = &cases[next].verdicts.item[number];
+        const double change = high->measured - low->measured;
+        const double scatter = hypot(low->error, high->error);
+        /* What may be rounding is no trend, however many seeds agree on it. */
+        const double rounding = 1e-9 * (fabs(low->measured) + fabs(high->measured));
+        const double unsure = isfinite(scatter) ? fmax(scatter, rounding) : rounding;
+        const double margin = isfinite(change) ? sign * change - unsure : -INFINITY;
+        if (margin >= worst) continue; /* what is not finite is taken: it cannot hide */
+        worst = margin;
+        verdict.measured = change;
+        verdict.error = unsure;
+        verdict.in = cases[next].name;
+        snprintf(verdict.quantity, sizeof verdict.quantity, "%.100s, least %s (from %.100s)",
+                 first->quantity, sign > 0 ? "rise" : "fall", cases[n].name);
+    }
+    fw_verdict_judge(&verdict);
+    return verdict;
+}
+
+fw_status fw_sweep_outcome_verdicts(fw_verdicts *verdicts, const fw_scenario *sweep,
+                                    const fw_sweep_case *cases, fw_error *error)
+{
+    const int case_count = sweep->study.sweep.value_count;
+    const size_t most = (size_t)sweep->expectation_count * (size_t)(case_count + 1);
+    *verdicts = (fw_verdicts){.item = calloc(most + 1, sizeof *verdicts->item)};
+    if (!verdicts->item) return fw_fail_memory(error, "the verdicts of a sweep");
+    for (int n = 0; n < case_count; ++n)
+        for (int k = 0; k < cases[n].verdicts.count; ++k) {
+            fw_verdict *next = &verdicts->item[verdicts->count];
+            if (!cases[n].verdicts.item[k].asked) continue;
+            *next = cases[n].verdicts.item[k];
+            next->in = cases[n].name;
+            verdicts->count += 1;
+        }
+    for (int k = 0; k < sweep->expectation_count; ++k)
+        if (fw_expectation_is_trend(&sweep->expectations[k]))
+            verdicts->item[verdicts->count++] = judge_trend(sweep, cases, k);
+    return FW_OK;
+}

@@ -1,0 +1,234 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep_table.c - the outcome of a sweep on its way to its file and back.
+ * Invariant: a column has a number, or NaN, for every value of the parameter. */
+#include "experiments/study/sweep_table.h"
+
+#include "experiments/storage/csv.h"
+#include "experiments/text/number.h"
+
+#include "core/array.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { PARTS = 4 };
+static const char *const part_names[PARTS] = {"", " error", " expected", " within"};
+
+fw_status fw_sweep_table_create(fw_sweep_table *table, const char *parameter, const char *unit,
+                                const double *values, int value_count, fw_error *error)
+{
+    *table = (fw_sweep_table){.value_count = value_count};
+    snprintf(table->parameter, sizeof table->parameter, "%s", parameter);
+    snprintf(table->unit, sizeof table->unit, "%s", unit ? unit : "");
+    table->values = fw_array_of_doubles((size_t)value_count);
+    if (!table->values) return fw_fail_memory(error, "the table of a sweep");
+    memcpy(table->values, values, (size_t)value_count * sizeof *values);
+    return FW_OK;
+}
+
+void fw_sweep_table_clear(fw_sweep_table *table)
+{
+    for (int c = 0; c < table->column_count; ++c) free(table->columns[c].mean);
+    free(table->columns);
+    free(table->values);
+    *table = (fw_sweep_table){0};
+}
+
+/* All parts of a column share one piece of memory. */
+static double *part_of(const fw_sweep_table *table, int column, int part)
+{
+    return table->columns[column].mean + (size_t)part * (size_t)table->value_count;
+}
+
+fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, const char *unit)
+{
+    for (int c = 0; c < table->column_count; ++c)
+        if (strcmp(table->columns[c].name, name) == 0) return &table->columns[c];
+    if (table->column_count == table->column_room) {
+        const int room = 2 * table->column_room + 16;
+        fw_sweep_column *more = realloc(table->columns, (size_t)room * sizeof *more);
+        if (!more) return NULL;
+        table->columns = more;
+        table->column_room = room;
+    }
+    const size_t cells = PARTS * (size_t)table->value_count;
+    fw_sweep_column *made = &table->columns[table->column_count];
+    double *numbers = fw_array_of_doubles(cells);
+    if (!numbers) return NULL;
+    for (size_t n = 0; n < cells; ++n) numbers[n] = NAN;
+    *made = (fw_sweep_column){.mean = numbers,
+                              .error = numbers + table->value_count,
+                              .expected = numbers + 2 * table->value_count,
+                              .within = numbers + 3 * table->value_count};
+    snprintf(made->name, sizeof made->name, "%s", name);
+    snprintf(made->unit, sizeof made->unit, "%s", unit);
+    table->column_count += 1;
+    return made;
+}
+
+/* --- writing --- */
+
+typedef struct titled {
+    const fw_sweep_table *table;
+    const char *title;
+} titled;
+
+/* What was expected is written of those columns alone of which something was. */
+static int parts_of(const fw_sweep_table *table, int column)
+{
+    for (int v = 0; v < table->value_count; ++v)
+        if (!isnan(table->columns[column].expected[v])) return PARTS;
+    return 2;
+}
+
+static void write_head(FILE *out, const fw_sweep_table *table, const char *title)
+{
+    char name[FW_SWEEP_NAME + 16];
+    fputs("# ", out);
+    for (const char *c = title; *c; ++c) fputc(*c == '\n' ? ' ' : *c, out);
+    fputs("\n# units: ", out);
+    fw_csv_write_text(out, table->unit);
+    for (int c = 0; c < table->column_count; ++c)
+        for (int p = 0; p < parts_of(table, c); ++p) {
+            fputc(',', out);
+            fw_csv_write_text(out, table->columns[c].unit);
+        }
+    fprintf(out, "\n%s", table->parameter);
+    for (int c = 0; c < table->column_count; ++c)
+        for (int p = 0; p < parts_of(table, c); ++p) {
+            snprintf(name, sizeof name, "%s%s", table->columns[c].name, part_names[p]);
+            fputc(',', out);
+            fw_csv_write_text(out, name);
+        }
+    fputc('\n', out);
+}
+
+static void write(FILE *out, const void *object)
+{
+    const titled *what = object;
+    const fw_sweep_table *table = what->table;
+    write_head(out, table, what->title);
+    for (int v = 0; v < table->value_count; ++v) {
+        char value[FW_NUMBER_TEXT];
+        fw_number_write(value, table->values[v]);
+        fputs(value, out);
+        for (int c = 0; c < table->column_count; ++c)
+            for (int p = 0; p < parts_of(table, c); ++p) {
+                fputc(',', out);
+                fw_csv_write_number(out, part_of(table, c, p)[v]);
+            }
+        fputc('\n', out);
+    }
+}
+
+fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title, const char *path,
+                               fw_error *error)
+{
+    return fw_csv_save(path, write, &(titled){table, title}, error);
+}
+
+/* --- reading --- */
+
+enum { CELLS_MOST = 4096 };
+
+/* Which column and part of it a cell of each line holds. */
+typedef struct layout {
+    int count;
+    int column[CELLS_MOST], part[CELLS_MOST];
+} layout;
+
+/* "energy, mean error" is part 1 of the column "energy, mean", which comes before it. */
+static int find_part(const fw_sweep_table *table, const char *name)
+{
+    if (table->column_count == 0) return 0;
+    const char *last = table->columns[table->column_count - 1].name;
+    const size_t length = strlen(last);
+    if (strncmp(name, last, length) != 0) return 0;
+    for (int p = 1; p < PARTS; ++p)
+        if (strcmp(name + length, part_names[p]) == 0) return p;
+    return 0;
+}
+
+static bool read_names(fw_sweep_table *table, layout *cells, char *units, char *names)
+{
+    char *unit, *name;
+    units = fw_csv_cut(units, &unit);
+    snprintf(table->unit, sizeof table->unit, "%s", unit);
+    names = fw_csv_cut(names, &name);
+    snprintf(table->parameter, sizeof table->parameter, "%s", name);
+    while (names && units && cells->count < CELLS_MOST) {
+        units = fw_csv_cut(units, &unit);
+        names = fw_csv_cut(names, &name);
+        const int part = find_part(table, name);
+        if (part == 0 && !fw_sweep_table_column(table, name, unit)) return false;
+        cells->column[cells->count] = table->column_count - 1;
+        cells->part[cells->count++] = part;
+    }
+    return !names && !units && cells->count > 0;
+}
+
+static bool read_values(fw_sweep_table *table, const layout *cells, char *line, int row)
+{
+    char *cell;
+    line = fw_csv_cut(line, &cell);
+    table->values[row] = strtod(cell, NULL);
+    for (int n = 0; n < cells->count; ++n) {
+        if (!line) return false;
+        line = fw_csv_cut(line, &cell);
+        part_of(table, cells->column[n], cells->part[n])[row] = strtod(cell, NULL);
+    }
+    return !line;
+}
+
+/* Lines of a file, one after the other; one that is not there is NULL. */
+static char *next_line(char **text)
+{
+    char *line = *text, *end = line ? strchr(line, '\n') : NULL;
+    if (!end) return NULL;
+    *end = '\0';
+    *text = end + 1;
+    return line;
+}
+
+static int count_lines(const char *text)
+{
+    int count = 0;
+    for (; *text; ++text) count += *text == '\n';
+    return count;
+}
+
+static bool read_text(fw_sweep_table *table, char *text)
+{
+    static const char units_head[] = "# units: ";
+    *table = (fw_sweep_table){.value_count = count_lines(text) - 3};
+    next_line(&text);
+    char *units = next_line(&text), *names = next_line(&text);
+    layout *cells = calloc(1, sizeof *cells);
+    bool fine = cells && names && table->value_count > 0 &&
+                strncmp(units, units_head, strlen(units_head)) == 0;
+    table->values = fine ? fw_array_of_doubles((size_t)table->value_count) : NULL;
+    fine = fine && table->values && read_names(table, cells, units + strlen(units_head), names);
+    for (int v = 0; fine && v < table->value_count; ++v)
+        fine = read_values(table, cells, next_line(&text), v);
+    free(cells);
+    return fine;
+}
+
+fw_status fw_sweep_table_read(fw_sweep_table *table, const char *path, fw_error *error)
+{
+    enum { BYTES_MOST = 1 << 26 };
+    *table = (fw_sweep_table){0};
+    FILE *in = fopen(path, "r");
+    if (!in) return fw_fail(error, FW_BAD_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
+    char *text = NULL;
+    size_t room = 0;
+    const ssize_t length = getdelim(&text, &room, '\0', in);
+    const bool fine = length > 0 && length < BYTES_MOST && read_text(table, text);
+    fclose(in);
+    free(text);
+    if (fine) return FW_OK;
+    fw_sweep_table_clear(table);
+    return fw_fail(error, FW_BAD_INPUT, "%s is not the table of a sweep", path);
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* sweep_table.h - what came out of a sweep: numbers with their errors against the parameter, and
+ * what was expected of them. In memory and as DIR/sweep.csv. */
+#ifndef FW_SWEEP_TABLE_H
+#define FW_SWEEP_TABLE_H
+
+#include "experiments/measures/verdict.h"
+
+enum { FW_SWEEP_NAME = FW_VERDICT_TEXT + FW_NAME_BYTES + 64 };
+
+/* One number, as it is called in the table of verdicts; [value_count] each, NaN where not known. */
+typedef struct fw_sweep_column {
+    char name[FW_SWEEP_NAME], unit[64];
+    double *mean, *error;
+    double *expected, *within;
+} fw_sweep_column;
+
+typedef struct fw_sweep_table {
+    char parameter[FW_NAME_BYTES], unit[64];
+    int value_count;
+    double *values; /* of the parameter */
+    int column_count, column_room;
+    fw_sweep_column *columns;
+} fw_sweep_table;
+
+/* Values of the parameter, and no columns yet. A table that is all zero may be cleared. */
+fw_status fw_sweep_table_create(fw_sweep_table *table, const char *parameter, const char *unit,
+                                const double *values, int value_count, fw_error *error);
+void fw_sweep_table_clear(fw_sweep_table *table);
+
+/* A column by its name, made where there is none yet; NULL without memory. Adding another one may
+ * move it. */
+fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, const char *unit);
+
+/* Two lines that begin with # (title and units), one of names, then one per value. */
+fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title, const char *path,
+                               fw_error *error);
+/* FW_BAD_INPUT: there is no such file, or it is not one. */
+fw_status fw_sweep_table_read(fw_sweep_table *table, const char *path, fw_error *error);
+
+#endif
