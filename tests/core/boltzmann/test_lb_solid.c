@@ -1,0 +1,406 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_lb_solid.c - the LB solid against its master identity, its conservation laws and the closed
+ * forms of Chopard & Marconi. */
+#include "tests/support/laws.h"
+
+#include "core/boltzmann/lb_solid.h"
+
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Numbers in [-1, 1), the same in every run. */
+static double random_number(uint64_t *seed)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return (double)(int64_t)(*seed >> 11) / 4503599627370496.0 - 1;
+}
+
+/* A ragged, connected blob with holes: a random walk of `count` distinct sites. */
+static fw_sites blob(int count, uint64_t seed)
+{
+    fw_site *list = malloc((size_t)count * sizeof *list);
+    bool taken[101][101] = {{false}};
+    fw_site at = {50, 50};
+    int found = 0;
+    while (found < count) {
+        if (!taken[at.j][at.i]) {
+            taken[at.j][at.i] = true;
+            list[found++] = at;
+        }
+        fw_site next = fw_site_neighbour(at, (int)(2 * (random_number(&seed) + 1)));
+        if (next.i > 0 && next.i < 100 && next.j > 0 && next.j < 100) at = next;
+    }
+    fw_sites sites;
+    assert_int_equal(fw_sites_list(&sites, list, count, NULL), FW_OK);
+    free(list);
+    return sites;
+}
+
+static void push_at_random(fw_solid *solid, uint64_t *seed)
+{
+    solid->loaded = true;
+    for (int l = 0; l < solid->count; ++l) {
+        solid->external_x[l] = 0.1 * random_number(seed);
+        solid->external_y[l] = 0.1 * random_number(seed);
+    }
+}
+
+enum { REST_NONE, REST_SCALAR, REST_MATRIX, REST_PER_SITE, REST_KINDS };
+
+static fw_solid *solid_of(const fw_sites *sites, int kind, double damping, double break_at)
+{
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    fw_sym2 *masses = malloc((size_t)sites->count * sizeof *masses);
+    fw_vec2 *velocity = malloc((size_t)sites->count * sizeof *velocity);
+    fw_vec2 *displacement = malloc((size_t)sites->count * sizeof *displacement);
+    uint64_t seed = 77;
+    for (int l = 0; l < sites->count; ++l) {
+        masses[l] = (fw_sym2){1 + 0.5 * random_number(&seed), 0.3 * random_number(&seed),
+                              1 + 0.5 * random_number(&seed)};
+        velocity[l] = (fw_vec2){0.1 * random_number(&seed), 0.1 * random_number(&seed)};
+        displacement[l] = (fw_vec2){0.1 * random_number(&seed), 0.1 * random_number(&seed)};
+    }
+    def.sites = sites;
+    def.damping = damping;
+    def.break_at = break_at;
+    def.velocity = velocity;
+    def.displacement = displacement;
+    if (kind == REST_SCALAR) def.rest_mass = fw_sym2_scalar(1.3);
+    if (kind == REST_MATRIX) def.rest_mass = (fw_sym2){1, 0.6, 0.3};
+    if (kind == REST_PER_SITE) def.rest_masses = masses;
+    fw_solid *solid;
+    fw_error error;
+    if (fw_lb_solid_create(&solid, &def, &error) != FW_OK) fail_msg("%s", error.sentence);
+    free(masses);
+    free(velocity);
+    free(displacement);
+    return solid;
+}
+
+/* The oracle: M[u+ - 2u + u-] + M(1/mu - 1)[u+ - u-] = sum_links (u_m - u_l) + [F(t) + F(t-1)]/2,
+ * Stoermer-Verlet with mass M and unit springs. It shares nothing with the solid but the graph. */
+static double distance_from_oracle(int kind, double damping, uint64_t seed)
+{
+    fw_sites sites = blob(157, seed);
+    fw_solid *solid = solid_of(&sites, kind, damping, INFINITY);
+    int count = solid->count;
+    fw_vec2 *start = malloc((size_t)count * sizeof *start),
+            *now = calloc((size_t)count, sizeof *now),
+            *before = malloc((size_t)count * sizeof *before),
+            *force = malloc((size_t)count * sizeof *force);
+    for (int l = 0; l < count; ++l) start[l] = fw_solid_position(solid, l);
+    /* Stretch of the links at t = 0, relative to which u counts from here on. */
+    fw_vec2(*stretch)[FW_DIRECTIONS] = calloc((size_t)count, sizeof *stretch);
+    for (int l = 0; l < count; ++l)
+        for (int d = 0; d < FW_DIRECTIONS; ++d)
+            stretch[l][d] = fw_lb_solid_deformation(solid, l, d);
+    push_at_random(solid, &seed);
+    double worst = 0;
+    const double a = 1 / damping - 1;
+    for (int step = 0; step < 300; ++step) {
+        if (step == 0) {
+            fw_solid_advance_free(solid);
+            for (int l = 0; l < count; ++l)
+                now[l] = fw_vec2_subtract(fw_solid_position(solid, l), start[l]);
+            memset(before, 0, (size_t)count * sizeof *before);
+        } else {
+            for (int l = 0; l < count; ++l)
+                force[l] = (fw_vec2){solid->external_x[l], solid->external_y[l]};
+            push_at_random(solid, &seed);
+            fw_vec2 *next = malloc((size_t)count * sizeof *next);
+            for (int l = 0; l < count; ++l) {
+                fw_vec2 pull = {0.5 * (force[l].x + solid->external_x[l]),
+                                0.5 * (force[l].y + solid->external_y[l])};
+                for (int d = 0; d < FW_DIRECTIONS; ++d) {
+                    int m = fw_lb_solid_neighbour(solid, l, d);
+                    if (m < 0) continue;
+                    pull = fw_vec2_add(
+                        pull, fw_vec2_add(stretch[l][d], fw_vec2_subtract(now[m], now[l])));
+                }
+                fw_vec2 push = fw_sym2_apply(fw_sym2_invert(fw_lb_solid_mass(solid, l)), pull);
+                next[l].x = (2 * now[l].x - (1 - a) * before[l].x + push.x) / (1 + a);
+                next[l].y = (2 * now[l].y - (1 - a) * before[l].y + push.y) / (1 + a);
+            }
+            fw_solid_advance_free(solid);
+            memcpy(before, now, (size_t)count * sizeof *before);
+            memcpy(now, next, (size_t)count * sizeof *now);
+            free(next);
+        }
+        for (int l = 0; l < count; ++l) {
+            worst = fmax(worst, fabs(solid->x[l] - start[l].x - now[l].x));
+            worst = fmax(worst, fabs(solid->y[l] - start[l].y - now[l].y));
+        }
+    }
+    free(start);
+    free(now);
+    free(before);
+    free(force);
+    free(stretch);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+    return worst;
+}
+
+/* 1e-11 is asked; 300 steps of rounding at positions of about 100 reach some 1e-12. */
+static void agrees_with_stoermer_verlet(void **state)
+{
+    (void)state;
+    const double damping[] = {1, 0.9, 0.7};
+    for (int kind = 0; kind < REST_KINDS; ++kind)
+        for (int n = 0; n < 3; ++n)
+            for (uint64_t seed = 1; seed <= 2; ++seed)
+                assert_below(distance_from_oracle(kind, damping[n], seed), 1e-11);
+}
+
+static void books_balance_under_random_forces(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < REST_KINDS; ++kind)
+        for (int damped = 0; damped < 2; ++damped) {
+            fw_sites sites = blob(157, 5);
+            fw_solid *solid = solid_of(&sites, kind, damped ? 0.95 : 1, INFINITY);
+            uint64_t seed = 9;
+            fw_energies e0 = fw_solid_energies(solid);
+            fw_vec2 p0 = fw_solid_momentum(solid);
+            for (int step = 0; step < 2000; ++step) {
+                push_at_random(solid, &seed);
+                fw_solid_advance_free(solid);
+            }
+            fw_energies e = fw_solid_energies(solid);
+            fw_vec2 p = fw_solid_momentum(solid);
+            double energy = e.kinetic + e.elastic, start = e0.kinetic + e0.elastic;
+            double booked = start + solid->account.work - solid->account.dissipated;
+            assert_below(fabs(energy - booked) / energy, 1e-11);
+            assert_close(p.x, p0.x + solid->account.impulse.x + solid->account.drag.x, 1e-10);
+            assert_close(p.y, p0.y + solid->account.impulse.y + solid->account.drag.y, 1e-10);
+            assert_below(fw_lb_solid_link_error(solid), 1e-10);
+            if (damped) assert_true(solid->account.dissipated > 0);
+            fw_solid_destroy(solid);
+            fw_sites_clear(&sites);
+        }
+}
+
+static void rigid_motion_does_not_ring(void **state)
+{
+    (void)state;
+    fw_sites sites = blob(100, 3);
+    fw_vec2 velocity[100];
+    for (int l = 0; l < 100; ++l) velocity[l] = (fw_vec2){0.05, 0.031};
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    def.sites = &sites;
+    def.rest_mass = fw_sym2_scalar(0.8);
+    def.velocity = velocity;
+    fw_solid *solid;
+    assert_int_equal(fw_lb_solid_create(&solid, &def, NULL), FW_OK);
+    fw_vec2 start = solid->model->centre_of_mass(solid);
+    for (int step = 0; step < 1000; ++step) fw_solid_advance_free(solid);
+    fw_vec2 end = solid->model->centre_of_mass(solid);
+    assert_close(end.x, start.x + 50, 1e-11);
+    assert_close(end.y, start.y + 31, 1e-11);
+    assert_below(fw_solid_energies(solid).elastic, 1e-24);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+}
+
+static void runs_back_the_way_it_came(void **state)
+{
+    (void)state;
+    fw_sites sites = blob(157, 8);
+    fw_solid *solid = solid_of(&sites, REST_PER_SITE, 1, INFINITY);
+    double *x = malloc(157 * sizeof *x), *y = malloc(157 * sizeof *y);
+    memcpy(x, solid->x, 157 * sizeof *x);
+    memcpy(y, solid->y, 157 * sizeof *y);
+    for (int step = 0; step < 1001; ++step) fw_solid_advance_free(solid);
+    fw_lb_solid_reverse(solid);
+    for (int step = 0; step < 1001; ++step) fw_solid_advance_free(solid);
+    for (int l = 0; l < 157; ++l) {
+        assert_close(solid->x[l], x[l], 1e-11);
+        assert_close(solid->y[l], y[l], 1e-11);
+    }
+    free(x);
+    free(y);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+}
+
+/* Two threads and holds in the middle of spans change nothing but time. A body of several chunks.
+ */
+static uint64_t hash_after(int threads, const fw_hold *holds, int hold_count)
+{
+    omp_set_num_threads(threads);
+    fw_sites sites;
+    assert_int_equal(fw_sites_rectangle(&sites, 200, 150, NULL), FW_OK);
+    fw_solid *solid = solid_of(&sites, REST_PER_SITE, 0.97, INFINITY);
+    uint64_t seed = 4;
+    push_at_random(solid, &seed);
+    for (int step = 0; step < 50; ++step) fw_solid_advance(solid, holds, hold_count);
+    fw_state_list list = {0};
+    solid->model->state(solid, &list);
+    uint64_t hash = fw_state_list_hash(&list);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+    omp_set_num_threads(1);
+    return hash;
+}
+
+static void bytes_do_not_depend_on_threads(void **state)
+{
+    (void)state;
+    const fw_hold holds[] = {{0, {0, 0}, {0, 0}},
+                             {4095, {0, 0.01}, {0, 0}},
+                             {4096, {0, 0}, {0, 0}},
+                             {17001, {0.02, 0}, {0, 0}},
+                             {29999, {0, 0}, {0, 0}}};
+    uint64_t once = hash_after(1, holds, 5);
+    assert_true(once == hash_after(2, holds, 5));
+    assert_true(once == hash_after(3, holds, 5));
+    assert_false(once == hash_after(1, NULL, 0));
+}
+
+static void held_particle_stays_to_the_bit(void **state)
+{
+    (void)state;
+    fw_sites sites = blob(80, 2);
+    fw_solid *solid = solid_of(&sites, REST_SCALAR, 1, INFINITY);
+    double x = solid->x[33], y = solid->y[33];
+    fw_energies e0 = fw_solid_energies(solid);
+    const fw_hold hold = {33, {0, 0}, {0, 0}};
+    for (int step = 0; step < 500; ++step) fw_solid_advance(solid, &hold, 1);
+    fw_energies e = fw_solid_energies(solid);
+    assert_true(solid->x[33] == x && solid->y[33] == y);
+    assert_close((e.kinetic + e.elastic) / (e0.kinetic + e0.elastic), 1, 1e-12);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+}
+
+static void breaking_keeps_momentum_and_takes_energy(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < REST_KINDS; ++kind) {
+        fw_sites sites = blob(157, 21);
+        fw_solid *solid = solid_of(&sites, kind, 1, 0.22);
+        fw_vec2 p0 = fw_solid_momentum(solid);
+        fw_energies e = fw_solid_energies(solid);
+        double energy = e.kinetic + e.elastic, start = energy;
+        for (int step = 0; step < 300; ++step) {
+            int broken = fw_lb_solid_broken(solid);
+            fw_solid_advance_free(solid);
+            e = fw_solid_energies(solid);
+            double after = e.kinetic + e.elastic;
+            double least = 0.5 * 0.22 * 0.22 * (fw_lb_solid_broken(solid) - broken);
+            assert_true(after <= energy - least + 1e-12 * start);
+            energy = after;
+        }
+        fw_vec2 p = fw_solid_momentum(solid);
+        assert_true(fw_lb_solid_broken(solid) > 3);
+        assert_close(p.x, p0.x, 1e-12);
+        assert_close(p.y, p0.y, 1e-12);
+        assert_close(energy + solid->account.fracture, start, 1e-12 * start);
+        fw_solid_destroy(solid);
+        fw_sites_clear(&sites);
+    }
+}
+
+static void weighted_links_keep_all_laws(void **state)
+{
+    (void)state;
+    fw_sites sites = blob(157, 12);
+    fw_sym2 east[157], north[157];
+    uint64_t seed = 6;
+    for (int l = 0; l < 157; ++l) {
+        east[l] = (fw_sym2){1.5 + random_number(&seed), 0.2 * random_number(&seed), 1.2};
+        north[l] = (fw_sym2){0.7, 0.1, 1.5 + random_number(&seed)};
+    }
+    fw_vec2 velocity[157];
+    for (int l = 0; l < 157; ++l) velocity[l] = (fw_vec2){random_number(&seed), 0.3};
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    def.sites = &sites;
+    def.stiffness_east = east;
+    def.stiffness_north = north;
+    def.velocity = velocity;
+    fw_solid *solid;
+    assert_int_equal(fw_lb_solid_create(&solid, &def, NULL), FW_OK);
+    fw_vec2 p0 = fw_solid_momentum(solid);
+    fw_energies e0 = fw_solid_energies(solid);
+    for (int step = 0; step < 2000; ++step) fw_solid_advance_free(solid);
+    fw_vec2 p = fw_solid_momentum(solid);
+    fw_energies e = fw_solid_energies(solid);
+    assert_close((e.kinetic + e.elastic) / (e0.kinetic + e0.elastic), 1, 1e-12);
+    assert_close(p.x, p0.x, 1e-11);
+    assert_close(p.y, p0.y, 1e-11);
+    assert_below(fw_lb_solid_link_error(solid), 1e-10);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+}
+
+static void restored_state_goes_on_to_the_bit(void **state)
+{
+    (void)state;
+    fw_sites sites = blob(157, 21);
+    fw_solid *one = solid_of(&sites, REST_MATRIX, 0.98, 0.22);
+    fw_solid *two = solid_of(&sites, REST_MATRIX, 0.98, 0.22);
+    for (int step = 0; step < 101; ++step) fw_solid_advance_free(one);
+    fw_state_list from = {0}, to = {0};
+    one->model->state(one, &from);
+    two->model->state(two, &to);
+    assert_int_equal(from.count, to.count);
+    for (int n = 0; n < from.count; ++n)
+        memcpy(to.array[n].data, from.array[n].data,
+               from.array[n].count * fw_element_size(from.array[n].element));
+    two->model->restored(two);
+    for (int step = 0; step < 100; ++step) {
+        fw_solid_advance_free(one);
+        fw_solid_advance_free(two);
+    }
+    assert_true(fw_state_list_hash(&from) == fw_state_list_hash(&to));
+    assert_int_equal(one->skin_count, two->skin_count);
+    fw_solid_destroy(one);
+    fw_solid_destroy(two);
+    fw_sites_clear(&sites);
+}
+
+static void impossible_parameters_are_refused(void **state)
+{
+    (void)state;
+    fw_sites pair, lone;
+    const fw_site far_apart[] = {{0, 0}, {5, 5}};
+    assert_int_equal(fw_sites_rectangle(&pair, 2, 1, NULL), FW_OK);
+    assert_int_equal(fw_sites_list(&lone, far_apart, 2, NULL), FW_OK);
+    fw_solid *solid;
+    fw_error error;
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    def.sites = &lone;
+    assert_int_equal(fw_lb_solid_create(&solid, &def, &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "site [0, 0] has no links"));
+    def.sites = &pair;
+    const double wrong[] = {0.5, 1.01, -1, NAN};
+    for (int n = 0; n < 4; ++n) {
+        def.damping = wrong[n];
+        assert_int_equal(fw_lb_solid_create(&solid, &def, &error), FW_BAD_INPUT);
+        assert_non_null(strstr(error.sentence, "damping"));
+    }
+    def.damping = 1;
+    def.stiffness = fw_sym2_scalar(-1);
+    assert_int_equal(fw_lb_solid_create(&solid, &def, &error), FW_BAD_INPUT);
+    assert_null(solid);
+    fw_sites_clear(&pair);
+    fw_sites_clear(&lone);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(agrees_with_stoermer_verlet),
+        cmocka_unit_test(books_balance_under_random_forces),
+        cmocka_unit_test(rigid_motion_does_not_ring),
+        cmocka_unit_test(runs_back_the_way_it_came),
+        cmocka_unit_test(bytes_do_not_depend_on_threads),
+        cmocka_unit_test(held_particle_stays_to_the_bit),
+        cmocka_unit_test(breaking_keeps_momentum_and_takes_energy),
+        cmocka_unit_test(weighted_links_keep_all_laws),
+        cmocka_unit_test(restored_state_goes_on_to_the_bit),
+        cmocka_unit_test(impossible_parameters_are_refused),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

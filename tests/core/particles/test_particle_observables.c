@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_particle_observables.c - measures of movable particles on bodies where they are known. */
+#include "tests/support/laws.h"
+
+#include "tests/support/crowd.h"
+
+#include "core/particles/particle_observables.h"
+#include "core/placement.h"
+
+#include <string.h>
+
+static const fw_langevin_controls still = {.time_step = 0.005};
+
+/* Energy of the body after x' = x + e x or x + e y (or the same for y), every particle. */
+static double energy_strained(fw_solid *solid, int which, double e)
+{
+    const size_t bytes = (size_t)solid->count * sizeof(double);
+    double *x = malloc(bytes), *y = malloc(bytes);
+    memcpy(x, solid->x, bytes);
+    memcpy(y, solid->y, bytes);
+    for (int i = 0; i < solid->count; ++i) {
+        if (which < 2) solid->x[i] += e * (which == 0 ? x[i] : y[i]);
+        if (which >= 2) solid->y[i] += e * (which == 2 ? x[i] : y[i]);
+    }
+    fw_particles_refresh(solid);
+    const double energy = fw_solid_energies(solid).elastic;
+    memcpy(solid->x, x, bytes);
+    memcpy(solid->y, y, bytes);
+    fw_particles_refresh(solid);
+    free(x);
+    free(y);
+    return energy;
+}
+
+/* A strain e does the work -virial . e: all four components, potential and return forces. */
+static void virial_is_the_work_of_a_strain(void **state)
+{
+    (void)state;
+    for (int axes = FW_AXES_LAB; axes <= FW_AXES_COROTATING; ++axes) {
+        fw_solid *solid =
+            solid_of(crowd_disc(4, (fw_vec2){1, 2}, 0.1, 0.1, 3),
+                     return_force_of(6, 2, (fw_return_axes)axes, FW_RETURN_CONSERVATIVE), still, 1);
+        const fw_tensor virial = fw_particles_virial(solid, -1);
+        /* r (x) F: the strain x += e y does work F_x y. */
+        const double of_strain[] = {virial.xx, virial.yx, virial.xy, virial.yy};
+        for (int which = 0; which < 4; ++which) {
+            const double h = 1e-5;
+            const double slope =
+                (8 * (energy_strained(solid, which, h) - energy_strained(solid, which, -h)) -
+                 (energy_strained(solid, which, 2 * h) - energy_strained(solid, which, -2 * h))) /
+                (12 * h);
+            assert_close(of_strain[which], -slope, 1e-6 * (1 + fabs(slope)));
+        }
+        if (axes == FW_AXES_COROTATING) assert_close(virial.xy, virial.yx, 1e-10);
+        fw_solid_destroy(solid);
+    }
+}
+
+/* Particles that do not feel each other: p A = N T, to rounding, and no drift. */
+static void ideal_gas_has_its_pressure(void **state)
+{
+    (void)state;
+    enum { COUNT = 500 };
+    fw_crowd crowd = {COUNT, malloc(COUNT * sizeof *crowd.at)};
+    assert_int_equal(
+        fw_placement_random(crowd.at, COUNT, (fw_vec2){0, 0}, (fw_vec2){40, 40}, 0.9, 7, NULL),
+        FW_OK);
+    fw_particle_group_def group = fw_particle_group_def_default();
+    group.count = COUNT;
+    group.positions = crowd.at;
+    group.strength = 0;
+    group.mass = 3;
+    fw_particles_def def = fw_particles_def_default();
+    def.groups = &group;
+    def.group_count = 1;
+    fw_solid *solid;
+    assert_int_equal(fw_particles_create(&solid, &def, NULL), FW_OK);
+    fw_particles_draw_velocities(solid, -1, 0.7);
+    const fw_vec2 drift = fw_particle_drift_velocity(solid, -1);
+    assert_close(drift.x, 0, 1e-15);
+    const double temperature = fw_particle_temperature(solid, -1, drift);
+    assert_close(temperature, 0.7, 4 * 0.7 / sqrt(COUNT));
+    const fw_tensor pressure = fw_particle_pressure(solid, 0, 1600);
+    assert_close(0.5 * (pressure.xx + pressure.yy) * 1600, COUNT * temperature, 1e-10);
+    fw_solid_destroy(solid);
+    free(crowd.at);
+}
+
+static void order_tells_axes(void **state)
+{
+    (void)state;
+    const double degree = acos(-1) / 180, angles[] = {0, 30, 15, 60};
+    const double lab[] = {1, -1, 0, 1};
+    for (int a = 0; a < 4; ++a) {
+        fw_solid *solid =
+            solid_of(crowd_disc(4, (fw_vec2){3, 1}, angles[a] * degree, 0, 1),
+                     return_force_of(6, 1, FW_AXES_LAB, FW_RETURN_CONSERVATIVE), still, 1);
+        const fw_particle_order order = fw_particle_order_of(solid, -1);
+        assert_close(order.lab, lab[a], 1e-12);
+        assert_close(order.local, 1, 1e-12);
+        assert_close(fw_particle_bragg_peak(solid, -1, 6, angles[a] * degree, 1, 0.1), 1, 1e-12);
+        assert_below(fw_particle_bragg_peak(solid, -1, 6, (angles[a] + 30) * degree, 1, 0.1), 0.2);
+        fw_solid_destroy(solid);
+    }
+}
+
+static void crystals_have_bragg_peaks(void **state)
+{
+    (void)state;
+    fw_sites sites;
+    assert_int_equal(fw_sites_rectangle(&sites, 12, 12, NULL), FW_OK);
+    fw_crowd crowd = crowd_of(sites, (fw_lattice){FW_SQUARE, 1.02, 0.3, {5, 5}}, 0, 1);
+    fw_solid *solid =
+        solid_of(crowd, return_force_of(4, 1, FW_AXES_LAB, FW_RETURN_CONSERVATIVE), still, 1);
+    assert_close(fw_particle_bragg_peak(solid, 0, 4, 0.3, 1.02, 0.05), 1, 1e-12);
+    assert_close(fw_particle_structure_factor(solid, 0, (fw_vec2){0, 0}), 1, 1e-12);
+    enum { POINTS = 17 };
+    double map[POINTS * POINTS];
+    assert_int_equal(fw_particle_structure_map(solid, 0, -8, 1, POINTS, map, NULL), FW_OK);
+    for (int b = 0; b < POINTS; ++b)
+        for (int a = 0; a < POINTS; ++a)
+            assert_close(map[b * POINTS + a],
+                         fw_particle_structure_factor(solid, 0, (fw_vec2){a - 8, b - 8}), 1e-12);
+    fw_solid_destroy(solid);
+}
+
+/* A crystal's shells, and a gas without any. */
+static void pair_correlation_counts_neighbours(void **state)
+{
+    (void)state;
+    fw_solid *solid =
+        solid_of(crowd_disc(30, (fw_vec2){0, 0}, 0.2, 0, 1), fw_return_force_default(), still, 1);
+    enum { BINS = 25 };
+    double g[BINS];
+    const double density = 2 / sqrt(3), step = 0.1, pi = acos(-1);
+    assert_int_equal(fw_particle_pair_correlation(solid, 0, density, step, BINS, g, NULL), FW_OK);
+    double shells[3] = {0};
+    for (int k = 0; k < BINS; ++k) {
+        const double neighbours = g[k] * density * pi * step * step * (2 * k + 1);
+        if (k < 9) assert_close(neighbours, 0, 1e-12);
+        shells[k < 12 ? 0 : k < 19 ? 1 : 2] += neighbours;
+    }
+    /* 6 at 1, 6 at sqrt 3, 6 at 2, less what the rim of a disc of radius 30 lacks. */
+    for (int s = 0; s < 3; ++s) {
+        assert_below(shells[s], 6);
+        assert_below(5.7 - 0.12 * s, shells[s]);
+    }
+    fw_solid_destroy(solid);
+}
+
+static void largest_cluster_is_found(void **state)
+{
+    (void)state;
+    fw_crowd big = crowd_disc(3, (fw_vec2){0, 0}, 0, 0, 1);
+    fw_crowd small = crowd_disc(2, (fw_vec2){20, 3}, 0, 0, 1);
+    fw_crowd both = {big.count + small.count, NULL};
+    both.at = malloc((size_t)both.count * sizeof *both.at);
+    memcpy(both.at, small.at, (size_t)small.count * sizeof *both.at);
+    memcpy(both.at + small.count, big.at, (size_t)big.count * sizeof *both.at);
+    const int first = small.count, count = both.count;
+    fw_solid *solid = solid_of(both, fw_return_force_default(), still, 1);
+    uint8_t *members = malloc((size_t)count);
+    int found;
+    assert_int_equal(fw_particle_largest_cluster(solid, 1.7, members, &found, NULL), FW_OK);
+    assert_int_equal(found, big.count);
+    for (int i = 0; i < count; ++i) assert_int_equal(members[i], i >= first);
+    assert_int_equal(fw_particle_largest_cluster(solid, 0.9, members, &found, NULL), FW_OK);
+    assert_int_equal(found, 1);
+    assert_int_equal(members[0], 1);
+    fw_solid_destroy(solid);
+    free(members);
+    free(big.at);
+    free(small.at);
+}
+
+static void fields_agree_with_sums(void **state)
+{
+    (void)state;
+    fw_solid *solid =
+        solid_of(crowd_disc(4, (fw_vec2){3, 1}, 0.1, 0.1, 2),
+                 return_force_of(6, 1, FW_AXES_COROTATING, FW_RETURN_CONSERVATIVE), still, 1);
+    const size_t count = (size_t)solid->count;
+    double *values = malloc(count * sizeof *values);
+    fw_particles_draw_velocities(solid, -1, 0.3);
+    fw_solid_find_field(solid, "potential-energy")->fill(solid, values);
+    assert_close(fw_array_sum(values, count), fw_solid_energies(solid).elastic, 1e-11);
+    fw_solid_find_field(solid, "kinetic-energy")->fill(solid, values);
+    assert_close(fw_array_sum(values, count), fw_solid_energies(solid).kinetic, 1e-11);
+    fw_solid_find_field(solid, "local-order")->fill(solid, values);
+    assert_close(fw_array_sum(values, count) / solid->count, fw_particle_order_of(solid, 0).local,
+                 1e-12);
+    fw_solid_find_field(solid, "coordination")->fill(solid, values);
+    assert_close(fw_array_sum(values, count) / solid->count,
+                 fw_particle_order_of(solid, 0).coordination, 1e-12);
+    /* With the potential switched off by hand only return forces are left. */
+    fw_solid_find_field(solid, "return-force")->fill(solid, values);
+    double x[61], y[61];
+    assert_int_equal(solid->count, 61);
+    fw_particles_return_forces(solid, x, y);
+    for (int i = 0; i < 61; ++i) assert_close(values[i], hypot(x[i], y[i]), 1e-15);
+    const fw_langevin *langevin = (const fw_langevin *)solid;
+    double with[61];
+    memcpy(with, langevin->force_x, sizeof with);
+    assert_int_equal(fw_particles_set_amplitude(solid, 0, 0, NULL), FW_OK);
+    for (int i = 0; i < 61; ++i) assert_close(with[i] - langevin->force_x[i], x[i], 1e-12);
+    free(values);
+    fw_solid_destroy(solid);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(virial_is_the_work_of_a_strain),
+        cmocka_unit_test(ideal_gas_has_its_pressure),
+        cmocka_unit_test(order_tells_axes),
+        cmocka_unit_test(crystals_have_bragg_peaks),
+        cmocka_unit_test(pair_correlation_counts_neighbours),
+        cmocka_unit_test(largest_cluster_is_found),
+        cmocka_unit_test(fields_agree_with_sums),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_lattice.c - shapes and places. */
+#include "tests/support/laws.h"
+
+#include "core/lattice.h"
+
+#include <string.h>
+
+static void rectangle_is_in_row_order(void **state)
+{
+    (void)state;
+    fw_sites sites;
+    assert_int_equal(fw_sites_rectangle(&sites, 3, 2, NULL), FW_OK);
+    assert_int_equal(sites.count, 6);
+    assert_int_equal(fw_sites_find(&sites, (fw_site){0, 1}), 3);
+    assert_int_equal(fw_sites_find(&sites, (fw_site){3, 0}), -1);
+    fw_sites_clear(&sites);
+}
+
+static void discs_have_gauss_counts(void **state)
+{
+    (void)state;
+    /* Gauss' circle problem, N(r) for r = 0..6, and the hexagonal counterpart 1, 7, 19, 37. */
+    const int square[] = {1, 5, 13, 29, 49, 81, 113};
+    const int hexagonal[] = {1, 7, 19, 37};
+    for (int r = 0; r < 7; ++r) {
+        fw_sites sites;
+        assert_int_equal(fw_sites_disc(&sites, FW_SQUARE, r, NULL), FW_OK);
+        assert_int_equal(sites.count, square[r]);
+        fw_sites_clear(&sites);
+    }
+    for (int r = 0; r < 4; ++r) {
+        fw_sites sites;
+        assert_int_equal(fw_sites_disc(&sites, FW_HEXAGONAL, r, NULL), FW_OK);
+        assert_int_equal(sites.count, hexagonal[r]);
+        fw_sites_clear(&sites);
+    }
+}
+
+static void mask_reads_as_it_looks(void **state)
+{
+    (void)state;
+    fw_sites sites;
+    assert_int_equal(fw_sites_mask(&sites, "#.#\n###\n", NULL), FW_OK);
+    assert_int_equal(sites.count, 5);
+    assert_int_equal(fw_sites_find(&sites, (fw_site){0, 1}), 3);
+    assert_int_equal(fw_sites_find(&sites, (fw_site){1, 1}), -1);
+    fw_sites_clear(&sites);
+    fw_error error;
+    assert_int_equal(fw_sites_mask(&sites, "#x\n", &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "'x'"));
+}
+
+static void listed_twice_is_refused(void **state)
+{
+    (void)state;
+    const fw_site list[] = {{4, 1}, {0, 0}, {4, 1}};
+    fw_sites sites;
+    fw_error error;
+    assert_int_equal(fw_sites_list(&sites, list, 3, &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "[4, 1]"));
+    assert_int_equal(sites.count, 0);
+}
+
+static void hexagonal_neighbours_are_one_spacing_apart(void **state)
+{
+    (void)state;
+    const fw_lattice lattice = {FW_HEXAGONAL, 1.5, 0.3, {100, -7}};
+    const fw_vec2 a = fw_lattice_position(&lattice, (fw_site){2, 3});
+    const fw_site around[] = {{3, 3}, {1, 3}, {2, 4}, {3, 4}, {2, 2}, {3, 2}};
+    for (int n = 0; n < 6; ++n) {
+        fw_vec2 d = fw_vec2_subtract(fw_lattice_position(&lattice, around[n]), a);
+        assert_close(sqrt(fw_vec2_dot(d, d)), 1.5, 1e-13);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rectangle_is_in_row_order),
+        cmocka_unit_test(discs_have_gauss_counts),
+        cmocka_unit_test(mask_reads_as_it_looks),
+        cmocka_unit_test(listed_twice_is_refused),
+        cmocka_unit_test(hexagonal_neighbours_are_one_spacing_apart),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,506 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_particle_scenes.c - movable particles and linear lattices in scenario files: what is read,
+ * how bodies share a solid, what is measured of them, what is refused, and means over seeds. */
+#include "tests/support/laws.h"
+
+#include "core/particles/particles.h"
+#include "experiments/setup/member.h"
+#include "experiments/study/run.h"
+#include "experiments/study/study.h"
+#include "experiments/measures/verdict.h"
+#include "tests/support/scratch.h"
+
+#define PLAIN "movable-particles: {}"
+
+static fw_status read_text(fw_scenario **scenario, const char *text)
+{
+    return fw_scenario_read(scenario, "t.yaml", text, strlen(text), NULL, 0, &error);
+}
+
+static fw_scenario *read_right(const char *text)
+{
+    fw_scenario *scenario;
+    assert_fine(read_text(&scenario, text));
+    return scenario;
+}
+
+static fw_experiment *build_right(const fw_scenario *scenario)
+{
+    fw_experiment *experiment;
+    assert_fine(fw_experiment_create(&experiment, scenario, &error));
+    return experiment;
+}
+
+/* The body's number of a quantity, -1: of the scene. */
+static void measure(const fw_experiment *experiment, const char *name, int body, double *out)
+{
+    const fw_quantity *quantity = fw_quantity_find(name);
+    assert_non_null(quantity);
+    quantity->measure(experiment, (fw_subject){.body = body, .wall = -1, .particle = -1}, out);
+}
+
+static double number(const fw_experiment *experiment, const char *name, int body)
+{
+    double out[FW_COMPONENTS_MOST];
+    measure(experiment, name, body, out);
+    return out[0];
+}
+
+/* --- what is read --- */
+
+static void materials_are_what_was_written(void **state)
+{
+    (void)state;
+    fw_scenario *s = read_right(
+        "title: t\n"
+        "materials:\n"
+        "  plain: {movable-particles: {}}\n"
+        "  rich: {movable-particles: {potential: {morse: {depth: 2, distance: 1.1, steepness: 5,"
+        " cut: [1.5, 2]}}, mass: 3, strength: 0.7, return-force: {symmetry: 4, amplitude: 0.6,"
+        " variant: constant, axes: surface, angle: 90, reach: [1.3, 1.5]}}}\n"
+        "  net: {linear-lattice: {k1: 7, k2: 30, compensated: false, mass: 2}}\n"
+        "bodies:\n"
+        "  one: {material: rich, shape: {rectangle: [2, 2]}, spacing: 1.1, spin: 0.5,"
+        " temperature: 0.25}\n"
+        "dynamics: {time-step: 0.01, damping: 2, temperature: 0.3, strength-across: 0.4,"
+        " bond-radius: 1.4, overlap-energy: 50}\n"
+        "run: {steps: 1}\n");
+    const fw_scenario_particles *plain = &s->materials[0].particles;
+    assert_int_equal(s->materials[0].kind, FW_MOVABLE_PARTICLES);
+    assert_int_equal(plain->potential.kind, FW_LENNARD_JONES);
+    assert_true(plain->potential.depth == 1 && plain->potential.distance == 1);
+    assert_true(plain->potential.cut.inner == 1.4 && plain->potential.cut.outer == 1.7);
+    assert_true(plain->return_force.amplitude == 0 && plain->mass == 1 && plain->strength == 1);
+    const fw_scenario_particles *rich = &s->materials[1].particles;
+    assert_int_equal(rich->potential.kind, FW_MORSE);
+    assert_true(rich->potential.depth == 2 && rich->potential.steepness == 5);
+    assert_close(rich->potential.cut.scale, 2, 1e-15);
+    assert_int_equal(rich->return_force.fold, 4);
+    assert_int_equal(rich->return_force.variant, FW_RETURN_CONSTANT);
+    assert_int_equal(rich->return_force.axes, FW_AXES_SURFACE);
+    assert_true(rich->return_force.amplitude == 0.6 && rich->return_force.distance == 1.1);
+    assert_close(rich->return_force.angle, acos(-1) / 2, 1e-15);
+    assert_close(rich->return_force.cut.scale, 5, 1e-14);
+    assert_true(rich->mass == 3 && rich->strength == 0.7);
+    const fw_scenario_linear *net = &s->materials[2].linear;
+    assert_int_equal(s->materials[2].kind, FW_LINEAR_LATTICE);
+    assert_true(net->k1 == 7 && net->k2 == 30 && net->mass == 2 && !net->compensated);
+    assert_true(s->bodies[0].spin == 0.5 && s->bodies[0].temperature == 0.25);
+    const fw_scenario_dynamics *d = &s->dynamics;
+    assert_true(d->time_step == 0.01 && d->damping == 2 && d->temperature == 0.3);
+    assert_true(d->strength_across == 0.4 && d->bond_radius == 1.4 && d->overlap_energy == 50);
+    fw_scenario_destroy(s);
+}
+
+static void defaults_are_those_of_the_papers_figures(void **state)
+{
+    (void)state;
+    fw_scenario *s =
+        read_right("title: t\n"
+                   "materials: {m: {movable-particles: {return-force: {amplitude: 1}}}}\n"
+                   "bodies: {b: {material: m, shape: {rectangle: [2, 2]}}}\n"
+                   "run: {steps: 1}\n");
+    assert_true(s->dynamics.time_step == 0.005 && s->dynamics.damping == 0);
+    assert_true(s->dynamics.strength_across == 1 && s->dynamics.bond_radius == 1.25);
+    const fw_return_force *force = &s->materials[0].particles.return_force;
+    assert_int_equal(force->fold, 6);
+    assert_int_equal(force->variant, FW_RETURN_CONSERVATIVE);
+    assert_int_equal(force->axes, FW_AXES_COROTATING);
+    assert_true(force->cut.inner == 1.2 && force->cut.outer == 1.4);
+    fw_scenario_destroy(s);
+}
+
+/* --- bodies in one solid --- */
+
+static const char three[] =
+    "title: t\n"
+    "materials:\n"
+    "  light: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}\n"
+    "  heavy: {movable-particles: {mass: 2.5}}\n"
+    "  net: {linear-lattice: {}}\n"
+    "bodies:\n"
+    "  a: {material: light, lattice: hexagonal, shape: {rectangle: [4, 3]}, velocity: [0.3, 0.1]}\n"
+    "  n: {material: net, lattice: hexagonal, shape: {disc: 2}, origin: [-20, 0]}\n"
+    "  b: {material: heavy, lattice: hexagonal, angle: 30, shape: {rectangle: [3, 3]},"
+    " origin: [5, 0.3], velocity: [-0.2, 0]}\n"
+    "  gas: {material: heavy, shape: {placed: {count: 40, box: [0, 0, 20, 20]}}, origin: [20, 20],"
+    " temperature: 0.5}\n"
+    "run: {steps: 200, seed: 5}\n";
+
+static void movable_bodies_share_one_solid(void **state)
+{
+    (void)state;
+    fw_scenario *s = read_right(three);
+    fw_experiment *e = build_right(s);
+    const fw_member *m = e->members;
+    assert_int_equal(fw_scene_body_count(e->scene), 2);
+    assert_int_equal(m[0].solid, m[2].solid);
+    assert_int_equal(m[0].solid, m[3].solid);
+    assert_true(m[1].solid != m[0].solid);
+    assert_int_equal(m[0].first, 0);
+    assert_int_equal(m[2].first, 12);
+    assert_int_equal(m[3].first, 21);
+    assert_int_equal(m[3].count, 40);
+    const fw_solid *solid = fw_experiment_solid(e, 0);
+    assert_int_equal(solid->count, 61);
+    assert_int_equal(solid->skin_count, 61);
+    /* Axes of a body follow its lattice unless told otherwise. */
+    assert_close(fw_particles_group(solid, 1)->return_force.angle, acos(-1) / 6, 1e-15);
+    /* Of each body what its own particles have; of all together what the solid has. */
+    assert_close(fw_member_mass(e, 2).xx, 9 * 2.5, 1e-12);
+    assert_close(fw_member_momentum(e, 0).x, 12 * 0.3, 1e-12);
+    assert_close(fw_member_momentum(e, 2).x, -9 * 2.5 * 0.2, 1e-12);
+    assert_close(fw_member_momentum(e, 3).x, 0, 1e-12);
+    assert_close(fw_member_centre_of_mass(e, 0).y, 0.5 * sqrt(3), 1e-12);
+    double kinetic = 0, elastic = 0;
+    for (int b = 0; b < 4; ++b)
+        if (b != 1) {
+            kinetic += fw_member_energies(e, b).kinetic;
+            elastic += fw_member_energies(e, b).elastic;
+        }
+    assert_close(kinetic, fw_solid_energies(solid).kinetic, 1e-12 * kinetic);
+    assert_close(elastic, fw_solid_energies(solid).elastic, 1e-12 * fabs(elastic));
+    /* They do feel each other: nobody acts on them from outside, yet momentum passes over. */
+    const fw_vec2 before = fw_member_momentum(e, 0);
+    for (int t = 0; t < 200; ++t) assert_fine(fw_experiment_step(e, &error));
+    assert_true(fabs(fw_member_momentum(e, 0).x - before.x) > 0.01);
+    assert_close(number(e, "momentum-error", 0), 0, 1e-11);
+    fw_experiment_destroy(e);
+    fw_scenario_destroy(s);
+}
+
+/* Dropped uniformly in the box seen from the origin, none too near; other seeds, other places. */
+static void placed_particles_keep_their_distance(void **state)
+{
+    (void)state;
+    fw_scenario *s = read_right(three);
+    fw_experiment *e = build_right(s);
+    const fw_solid *solid = fw_experiment_solid(e, 3);
+    for (int i = 21; i < 61; ++i) {
+        assert_true(solid->x[i] >= 20 && solid->x[i] < 40 && solid->y[i] >= 20 && solid->y[i] < 40);
+        for (int j = 21; j < i; ++j)
+            assert_true(hypot(solid->x[i] - solid->x[j], solid->y[i] - solid->y[j]) >= 0.75);
+    }
+    const char *const other[] = {"run.seed=6"};
+    fw_scenario *s2;
+    assert_fine(fw_scenario_read(&s2, "t.yaml", three, strlen(three), other, 1, &error));
+    fw_experiment *e2 = build_right(s2);
+    assert_true(fw_experiment_solid(e2, 3)->x[21] != solid->x[21]);
+    fw_experiment_destroy(e2);
+    fw_scenario_destroy(s2);
+    fw_experiment_destroy(e);
+    fw_scenario_destroy(s);
+}
+
+static void bodies_start_as_told(void **state)
+{
+    (void)state;
+    fw_scenario *s = read_right(
+        "title: t\n"
+        "materials: {m: {movable-particles: {mass: 2}}, l: {linear-lattice: {}}}\n"
+        "bodies:\n"
+        "  hot: {material: m, shape: {rectangle: [40, 40]}, spacing: 2, temperature: 0.7,"
+        " velocity: [1, -2]}\n"
+        "  wheel: {material: l, lattice: hexagonal, shape: {disc: 4}, origin: [-30, 5], spin: 0.2,"
+        " velocity: [0, 1]}\n"
+        "  strained: {material: l, lattice: hexagonal, shape: {rectangle: [12, 13]},"
+        " origin: [-90, 0], displacement: [{gradient: [0.01, 0.02, -0.03, 0.04]}]}\n"
+        "run: {steps: 1}\n");
+    fw_experiment *e = build_right(s);
+    /* 1600 particles: the temperature of a sample is off by 1/40 in the mean. */
+    assert_close(number(e, "temperature", 0), 0.7, 0.7 * 4 / 40.);
+    assert_close(number(e, "momentum", 0), 2 * 1600, 1e-9);
+    double out[4];
+    measure(e, "temperature-along", 0, out);
+    assert_close(0.5 * (out[0] + out[1]), number(e, "temperature", 0), 1e-14);
+    measure(e, "affine-strain", 2, out);
+    assert_close(out[0], 0.01, 1e-12);
+    assert_close(out[1], 0.02, 1e-12);
+    assert_close(out[2], -0.03, 1e-12);
+    assert_close(out[3], 0.04, 1e-12);
+    measure(e, "poisson-ratio", 2, out);
+    assert_close(out[0], -4, 1e-9);
+    assert_close(out[1], -0.25, 1e-10);
+    /* Spin about its own middle: L about the origin has the orbit's part too. */
+    const fw_solid *wheel = fw_experiment_solid(e, 1);
+    double inertia = 0;
+    for (int i = 0; i < wheel->count; ++i)
+        inertia += pow(wheel->x[i] + 30, 2) + pow(wheel->y[i] - 5, 2);
+    assert_close(number(e, "angular-momentum", 1), 0.2 * inertia - 30 * wheel->count, 1e-9);
+    assert_close(number(e, "rotation", 1), 0, 1e-12);
+    fw_experiment_destroy(e);
+    fw_scenario_destroy(s);
+}
+
+/* Turned by hand, a body is measured as turned; spread by hand, as spread. */
+static void motion_is_measured_from_the_start(void **state)
+{
+    (void)state;
+    fw_scenario *s = read_right("title: t\n"
+                                "materials: {m: {movable-particles: {}}}\n"
+                                "bodies: {b: {material: m, lattice: hexagonal, shape: {disc: 3},"
+                                " origin: [7, -4]}}\n"
+                                "run: {steps: 1}\n");
+    fw_experiment *e = build_right(s);
+    fw_solid *solid = fw_scene_body(e->scene, 0);
+    const double degree = acos(-1) / 180, c = cos(130 * degree), sn = sin(130 * degree);
+    double square = 0;
+    for (int i = 0; i < solid->count; ++i) {
+        const double x = solid->x[i] - 7, y = solid->y[i] + 4;
+        solid->x[i] = 1 + c * x - sn * y;
+        solid->y[i] = 2 + sn * x + c * y;
+        square += pow(solid->x[i] - x - 7, 2) + pow(solid->y[i] - y + 4, 2);
+    }
+    assert_close(number(e, "rotation", 0), 130, 1e-10);
+    assert_close(number(e, "mean-square-displacement", 0), square / solid->count, 1e-10);
+    assert_close(number(e, "largest-cluster", -1), solid->count, 0);
+    solid->x[0] += 50;
+    assert_close(number(e, "largest-cluster", -1), solid->count - 1, 0);
+    fw_experiment_destroy(e);
+    fw_scenario_destroy(s);
+}
+
+/* Order of a perfect crystal is 1 by every measure, and the return force vanishes inside. */
+static void order_of_a_crystal_is_perfect(void **state)
+{
+    (void)state;
+    fw_scenario *s =
+        read_right("title: t\n"
+                   "materials: {m: {movable-particles: {return-force: {symmetry: 6, amplitude: 2,"
+                   " axes: lab}}}}\n"
+                   "bodies: {b: {material: m, lattice: hexagonal, shape: {disc: 5}, angle: 17}}\n"
+                   "run: {steps: 1}\n");
+    fw_experiment *e = build_right(s);
+    assert_close(number(e, "lab-order", 0), 1, 1e-12);
+    assert_close(number(e, "local-order", -1), 1, 1e-12);
+    assert_close(number(e, "bragg-peak", 0), 1, 1e-9);
+    assert_close(number(e, "return-force", 0), 0, 1e-12);
+    assert_true(number(e, "coordination", 0) > 4 && number(e, "coordination", 0) < 6);
+    fw_experiment_destroy(e);
+    fw_scenario_destroy(s);
+}
+
+/* Without damping every particle runs back the way it came (rounding grows, so not for long). */
+static void particles_run_back(void **state)
+{
+    (void)state;
+    fw_scenario *s =
+        read_right("title: t\n"
+                   "materials: {m: {movable-particles: {return-force: {amplitude: 1}}}}\n"
+                   "bodies: {b: {material: m, lattice: hexagonal, shape: {disc: 3},"
+                   " temperature: 0.05, velocity: [0.4, 0.3]}}\n"
+                   "walls: {box: {box: [-6, -6, 6, 6]}}\n"
+                   "run: {steps: 2000, reverse-at: 1000}\n");
+    fw_experiment *e = build_right(s);
+    for (int t = 0; t < 1000; ++t) assert_fine(fw_experiment_step(e, &error));
+    assert_true(number(e, "return-error", 0) > 1);
+    for (int t = 0; t < 1000; ++t) assert_fine(fw_experiment_step(e, &error));
+    assert_below(number(e, "return-error", 0), 1e-9);
+    fw_experiment_destroy(e);
+    fw_scenario_destroy(s);
+}
+
+/* --- what is refused --- */
+
+#define TAIL       "run: {steps: 1}\n"
+#define DISC(more) "bodies: {b: {material: m, lattice: hexagonal, shape: {disc: 2}" more "}}\n"
+
+static const struct {
+    const char *text, *sentence;
+} refusals[] = {
+    {"title: t\nmaterials: {m: {movable-particles: {return-force: {symmetry: 5, amplitude: "
+     "1}}}}\n" DISC("") TAIL,
+     "t.yaml:2:62: the symmetry is 5, expected an even number (6 for hexagonal bodies, 4 for "
+     "square ones): with an odd one the two particles of a bond would not pull equally"},
+    {"title: t\nmaterials: {m: {movable-particles: {return-force: {amplitude: 1, reach: [1.2, "
+     "1.42]}}}}\n" DISC("") TAIL,
+     "t.yaml:2:73: the return force reaches to a proximity radius of 1.42, expected less than "
+     "sqrt(2) r0 = 1.41421: beyond it takes in the diagonals of a square"},
+    {"title: t\nmaterials: {m: {movable-particles: {return-force: {amplitude: 1, angle: "
+     "5}}}}\n" DISC("") TAIL,
+     "t.yaml:2:66: the return force has both an 'angle' and corotating axes, which find theirs by "
+     "themselves; expected 'axes: lab' or no angle"},
+    {"title: t\nmaterials: {m: {movable-particles: {potential: {lennard-jones: {distance: "
+     "1.8}}}}}\n" DISC("") TAIL,
+     "t.yaml:2:49: the pair potential has its minimum at 1.8, outside its cut from 1.4 to 1.7: "
+     "expected the minimum where the potential still has its full strength"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\ndynamics: {time-step: 0.12}\n" DISC("") TAIL,
+     "t.yaml:3:23: body b: the time step is 0.12, expected less than 0.09623: beyond it the "
+     "stiffest bond's oscillation grows"},
+    {"title: t\nmaterials: {m: {linear-lattice: {}}}\ndynamics: {time-step: 0.12}\n" DISC("") TAIL,
+     "t.yaml:3:23: body b: the time step is 0.12, expected less than 0.1026: beyond it the "
+     "lattice's fastest oscillation grows"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\ndynamics: {temperature: -1}\n" DISC("") TAIL,
+     "t.yaml:3:25: dynamics.temperature is '-1', expected a number of at least 0"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\ndynamics: {damping: -1}\n" DISC("") TAIL,
+     "t.yaml:3:21: dynamics.damping is '-1', expected a number of at least 0"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\n" DISC(", spacing: 0.6") TAIL,
+     "t.yaml:3:10: body b: particle 0 of body 'b' and particle 1 of body 'b' overlap: at distance "
+     "0.6 their energy is 416.5, expected at most 100"},
+    {"title: t\nmaterials: {m: {" PLAIN "}, o: {movable-particles: {potential: {lennard-jones: "
+     "{depth: 2}}}}}\nbodies:\n  a: {material: m, shape: {disc: 1}}\n  b: {material: o, shape: "
+     "{disc: 1}, origin: [9, 0]}\n" TAIL,
+     "t.yaml:2:41: material 'o' has another potential than 'm', expected the same: movable "
+     "particles of all bodies attract each other"},
+    {"title: t\nmaterials: {m: {lattice-boltzmann: {}}}\ndynamics: {damping: 1}\nbodies: {b: "
+     "{material: m, shape: {disc: 2}}}\n" TAIL,
+     "t.yaml:3:1: 'dynamics' is for movable particles and linear lattices, and no body is one"},
+    {"title: t\nmaterials: {m: {lattice-boltzmann: {}}}\nbodies: {b: {material: m, shape: {disc: "
+     "2}, spin: 1}}\n" TAIL,
+     "t.yaml:3:45: bodies.b has 'spin', which only movable particles and linear lattices have"},
+    {"title: t\nmaterials: {m: {linear-lattice: {}}}\nbodies: {b: {material: m, shape: {disc: "
+     "2}}}\n" TAIL,
+     "t.yaml:3:10: bodies.b.lattice is 'square', expected 'hexagonal': the linear lattice has six "
+     "bonds per site"},
+    {"title: t\nmaterials: {m: {linear-lattice: {k1: -20}}}\n" DISC("") TAIL,
+     "t.yaml:3:10: body b: the linear lattice has k1 = -20 and k2 = 50, expected k1 + k2/4 > 0 and "
+     "k1 + 3 k2/4 > 0: otherwise it collapses"},
+    {"title: t\nmaterials: {m: {linear-lattice: {}}}\nbodies: {b: {material: m, lattice: "
+     "hexagonal, shape: {placed: {count: 5, box: [0, 0, 9, 9]}}}}\n" TAIL,
+     "t.yaml:3:55: bodies.b is placed at random, which only movable particles can be: the others "
+     "live on a lattice"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 5, "
+     "box: [0, 9, 9, 0]}}}}\n" TAIL,
+     "t.yaml:3:59: bodies.b.shape.placed.box goes from [0, 9] to [9, 0], expected the lower left "
+     "corner first and the upper right one next"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 99, "
+     "box: [0, 0, 5, 5]}}}}\n" TAIL,
+     "t.yaml:3:10: body b: only "},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 5, "
+     "box: [0, 0, 9, 9]}}, velocities: [{gradient: [0, 1, 0, 0]}]}}\n" TAIL,
+     "t.yaml:3:89: 'gradient' in body 'b', which is placed at random, expected 'by' or 'random': "
+     "it "
+     "has no lattice for a pattern to follow"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\nwalls:\n  w: {box: [-9, -9, 30, 9]}\nbodies:\n  a: "
+     "{material: m, shape: {disc: 2}}\n  b: {material: m, shape: {disc: 2}, origin: [29, "
+     "0]}\n" TAIL,
+     "t.yaml:7:3: body b starts in wall w: particle "},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\n" DISC("") "run: {steps: 9, reverse-at: 2}\n"
+                                                        "dynamics: {damping: 1}\n",
+     "t.yaml:5:21: dynamics.damping is 1 in a run that is reversed, expected 0: what damping took "
+     "does not come back"},
+    {"title: t\nmaterials: {m: {lattice-boltzmann: {}}}\nbodies: {b: {material: m, shape: {disc: "
+     "2}}}\nrun: {steps: 1}\nexpect: [{quantity: temperature, below: 1}]\n",
+     "t.yaml:5:21: temperature is measured of a movable-particles linear-lattice solid, but no "
+     "body is one"},
+};
+
+static void mistakes_get_their_sentences(void **state)
+{
+    (void)state;
+    for (size_t n = 0; n < sizeof refusals / sizeof *refusals; ++n) {
+        fw_scenario *s = NULL;
+        fw_experiment *e = NULL;
+        fw_measurement *m = NULL;
+        error = (fw_error){0};
+        fw_status status = read_text(&s, refusals[n].text);
+        if (status == FW_OK) status = fw_experiment_create(&e, s, &error);
+        if (status == FW_OK) status = fw_measurement_create(&m, e, &error);
+        if (status != FW_BAD_INPUT ||
+            strncmp(error.sentence, refusals[n].sentence, strlen(refusals[n].sentence)) != 0)
+            fail_msg("%s\n  found    %s\n  expected %s", refusals[n].text, error.sentence,
+                     refusals[n].sentence);
+        fw_experiment_destroy(e);
+        fw_scenario_destroy(s);
+    }
+}
+
+/* --- means and their errors --- */
+
+static const char noisy[] =
+    "title: t\n"
+    "materials: {m: {movable-particles: {strength: 0}}}\n"
+    "bodies: {b: {material: m, shape: {rectangle: [5, 5]}, spacing: 3, temperature: 1}}\n"
+    "dynamics: {time-step: 0.02, damping: 1, temperature: 1}\n"
+    "run: {steps: 500, measure-every: 5, seed: 7}\n"
+    "measure: [temperature]\n"
+    "expect:\n"
+    "  - {quantity: temperature, take: mean, value: 1, within: 0.2}\n"
+    "  - {quantity: temperature, at: 500, value: 1, within: 0.5}\n";
+
+static fw_study *run_study(const fw_scenario *scenario, const char *folder, int at_once)
+{
+    fw_study *study;
+    const fw_run_options options = {
+        .directory = folder, .threads = 1, .at_once = at_once, .name = "test"};
+    assert_fine(fw_study_begin(&study, scenario, &options, &error));
+    assert_fine(fw_study_to_end(study, &error));
+    return study;
+}
+
+/* Judged is the mean of what single runs with these seeds show, to the last bit, however many run
+ * at a time; its error is their spread over the root of their number. */
+static void study_judges_the_mean_of_its_seeds(void **state)
+{
+    (void)state;
+    double single[3][2];
+    for (int n = 0; n < 3; ++n) {
+        char seed[32];
+        snprintf(seed, sizeof seed, "run.seed=%d", 7 + n);
+        const char *const settings[] = {seed};
+        fw_scenario *s;
+        assert_fine(fw_scenario_read(&s, "t.yaml", noisy, strlen(noisy), settings, 1, &error));
+        fw_study *alone = run_study(s, NULL, 1);
+        for (int k = 0; k < 2; ++k) {
+            const fw_verdict v = fw_verdict_of(s, fw_study_measurement(alone), k);
+            single[n][k] = v.measured;
+            assert_int_equal(v.seeds, 1);
+            /* A mean over time knows its error by its samples' correlation: 25 particles, time 10,
+             * velocities that last 1, their squares 1/2: 1/sqrt(25 * 10) or so. */
+            if (k == 0) assert_true(v.error > 0.02 && v.error < 0.2);
+            if (k == 1) assert_true(isnan(v.error));
+        }
+        fw_study_destroy(alone);
+        fw_scenario_destroy(s);
+    }
+    char folder[64], path[96], line[512] = "";
+    make_folder(folder, sizeof folder);
+    for (int at_once = 1; at_once <= 2; ++at_once) {
+        const char *const settings[] = {"study={seeds: 3}"};
+        fw_scenario *s;
+        snprintf(path, sizeof path, "%s/at-once-%d", folder, at_once);
+        assert_fine(fw_scenario_read(&s, "t.yaml", noisy, strlen(noisy), settings, 1, &error));
+        fw_study *study = run_study(s, path, at_once);
+        for (int k = 0; k < 2; ++k) {
+            const fw_verdict v = fw_verdict_of(s, fw_study_measurement(study), k);
+            const double a = single[0][k], b = single[1][k], c = single[2][k];
+            const double mean = (a + b + c) / 3;
+            const double spread =
+                (a - mean) * (a - mean) + (b - mean) * (b - mean) + (c - mean) * (c - mean);
+            assert_int_equal(v.seeds, 3);
+            assert_true(v.measured == mean);
+            assert_close(v.error, sqrt(spread / 6), 1e-15);
+            assert_non_null(strstr(v.found, "(3 seeds)"));
+            for (int n = 0; n < 3; ++n)
+                assert_true(fw_verdict_of_seed(s, fw_study_measurement(study), k, n) ==
+                            single[n][k]);
+        }
+        fw_study_destroy(study);
+        fw_scenario_destroy(s);
+    }
+    snprintf(path, sizeof path, "%s/at-once-2/summary.csv", folder);
+    FILE *summary = fopen(path, "r");
+    assert_non_null(summary);
+    assert_non_null(fgets(line, sizeof line, summary));
+    assert_string_equal(line,
+                        "quantity,expected,mean,standard error,verdict,seed 7,seed 8,seed 9\n");
+    fclose(summary);
+    remove_folder(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(materials_are_what_was_written),
+        cmocka_unit_test(defaults_are_those_of_the_papers_figures),
+        cmocka_unit_test(movable_bodies_share_one_solid),
+        cmocka_unit_test(placed_particles_keep_their_distance),
+        cmocka_unit_test(bodies_start_as_told),
+        cmocka_unit_test(motion_is_measured_from_the_start),
+        cmocka_unit_test(order_of_a_crystal_is_perfect),
+        cmocka_unit_test(particles_run_back),
+        cmocka_unit_test(mistakes_get_their_sentences),
+        cmocka_unit_test(study_judges_the_mean_of_its_seeds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

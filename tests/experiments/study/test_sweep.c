@@ -1,0 +1,501 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_sweep.c - sweeps: what stands for a parameter, what is refused, cases that are asked for
+ * something, and one that is interrupted. */
+#include "tests/support/laws.h"
+
+#include "experiments/storage/csv.h"
+#include "experiments/text/number.h"
+#include "experiments/scenario/scenario.h"
+#include "experiments/text/substitution.h"
+#include "experiments/study/sweep.h"
+#include "tests/support/program.h"
+
+static const char flights[] =
+    "title: a sheet flies at several speeds\n"
+    "materials: {rubber: {lattice-boltzmann: {rest-mass: 0, damping: 1}}}\n"
+    "bodies: {sheet: {material: rubber, shape: {rectangle: [4, 4]}, origin: [3.3, 4.7]}}\n"
+    "walls: {box: {box: [0, 0, 20, 20]}}\n"
+    "run: {steps: 40, record-every: 10}\n"
+    "study:\n"
+    "  sweep:\n"
+    "    parameter: v\n"
+    "    unit: length/time\n"
+    "    values: [0.1, 0.05, 0.2]\n"
+    "    set: ['bodies.sheet.velocity=[-v, 0.5*v]']\n"
+    "expect:\n"
+    "  - {quantity: energy-drift, take: largest, below: 1e-12}\n"
+    /* The ends of 24 links: M = 24 in all, and E = M (v^2 + v^2/4)/2 = 15 v^2. */
+    "  - {quantity: energy, when: 0.2, value: 0.6, within: 1e-9}\n"
+    "  - {quantity: energy, trend: rises}\n"
+    "pictures:\n"
+    "  speeds: {kind: sweep}\n"
+    "  way: {kind: motion}\n";
+
+/* In the text above the first `written` becomes `instead`. */
+static char *change(const char *written, const char *instead)
+{
+    const char *at = strstr(flights, written);
+    char *text = malloc(sizeof flights + strlen(instead));
+    assert_non_null(at);
+    assert_non_null(text);
+    sprintf(text, "%.*s%s%s", (int)(at - flights), flights, instead, at + strlen(written));
+    return text;
+}
+
+/* --- parameters --- */
+
+static void parameter_stands_for_its_value(void **state)
+{
+    static const struct {
+        const char *setting;
+        double value;
+        int count;
+        const char *wanted;
+    } rows[] = {
+        {"a.b=A", 2.5, 1, "a.b=2.5"},
+        {"a.b=[0, 24*A]", 2.5, 1, "a.b=[0, 60]"},
+        {"a.b=[-24*A,A]", 0.5, 2, "a.b=[-12,0.5]"},
+        {"a.b=-A", -3, 1, "a.b=3"},
+        {"a.b=[1e3*A]", 100, 1, "a.b=[100000]"},
+        {"a.b=A", 0.1, 1, "a.b=0.1"},
+        {"a.b=3*A", 0.1, 1, "a.b=0.30000000000000004"},
+        {"a.b=-A", 0, 1, "a.b=0"},
+        {"a.b={x: A, y: 'A'}", 7, 2, "a.b={x: 7, y: '7'}"},
+        /* A key, another name, and no product. */
+        {"A.b={A: 1, AA: 2}", 7, 0, "A.b={A: 1, AA: 2}"},
+        {"a.b=[AB, x*A, 2A, A2, *A]", 7, 0, "a.b=[AB, x*A, 2A, A2, *A]"},
+        {"a.A", 7, 0, "a.A"},
+    };
+    (void)state;
+    for (size_t n = 0; n < sizeof rows / sizeof rows[0]; ++n) {
+        char *out = malloc(fw_substitution_room(strlen(rows[n].setting)));
+        assert_non_null(out);
+        assert_int_equal(fw_substitution_write(rows[n].setting, "A", rows[n].value, out),
+                         rows[n].count);
+        assert_string_equal(out, rows[n].wanted);
+        free(out);
+    }
+}
+
+static void written_numbers_read_back(void **state)
+{
+    static const double values[] = {0,    1.0 / 3, -1e-300, 1e14, 1e15,       123456789.125,
+                                    1e22, 5e-324,  0.1,     -2.5, 1.0e15 + 2, 0.30000000000000004};
+    (void)state;
+    for (size_t n = 0; n < sizeof values / sizeof values[0]; ++n) {
+        char text[FW_NUMBER_TEXT];
+        double back = 7;
+        fw_number_write(text, values[n]);
+        assert_int_equal(fw_number_read(text, strlen(text), &back), FW_NUMBER_FINE);
+        assert_true(back == values[n]);
+    }
+}
+
+/* A case as it was run says which case it is, reads back as itself, and can be changed further: its
+ * control is not undone. */
+static void case_is_a_scenario_of_its_own(void **state)
+{
+    fw_scenario *sweep, *made, *again;
+    char *text, *text_again;
+    static const char *const settings[] = {"bodies.sheet.velocity=[0, 0]"};
+    (void)state;
+    assert_fine(fw_scenario_read(&sweep, "s", flights, strlen(flights), NULL, 0, &error));
+    assert_true(fw_scenario_is_sweep(sweep));
+    assert_fine(fw_scenario_read_case(&made, sweep, 2, &error));
+    assert_false(fw_scenario_is_sweep(made));
+    assert_int_equal(made->study.sweep.number, 2);
+    assert_true(made->bodies[0].velocity.x == -0.2 && made->bodies[0].velocity.y == 0.1);
+    assert_true(sweep->bodies[0].velocity.x == 0);
+    assert_fine(fw_scenario_print(made, &text, &error));
+    assert_fine(fw_scenario_read(&again, "s", text, strlen(text), NULL, 0, &error));
+    assert_true(again->bodies[0].velocity.x == -0.2);
+    assert_fine(fw_scenario_print(again, &text_again, &error));
+    assert_string_equal(text, text_again);
+    fw_scenario_destroy(again);
+    assert_fine(fw_scenario_read(&again, "s", text, strlen(text), settings, 1, &error));
+    assert_true(again->bodies[0].velocity.x == 0);
+    free(text);
+    free(text_again);
+    fw_scenario_destroy(again);
+    fw_scenario_destroy(made);
+    fw_scenario_destroy(sweep);
+}
+
+/* --- refusals --- */
+
+static const struct {
+    const char *written, *instead, *sentence; /* after "flights.yaml:" */
+} mistakes[] = {
+    {"parameter:", "paramter:",
+     "8:5: unknown key 'paramter' in study.sweep; did you mean 'parameter'?"},
+    {"parameter: v", "parameter: 2v", "8:16: study.sweep.parameter is '2v', expected a name"},
+    {"[0.1, 0.05, 0.2]", "[]", "10:13: study.sweep.values has 0 items, expected 1 to 1024"},
+    {"[0.1, 0.05, 0.2]", "[0.1, 0.2, 1e-1]",
+     "10:24: study.sweep.values has 1e-1 twice, expected values that differ"},
+    {"[0.1, 0.05, 0.2]", "[0.1, fast]", "10:19: study.sweep.values.1 is 'fast', expected a number"},
+    {"    set: ['bodies.sheet.velocity=[-v, 0.5*v]']\n", "",
+     "7:3: study.sweep has no 'set', which says what the values change"},
+    {"[-v, 0.5*v]", "[1, 2]",
+     "11:11: the parameter v does not occur in the setting 'bodies.sheet.velocity=[1, 2]', "
+     "expected "
+     "KEY=VALUE with v, or a number times it such as 2*v, in the value"},
+    {"bodies.sheet.velocity=[-v, 0.5*v]", "study.seeds=v",
+     "11:11: the setting 'study.seeds=v' changes the study that it is part of, expected another "
+     "key"},
+    {"bodies.sheet.velocity=[-v, 0.5*v]", "study={seeds: v}",
+     "11:11: the setting 'study={seeds: v}' changes the study that it is part of, expected another "
+     "key"},
+    {"unit: length/time", "unit: \"len\\ngth\"",
+     "9:11: study.sweep.unit is 'len gth', expected at most 63 bytes in one line"},
+    {"when: 0.2", "when: 0.3",
+     "14:30: 'when' is 0.3, which is not one of the values of v in study.sweep"},
+    {"trend: rises", "trend: rises, when: 0.1",
+     "15:38: the expectation of 'energy' has both 'trend' and 'when', expected one of them"},
+    {"trend: rises", "trend: rises, above: 1",
+     "15:38: the expectation of 'energy' has both 'trend' and 'above', expected one of them"},
+    {"[0.1, 0.05, 0.2]", "[0.2]",
+     "15:24: the expectation of 'energy' has a 'trend', but the study has no 'sweep' of two values "
+     "or more"},
+    {"kind: sweep", "kind: sweep, field: speed",
+     "17:25: pictures.speeds has 'field', which a picture of kind 'sweep' does not draw"},
+    /* What shows in a case alone. */
+    {"bodies.sheet.velocity", "bodies.shet.velocity",
+     "7:3: the case v=0.1: --set bodies.shet.velocity=[-0.1, 0.05]: there is no 'shet' in bodies; "
+     "did you mean 'sheet'?"},
+    {"bodies.sheet.velocity=[-v, 0.5*v]", "run.steps=v",
+     "7:3: the case v=0.1: --set run.steps=0.1: run.steps is '0.1', expected a whole number of at "
+     "least 1, written without point, exponent or leading zeros"},
+    {"bodies.sheet.velocity=[-v, 0.5*v]", "bodies.sheet.origin=[100*v, 5]",
+     "7:3: the case v=0.2: flights.yaml:4:9: body sheet starts in wall box: particle 1 at (21, 5) "
+     "lies 1 behind its surface, expected all particles on the free side"},
+    {"bodies.sheet.velocity=[-v, 0.5*v]", "expect.3={quantity: energy, above: v}",
+     "7:3: the case v=0.1: it has 4 expectations, expected the 3 of the sweep"},
+    {"kind: sweep", "kind: sweep, observables: [momentum]",
+     "7:3: the case v=0.1: flights.yaml:17:39: a picture of a sweep draws momentum, which the "
+     "sweep "
+     "does not compare: expected a quantity of 'expect'"},
+};
+
+static void every_mistake_gets_its_sentence_and_leaves_nothing(void **state)
+{
+    char folder[64], path[96], expected[FW_SENTENCE_SIZE];
+    int wrong = 0;
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    snprintf(path, sizeof path, "%s/results", folder);
+    const fw_run_options options = {.directory = path, .threads = 1};
+    for (size_t n = 0; n < sizeof mistakes / sizeof mistakes[0]; ++n) {
+        char *text = change(mistakes[n].written, mistakes[n].instead);
+        fw_scenario *scenario;
+        fw_sweep *sweep = NULL;
+        error = (fw_error){FW_OK, "accepted"};
+        fw_status status =
+            fw_scenario_read(&scenario, "flights.yaml", text, strlen(text), NULL, 0, &error);
+        if (status == FW_OK) status = fw_sweep_begin(&sweep, scenario, &options, &error);
+        snprintf(expected, sizeof expected, "flights.yaml:%s", mistakes[n].sentence);
+        if (status != FW_BAD_INPUT || strcmp(error.sentence, expected) != 0) {
+            print_error("'%s':\n  found    %s\n  expected %s\n", mistakes[n].instead,
+                        error.sentence, expected);
+            wrong += 1;
+        }
+        assert_null(sweep);
+        fw_scenario_destroy(scenario);
+        free(text);
+    }
+    assert_int_equal(wrong, 0);
+    assert_false(exists(folder, "results"));
+    remove_folder(folder);
+}
+
+static void sweep_words_without_a_sweep_are_refused(void **state)
+{
+    static const char *const settings[] = {"study={seeds: 1}"};
+    fw_scenario *scenario;
+    (void)state;
+    assert_refused(fw_scenario_read(&scenario, "s", flights, strlen(flights), settings, 1, &error),
+                   FW_BAD_INPUT, "'when' names a value of a sweep, but the study has no 'sweep'");
+    char *text = change("  - {quantity: energy, when: 0.2, value: 0.6, within: 1e-9}\n"
+                        "  - {quantity: energy, trend: rises}\n",
+                        "");
+    assert_refused(fw_scenario_read(&scenario, "s", text, strlen(text), settings, 1, &error),
+                   FW_BAD_INPUT, "pictures.speeds is of kind 'sweep', but the study has no");
+    free(text);
+    text = change("expect:\n"
+                  "  - {quantity: energy-drift, take: largest, below: 1e-12}\n"
+                  "  - {quantity: energy, when: 0.2, value: 0.6, within: 1e-9}\n"
+                  "  - {quantity: energy, trend: rises}\n",
+                  "");
+    assert_refused(fw_scenario_read(&scenario, "s", text, strlen(text), NULL, 0, &error),
+                   FW_BAD_INPUT, "the scenario has neither 'expect' nor 'profile'");
+    free(text);
+}
+
+/* --- what comes out --- */
+
+static void cases_are_asked_and_compared(void **state)
+{
+    char folder[64];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "flights.yaml", flights);
+    outcome seen = run_program(folder, "run flights.yaml -q -o it");
+    expect_end(&seen, 0, "");
+    /* From 0.05 to 0.1 it rises by less than from there to 0.2, whatever their order. */
+    assert_non_null(strstr(seen.out, "v=0.1   energy, at the end, least rise (from v=0.05)"));
+    /* Asked of v = 0.2 alone; measured of all. */
+    shell(folder, "test $(grep -c 'not asked$\\|not asked,' it/v=0.1/summary.csv) = 2");
+    shell(folder, "grep -q '\"energy, at the end\",0.6 +- 1e-09,.*,holds' it/v=0.2/summary.csv");
+    shell(folder, "test \"$(ls it)\" = \"$(printf 'speeds.png\\nsweep-as-run.yaml\\nsweep.csv\\n"
+                  "v=0.05\\nv=0.1\\nv=0.2')\"");
+    shell(folder, "head -c 4 it/speeds.png | grep -q PNG");
+    /* Each case is a result like any other. */
+    seen = run_program(folder, "plot it/v=0.05");
+    expect_end(&seen, 0, "");
+    assert_string_equal(seen.out, "picture: it/v=0.05/way.png\n");
+    seen = run_program(folder, "table it/v=0.05 --observable energy");
+    expect_end(&seen, 0, "");
+    seen = run_program(folder, "table it");
+    expect_end(&seen, 2,
+               "it holds a sweep, expected the folder of one of its cases, such as "
+               "it/v=0.1");
+    seen = run_program(folder, "plot it --observable energy -o energy.svg");
+    expect_end(&seen, 0, "");
+    shell(folder, "grep -q '<svg' energy.svg");
+    seen = run_program(folder, "plot it --observable enery");
+    expect_end(&seen, 2, "it: the sweep has no enery; did you mean energy?");
+    seen = run_program(folder, "plot it --picture way");
+    expect_end(&seen, 2, "the picture way is one of its cases: `fretwork plot it/v=0.1");
+    seen = run_program(folder, "resume it");
+    expect_end(&seen, 2, "it: the sweep is finished, there is nothing to resume");
+    /* What does not hold fails: a trend, and what one case is asked. */
+    seen = run_program(folder, "verify flights.yaml -q --set expect.2.trend=falls");
+    expect_end(&seen, 1, "");
+    assert_non_null(strstr(seen.out, "1 experiments, 5 expectations, 1 failed\n"));
+    /* What speaks most against a fall is the largest rise. */
+    assert_non_null(strstr(seen.out, "v=0.2   energy, at the end, least fall (from v=0.1)"));
+    seen = run_program(folder, "verify flights.yaml -q --set expect.1.when=0.1 --json -");
+    expect_end(&seen, 1, "");
+    assert_non_null(strstr(seen.out, "\"case\": \"v=0.1\",\n"));
+    /* One case by itself. */
+    seen = run_program(folder, "verify flights.yaml -q --set study.sweep.case=0.2");
+    expect_end(&seen, 0, "");
+    assert_non_null(strstr(seen.out, "1 experiments, 2 expectations, 0 failed\n"));
+    remove_folder(folder);
+}
+
+/* A change counts as far as it is known; one that is no number never does. */
+static void trends_are_judged_beyond_their_errors(void **state)
+{
+    static const struct {
+        double change, error;
+        bool rises, falls;
+    } rows[] = {{.3, .2, true, false},  {.1, .2, false, false},   {-.1, .2, false, false},
+                {-.3, .2, false, true}, {1e-9, NAN, true, false}, {-1e-9, NAN, false, true},
+                {0, NAN, false, false}, {NAN, .2, false, false},  {NAN, NAN, false, false}};
+    (void)state;
+    for (size_t n = 0; n < sizeof rows / sizeof rows[0]; ++n) {
+        const fw_expectation rises = {.kind = FW_VERDICT_RISES}, falls = {.kind = FW_VERDICT_FALLS};
+        fw_verdict verdict = {
+            .expectation = &rises, .measured = rows[n].change, .error = rows[n].error};
+        fw_verdict_judge(&verdict);
+        assert_int_equal(verdict.holds, rows[n].rises);
+        verdict.expectation = &falls;
+        fw_verdict_judge(&verdict);
+        assert_int_equal(verdict.holds, rows[n].falls);
+    }
+}
+
+/* While a case is being written by itself, its sweep is not replaced. */
+static void a_case_that_is_held_is_not_replaced(void **state)
+{
+    char folder[64], path[128];
+    fw_folder *held;
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "flights.yaml", flights);
+    outcome seen = run_program(folder, "run flights.yaml -q --no-plot -o it");
+    expect_end(&seen, 0, "");
+    snprintf(path, sizeof path, "%s/it/v=0.05", folder);
+    assert_fine(fw_folder_open(&held, path, &error));
+    seen = run_program(folder, "run flights.yaml -q --no-plot --overwrite -o it");
+    expect_end(&seen, 2, "it/v=0.05");
+    assert_true(exists(folder, "it/v=0.05/trajectory.h5") && exists(folder, "it/sweep.csv"));
+    fw_folder_close(held);
+    remove_folder(folder);
+}
+
+/* The table has the numbers that single runs show. */
+static void table_holds_what_the_cases_show(void **state)
+{
+    char folder[64], path[128];
+    fw_sweep_table table;
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "flights.yaml", flights);
+    outcome seen = run_program(folder, "run flights.yaml -q --no-plot -o it");
+    expect_end(&seen, 0, "");
+    snprintf(path, sizeof path, "%s/it/sweep.csv", folder);
+    assert_fine(fw_sweep_table_read(&table, path, &error));
+    assert_string_equal(table.parameter, "v");
+    assert_string_equal(table.unit, "length/time");
+    assert_int_equal(table.value_count, 3);
+    assert_int_equal(table.column_count, 2);
+    static const double values[] = {0.1, 0.05, 0.2};
+    const fw_sweep_column *energy = &table.columns[1];
+    assert_string_equal(energy->name, "energy, at the end");
+    assert_string_equal(energy->unit, "energy");
+    for (int n = 0; n < 3; ++n) {
+        assert_true(table.values[n] == values[n]);
+        assert_close(energy->mean[n], 15 * values[n] * values[n], 1e-9);
+        assert_true(isnan(energy->error[n]));
+        assert_true(n == 2 ? energy->expected[n] == 0.6 && energy->within[n] == 1e-9
+                           : isnan(energy->expected[n]));
+    }
+    fw_sweep_table_clear(&table);
+    shell(folder, "head -c 300 it/sweep.csv > cut.csv");
+    snprintf(path, sizeof path, "%s/cut.csv", folder);
+    assert_refused(fw_sweep_table_read(&table, path, &error), FW_BAD_INPUT,
+                   "cut.csv is not the table of a sweep");
+    remove_folder(folder);
+}
+
+static void csv_gives_every_text_back(void **state)
+{
+    static const char *const texts[] = {"plain", "with, comma", "a \"quoted\" word", "", "\"", ","};
+    enum { COUNT = sizeof texts / sizeof texts[0] };
+    char *line = NULL, *cell;
+    size_t size = 0;
+    (void)state;
+    FILE *out = open_memstream(&line, &size);
+    assert_non_null(out);
+    for (int n = 0; n < COUNT; ++n) {
+        if (n > 0) fputc(',', out);
+        fw_csv_write_text(out, texts[n]);
+    }
+    fputc('\n', out);
+    fclose(out);
+    char *at = line;
+    for (int n = 0; n < COUNT; ++n) {
+        assert_non_null(at);
+        at = fw_csv_cut(at, &cell);
+        assert_string_equal(cell, texts[n]);
+    }
+    assert_null(at);
+    free(line);
+}
+
+/* A result is replaced only when that is asked for, and then nothing of it stays. */
+static void results_of_runs_and_sweeps_do_not_mix(void **state)
+{
+    char folder[64];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "flights.yaml", flights);
+    outcome seen = run_program(folder, "run flights.yaml -q --no-plot -o it");
+    expect_end(&seen, 0, "");
+    shell(folder, "cp -r it kept");
+    seen = run_program(folder, "run flights.yaml -q --no-plot -o it");
+    expect_end(&seen, 2, "it holds a result already; --overwrite replaces it");
+    seen = run_program(folder, "run free-particle -q --no-plot -o it");
+    expect_end(&seen, 2, "it holds a result already; --overwrite replaces it");
+    shell(folder, "diff -r it kept");
+    /* A case's own folder counts as well. */
+    shell(folder, "mkdir half && cp -r it/v=0.2 half");
+    seen = run_program(folder, "run flights.yaml -q --no-plot -o half");
+    expect_end(&seen, 2, "half/v=0.2 holds a result already");
+    seen = run_program(folder, "run free-particle -q --no-plot --overwrite -o it");
+    expect_end(&seen, 0, "");
+    shell(folder, "test -f it/trajectory.h5 && ! ls it | grep -q sweep");
+    seen = run_program(folder, "run flights.yaml -q --no-plot --overwrite -o it");
+    expect_end(&seen, 0, "");
+    shell(folder, "! test -f it/trajectory.h5 && cmp it/sweep.csv kept/sweep.csv");
+    remove_folder(folder);
+}
+
+/* --- interruption --- */
+
+/* Cases with two seeds and a control each. */
+static const char rubbing[] =
+    "title: two crystals rub\n"
+    "materials: {grain: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}}\n"
+    "dynamics: {time-step: 0.005, damping: 0.4, temperature: 0.01}\n"
+    "bodies:\n"
+    "  left: {material: grain, lattice: hexagonal, shape: {rectangle: [5, 6]}, origin: [-5, 0]}\n"
+    "  right: {material: grain, lattice: hexagonal, shape: {rectangle: [5, 6]}, origin: [0.5, 0]}\n"
+    "grips:\n"
+    "  left: {body: left, side: left, layer: 1.2, force: [9, 0], tether: [0, 2]}\n"
+    "  right: {body: right, side: right, layer: 1.2, force: [-9, 0], tether: [0, 2]}\n"
+    "phases:\n"
+    "  settle: {until: 200, damping: 1}\n"
+    "  sample: {until: 1600, grips: {left: {force: [9, 0], amplitude: [0, 9], period: 2}}}\n"
+    "run: {steps: 1600, record-every: 50, measure-every: 10, checkpoint-every: 100}\n"
+    "profile: {axis: x, phase: sample, every: 20, bin: 0.9, far: [2, 4]}\n"
+    "study:\n"
+    "  seeds: 2\n"
+    "  control: ['phases.sample.grips.left.amplitude=[0, 0]']\n"
+    "  sweep:\n"
+    "    parameter: A\n"
+    "    values: [1, 0.5, 2]\n"
+    "    set: ['phases.sample.grips.left.amplitude=[0, 6*A]']\n"
+    "expect:\n"
+    "  - {quantity: momentum-error, component: x, take: largest, below: 1}\n"
+    "  - {quantity: layer-slip-path, above: 0}\n";
+
+static void interrupted_sweep_comes_to_the_same_bytes(void **state)
+{
+    char folder[64];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "rubbing.yaml", rubbing);
+    outcome seen = run_program(folder, "run rubbing.yaml -q --no-plot --threads 2 -o whole");
+    expect_end(&seen, 0, "");
+    running run = start_program(folder, "run rubbing.yaml -q --no-plot --threads 1 -o part");
+    await_file(folder, "part/A=0.5/checkpoint-B");
+    kill(run.process, SIGTERM);
+    seen = await_program(run);
+    expect_end(&seen, 143, "interrupted in case 2 of 3, A=0.5; `fretwork resume part` goes on");
+    assert_true(exists(folder, "part/sweep-as-run.yaml"));
+    assert_false(exists(folder, "part/sweep.csv"));
+    assert_false(exists(folder, "part/A=2"));
+    seen = run_program(folder, "plot part");
+    expect_end(&seen, 2, "part: the sweep is not finished; `fretwork resume part` goes on");
+    /* The finished case is read back: its folder could not be written to. */
+    const ino_t finished = inode_of(folder, "part/A=1/summary.csv");
+    run = start_program(folder, "resume part -q --no-plot");
+    await_file(folder, "part/A=2/checkpoint-B");
+    kill(run.process, SIGKILL);
+    await_program(run);
+    assert_false(exists(folder, "part/sweep.csv"));
+    seen = run_program(folder, "resume part -q --no-plot --threads 2");
+    expect_end(&seen, 0, "");
+    assert_true(finished != 0 && inode_of(folder, "part/A=1/summary.csv") == finished);
+    shell(folder, "cmp whole/sweep.csv part/sweep.csv");
+    shell(folder, "for c in 1 0.5 2; do for f in summary layer profile; do"
+                  " cmp whole/A=$c/$f.csv part/A=$c/$f.csv || exit 1; done; done");
+    expect_same_results(folder, "whole/A=0.5", "part/A=0.5");
+    expect_same_results(folder, "whole/A=0.5/control", "part/A=0.5/control");
+    /* A case of another sweep in its place is not taken for this one's. */
+    shell(folder, "rm part/sweep.csv && rm -r part/A=2 && cp -r whole/A=1 part/A=2");
+    seen = run_program(folder, "resume part -q --no-plot");
+    expect_end(&seen, 2, "part/A=2 holds results of another scenario than the sweep");
+    remove_folder(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(parameter_stands_for_its_value),
+        cmocka_unit_test(written_numbers_read_back),
+        cmocka_unit_test(case_is_a_scenario_of_its_own),
+        cmocka_unit_test(every_mistake_gets_its_sentence_and_leaves_nothing),
+        cmocka_unit_test(sweep_words_without_a_sweep_are_refused),
+        cmocka_unit_test(cases_are_asked_and_compared),
+        cmocka_unit_test(trends_are_judged_beyond_their_errors),
+        cmocka_unit_test(a_case_that_is_held_is_not_replaced),
+        cmocka_unit_test(table_holds_what_the_cases_show),
+        cmocka_unit_test(csv_gives_every_text_back),
+        cmocka_unit_test(results_of_runs_and_sweeps_do_not_mix),
+        cmocka_unit_test(interrupted_sweep_comes_to_the_same_bytes),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
