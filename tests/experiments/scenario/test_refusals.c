@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_refusals.c - what is wrong with a scenario, and the one sentence that its author gets. */
-#include "laws.h"
+#include "tests/support/laws.h"
 
 #include "experiments/scenario/scenario.h"
 

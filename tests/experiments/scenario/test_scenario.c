@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_scenario.c - a scenario means what it says: values, defaults, sites, --set, and what is
  * printed as run. */
-#include "laws.h"
+#include "tests/support/laws.h"
 
 #include "experiments/scenario/catalogue.h"
 #include "experiments/scenario/scenario.h"

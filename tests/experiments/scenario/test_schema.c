@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_schema.c - the table that describes every key is whole, and so is the reference. */
-#include "laws.h"
+#include "tests/support/laws.h"
 
 #include "experiments/scenario/schema.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_document.c - texts become trees that know their lines, or a sentence; numbers are read
  * exactly or not at all. */
-#include "laws.h"
+#include "tests/support/laws.h"
 
 #include "experiments/text/document.h"
 #include "experiments/text/number.h"
