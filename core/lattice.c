@@ -23,9 +23,9 @@ static fw_status allocate_sites(fw_sites *sites, long long count, fw_error *erro
     *sites = (fw_sites){0, NULL};
     if (count < 1)
         return fw_fail(error, FW_BAD_INPUT, "the shape has no sites, expected at least one");
-    if (count > FW_SITES_MOST)
+    if (count > FW_SITES_MAX)
         return fw_fail(error, FW_BAD_INPUT, "the shape has %lld sites, expected at most %d", count,
-                       FW_SITES_MOST);
+                       FW_SITES_MAX);
     sites->site = malloc((size_t)count * sizeof *sites->site);
     if (!sites->site) return fw_fail_memory(error, "the sites of a shape");
     sites->count = (int)count;

@@ -38,8 +38,8 @@ static inline int fw_opposite(int direction)
     return (direction + 2) % FW_DIRECTIONS;
 }
 
-/* The makers of shapes. On failure *sites is left empty. Limits: 1 <= sites <= FW_SITES_MOST. */
-enum { FW_SITES_MOST = 1 << 28 };
+/* The makers of shapes. On failure *sites is left empty. Limits: 1 <= sites <= FW_SITES_MAX. */
+enum { FW_SITES_MAX = 1 << 28 };
 /* columns x rows, lower left corner at site (0, 0). */
 fw_status fw_sites_rectangle(fw_sites *sites, int columns, int rows, fw_error *error);
 /* Sites whose lattice position is within `radius` (in spacings) of site (0, 0). */

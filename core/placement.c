@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-enum { DROPS_EACH = 1000, SIDE_MOST = 16384 };
+enum { DROPS_EACH = 1000, SIDE_MAX = 16384 };
 
 typedef struct fw_drop_grid {
     fw_vec2 low;
@@ -78,9 +78,9 @@ fw_status fw_placement_random(fw_vec2 *positions, int count, fw_vec2 low, fw_vec
         return fw_fail(error, FW_BAD_INPUT, "%d particles are to be placed, expected at least one",
                        count);
     /* About one particle per cell, but none narrower than the distance, so that the eight cells
-     * around one hold everybody who may be too near; and not more than SIDE_MOST a side. */
+     * around one hold everybody who may be too near; and not more than SIDE_MAX a side. */
     double cell = fmax(distance, sqrt(size.x / count * size.y));
-    cell = fmax(cell, fmax(size.x, size.y) / SIDE_MOST);
+    cell = fmax(cell, fmax(size.x, size.y) / SIDE_MAX);
     fw_drop_grid grid = {.low = low,
                          .inverse_size = 1 / cell,
                          .columns = (int)(size.x / cell) + 1,

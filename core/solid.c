@@ -18,8 +18,8 @@ fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int
     solid->y = fw_array_of_doubles(size);
     solid->external_x = fw_array_of_doubles(size);
     solid->external_y = fw_array_of_doubles(size);
-    solid->skin = fw_array_allocate(size, sizeof *solid->skin);
-    if (!solid->x || !solid->y || !solid->external_x || !solid->external_y || !solid->skin) {
+    solid->boundary = fw_array_allocate(size, sizeof *solid->boundary);
+    if (!solid->x || !solid->y || !solid->external_x || !solid->external_y || !solid->boundary) {
         fw_solid_head_release(solid);
         return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %d particles", count);
     }
@@ -32,10 +32,10 @@ void fw_solid_head_release(fw_solid *solid)
     free(solid->y);
     free(solid->external_x);
     free(solid->external_y);
-    free(solid->skin);
+    free(solid->boundary);
     free(solid->links);
     solid->x = solid->y = solid->external_x = solid->external_y = NULL;
-    solid->skin = NULL;
+    solid->boundary = NULL;
     solid->links = NULL;
 }
 
@@ -44,8 +44,8 @@ void fw_solid_head_state(fw_solid *solid, fw_state_list *list)
     size_t count = (size_t)solid->count;
     fw_state_list_add(list, "position-x", FW_F64, count, solid->x);
     fw_state_list_add(list, "position-y", FW_F64, count, solid->y);
-    fw_state_list_add(list, "account", FW_F64, sizeof solid->account / sizeof(double),
-                      &solid->account);
+    fw_state_list_add(list, "ledger", FW_F64, sizeof solid->ledger / sizeof(double),
+                      &solid->ledger);
     fw_state_list_add(list, "ticks", FW_I64, 1, &solid->ticks);
 }
 
@@ -54,7 +54,7 @@ void fw_solid_reverse(fw_solid *solid)
     fw_vec2 before = fw_solid_momentum(solid);
     solid->model->reverse(solid);
     fw_vec2 change = fw_vec2_subtract(fw_solid_momentum(solid), before);
-    solid->account.impulse = fw_vec2_add(solid->account.impulse, change);
+    solid->ledger.impulse = fw_vec2_add(solid->ledger.impulse, change);
 }
 
 const fw_field *fw_solid_find_field(const fw_solid *solid, const char *name)

@@ -3,8 +3,8 @@
  *
  * A solid is a const table of few whole-lattice operations (never an indirect call inside a loop
  * over particles) and a head of data that all models share. A model embeds fw_solid as its first
- * member. Contact knows nothing else of a solid: it asks where skin particles would go (predict),
- * decides where they do go, and hands that back (advance).
+ * member. Contact knows nothing else of a solid: it asks where boundary particles would go
+ * (predict), decides where they do go, and hands that back (advance).
  *
  * Units are reduced: lattice spacing and particle masses of the model; time in the model's own
  * unit, of which one tick takes `tick`. */
@@ -27,7 +27,7 @@ typedef struct fw_solid fw_solid;
 typedef struct fw_prediction {
     fw_vec2 displacement; /* external force, damping and noise included */
     fw_sym2 mobility;     /* positive definite, or zero where the particle rests in this tick */
-    fw_vec2 coasting;     /* displacement by momentum alone, without elastic and external force */
+    fw_vec2 inertial;     /* displacement by momentum alone, without elastic and external force */
 } fw_prediction;
 
 /* A particle that contact holds. The solid moves it by exactly `displacement` (zero stays zero,
@@ -45,14 +45,14 @@ typedef struct fw_energies {
 
 /* What has passed through the solid's bounds since it was created, added up in a fixed order. The
  * holds' share is not in here: contact books it per wall. */
-typedef struct fw_account {
+typedef struct fw_solid_ledger {
     double work;       /* of the external forces, sum F . w */
     double dissipated; /* energy taken by damping and by the material's own failure, >= 0 */
     double heat;       /* energy brought in by a thermostat's noise */
     double fracture;   /* the part of `dissipated` that breaking links took */
     fw_vec2 impulse;   /* of the external forces, sum F dt */
     fw_vec2 drag;      /* momentum added by damping and noise */
-} fw_account;
+} fw_solid_ledger;
 
 /* A quantity per particle, for pictures and files. */
 typedef struct fw_field {
@@ -96,12 +96,12 @@ struct fw_solid {
     double *x, *y;                   /* positions */
     double *external_x, *external_y; /* external force of this tick; kept by the loads */
     bool loaded;                     /* false: external_x/y are all zero and need not be read */
-    int *skin;                       /* particles that can touch something, ascending */
-    int skin_count;
-    int skin_revision; /* grows whenever the skin changes (links break, particles flow) */
-    int (*links)[2];   /* pairs of linked particles, for files and pictures; NULL if none */
+    int *boundary;                   /* particles that can touch something, ascending */
+    int boundary_count;
+    int boundary_revision; /* grows whenever the boundary changes (links break, particles flow) */
+    int (*links)[2];       /* pairs of linked particles, for files and pictures; NULL if none */
     int link_count;
-    fw_account account;
+    fw_solid_ledger ledger;
     int64_t ticks;       /* advanced since creation */
     const char *trouble; /* NULL, or the sentence why the solid cannot go on (memory) */
 };
@@ -111,7 +111,7 @@ fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int
                                fw_error *error);
 /* Releases the arrays of the head, not the struct itself. */
 void fw_solid_head_release(fw_solid *solid);
-/* Appends the head's own state: positions, account, ticks. */
+/* Appends the head's own state: positions, ledger, ticks. */
 void fw_solid_head_state(fw_solid *solid, fw_state_list *list);
 
 static inline void fw_solid_destroy(fw_solid *solid)

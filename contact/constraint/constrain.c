@@ -377,7 +377,7 @@ static bool find_rows(constrain_problem *p, const fw_barrier *near, int near_cou
 {
     for (const fw_barrier *passed = find_passed(p, near, near_count); passed;
          passed = find_passed(p, near, near_count)) {
-        if (p->count == FW_TOUCH_MOST) return false;
+        if (p->count == FW_TOUCH_MAX) return false;
         p->rows[p->count++] = (constrain_row){.barrier = passed};
         if (!solve(p)) return false;
     }
@@ -390,7 +390,7 @@ static fw_constraint rub_once_more(constrain_problem *p, const fw_barrier *near,
                                    const fw_barrier *all, fw_contact_memory *memory)
 {
     const fw_barrier *barrier = &all[memory->facet - 1];
-    double tension[FW_TOUCH_MOST] = {0};
+    double tension[FW_TOUCH_MAX] = {0};
     constrain_row *r = &p->rows[0];
     *r = (constrain_row){.barrier = barrier};
     constrain_update_row(p, r);
@@ -430,7 +430,7 @@ fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw
                            fw_contact_memory *memory)
 {
     constrain_problem p = {.position = position, .free = free, .w = free->displacement};
-    double tension[FW_TOUCH_MOST] = {0};
+    double tension[FW_TOUCH_MAX] = {0};
     if (free->mobility.xx == 0) return (fw_constraint){0}; /* a resting colour */
     bool resolved = keep_rows(&p, kept, all) && find_rows(&p, near, near_count);
     if (resolved && is_free(&p)) {

@@ -27,7 +27,7 @@ typedef struct fw_barrier {
  * state. */
 typedef struct fw_contact_memory {
     double reaction; /* normal force of the last step, of the facet below */
-    double coasting; /* tangential coasting displacement of the last step, relative to its wall */
+    double inertial; /* tangential inertial displacement of the last step, relative to its wall */
     int32_t facet;   /* 1 + number; 0: none */
     int32_t stuck;   /* stuck in the last step */
 } fw_contact_memory;
@@ -41,7 +41,7 @@ typedef struct fw_touch {
     fw_sym2 stiffness; /* d force/d motion of the wall, where rows neither come nor go */
 } fw_touch;
 
-enum { FW_TOUCH_MOST = 4 };
+enum { FW_TOUCH_MAX = 4 };
 
 /* A particle that has no way out between a piston and walls that do not yield stops the piston:
  * the motion W of which then keeps normal . W <= limit. */
@@ -56,7 +56,7 @@ typedef struct fw_stop {
  * otherwise. */
 typedef struct fw_row_list {
     int count;
-    int facet[FW_TOUCH_MOST]; /* numbers in the scene: its rows, whether they push or not */
+    int facet[FW_TOUCH_MAX]; /* numbers in the scene: its rows, whether they push or not */
     fw_stop stop;
     bool let_go; /* friction after the release turned out to lead through a wall */
 } fw_row_list;
@@ -66,7 +66,7 @@ typedef struct fw_constraint {
     fw_vec2 displacement;
     fw_vec2 force; /* sum over the touches */
     int touch_count;
-    fw_touch touch[FW_TOUCH_MOST];
+    fw_touch touch[FW_TOUCH_MAX];
     fw_row_list rows;
     bool unresolved; /* no consistent set of rows was found and the particle was held fast */
 } fw_constraint;

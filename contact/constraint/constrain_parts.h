@@ -21,7 +21,7 @@ typedef struct constrain_problem {
     fw_vec2 position;
     const fw_prediction *free;
     int count;
-    constrain_row rows[FW_TOUCH_MOST];
+    constrain_row rows[FW_TOUCH_MAX];
     fw_vec2 w;
     fw_stop stop;
 } constrain_problem;

@@ -20,13 +20,13 @@ static double follow_curve(constrain_problem *p, constrain_row *r)
 
 /* How far a sticking particle is let move: F = -2 Psi + P at first, then
  * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. `slope` is how that
- * changes with the wall's own motion, from which coasting and slip are counted. */
-static double sticking_target(const fw_contact_memory *memory, bool same_wall, double coasting,
+ * changes with the wall's own motion, from which inertial and slip are counted. */
+static double sticking_target(const fw_contact_memory *memory, bool same_wall, double inertial,
                               double slip, double *slope)
 {
     const bool again = same_wall && memory->stuck;
     const double part = again ? STICK_FILTER / 4 : 0.5;
-    const double target = part * (again ? coasting - memory->coasting : coasting);
+    const double target = part * (again ? inertial - memory->inertial : inertial);
     const double low = fmin(slip, 0), high = fmax(slip, 0);
     *slope = -part;
     if (target > low && target < high) return target;
@@ -66,15 +66,15 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_barrier *a
     const double nn = fw_sym2_form(r->normal, mobility, r->normal),
                  nt = fw_sym2_form(r->normal, mobility, tangent),
                  tt = fw_sym2_form(tangent, mobility, tangent);
-    const double coasting =
-        fw_vec2_dot(tangent, fw_vec2_subtract(p->free->coasting, barrier->motion));
+    const double inertial =
+        fw_vec2_dot(tangent, fw_vec2_subtract(p->free->inertial, barrier->motion));
     bool active = r->lambda > 0;
     double tension = 0, wanted = 0, slope;
     if (active) {
         double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
         const double lambda = r->lambda;
         const double yielding = tt - nt * nt / nn;
-        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / yielding;
+        wanted = (sticking_target(memory, same_wall, inertial, slip, &slope) - slip) / yielding;
         r->grasp = (1 + slope) / yielding;
         tension = wanted;
         for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
@@ -87,7 +87,7 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_barrier *a
     if (!active) {
         double slip =
             fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, barrier->motion));
-        wanted = (sticking_target(memory, same_wall, coasting, slip, &slope) - slip) / tt;
+        wanted = (sticking_target(memory, same_wall, inertial, slip, &slope) - slip) / tt;
         r->grasp = (1 + slope) / tt;
         tension = clip(wanted, half * before);
         r->lambda = 0;
@@ -108,6 +108,6 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_barrier *a
             stuck = false;
         }
     }
-    *memory = (fw_contact_memory){r->lambda, coasting, barrier->number + 1, stuck};
+    *memory = (fw_contact_memory){r->lambda, inertial, barrier->number + 1, stuck};
     return tension;
 }

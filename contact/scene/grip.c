@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* grip.c - rigid blocks of particles.
- * State: the account. Start reading at fw_grip_hold(). */
+ * State: the ledger. Start reading at fw_grip_hold(). */
 #include "contact/scene/grip.h"
 
 #include <stdlib.h>
@@ -12,7 +12,7 @@ struct fw_grip {
     int *particles;
     fw_prediction *predictions; /* of this tick */
     fw_drive drive;
-    fw_grip_account account;
+    fw_grip_ledger ledger;
 };
 
 fw_status fw_grip_create(fw_grip **grip, const fw_grip_def *def, fw_error *error)
@@ -68,14 +68,14 @@ const int *fw_grip_particles(const fw_grip *grip)
     return grip->particles;
 }
 
-fw_grip_account *fw_grip_account_of(fw_grip *grip)
+fw_grip_ledger *fw_grip_ledger_of(fw_grip *grip)
 {
-    return &grip->account;
+    return &grip->ledger;
 }
 
-const fw_grip_account *fw_grip_observe_account(const fw_grip *grip)
+const fw_grip_ledger *fw_grip_observe_ledger(const fw_grip *grip)
 {
-    return &grip->account;
+    return &grip->ledger;
 }
 
 fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *error)
@@ -114,24 +114,24 @@ void fw_grip_hold(fw_grip *grip, const fw_solid *solid, double time, fw_hold *ho
 {
     fw_solid_predict(solid, grip->particles, grip->count, grip->predictions);
     const block sum = add_up(grip);
-    const fw_vec2 w = fw_drive_solve(&grip->drive, sum.inertia, sum.push,
-                                     grip->account.displacement, time, solid->tick);
+    const fw_vec2 w = fw_drive_solve(&grip->drive, sum.inertia, sum.push, grip->ledger.displacement,
+                                     time, solid->tick);
     const fw_vec2 centre = centre_of(grip, solid);
-    fw_grip_account *account = &grip->account;
+    fw_grip_ledger *ledger = &grip->ledger;
     fw_vec2 total = {0, 0};
-    account->torque = 0;
+    ledger->torque = 0;
     for (int n = 0; n < grip->count; ++n) {
         fw_vec2 force = fw_sym2_apply(fw_sym2_invert(grip->predictions[n].mobility),
                                       fw_vec2_subtract(w, grip->predictions[n].displacement));
         holds[n] = (fw_hold){grip->particles[n], w, force};
         fw_vec2 arm = fw_vec2_subtract(fw_solid_position(solid, grip->particles[n]), centre);
-        account->torque += fw_vec2_cross(arm, force);
+        ledger->torque += fw_vec2_cross(arm, force);
         total = fw_vec2_add(total, force);
     }
-    account->reaction = fw_vec2_scale(0.5, fw_vec2_add(total, account->force));
-    account->force = total;
-    account->impulse = fw_vec2_add(account->impulse, fw_vec2_scale(solid->tick, total));
-    account->work += fw_vec2_dot(total, w);
-    account->displacement = fw_vec2_add(account->displacement, w);
-    account->way = fw_vec2_add(account->way, (fw_vec2){fabs(w.x), fabs(w.y)});
+    ledger->reaction = fw_vec2_scale(0.5, fw_vec2_add(total, ledger->force));
+    ledger->force = total;
+    ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(solid->tick, total));
+    ledger->work += fw_vec2_dot(total, w);
+    ledger->displacement = fw_vec2_add(ledger->displacement, w);
+    ledger->way = fw_vec2_add(ledger->way, (fw_vec2){fabs(w.x), fabs(w.y)});
 }

@@ -24,7 +24,7 @@ typedef struct fw_grip_def {
 } fw_grip_def;
 
 /* What the grip did and what was done to it. All of it is state. */
-typedef struct fw_grip_account {
+typedef struct fw_grip_ledger {
     fw_vec2 displacement; /* since the beginning */
     fw_vec2 force;        /* D of the last tick */
     fw_vec2 reaction;     /* mean of D over the last two ticks, free of the held mode */
@@ -32,7 +32,7 @@ typedef struct fw_grip_account {
     fw_vec2 impulse;      /* sum D dt */
     double work;          /* sum D . w */
     fw_vec2 way;          /* length of its way, per component */
-} fw_grip_account;
+} fw_grip_ledger;
 
 typedef struct fw_grip fw_grip;
 
@@ -44,8 +44,8 @@ const char *fw_grip_name(const fw_grip *grip);
 int fw_grip_particle_count(const fw_grip *grip);
 const int *fw_grip_particles(const fw_grip *grip);
 /* Part of the state: the caller puts it into its list and may write saved values back. */
-fw_grip_account *fw_grip_account_of(fw_grip *grip);
-const fw_grip_account *fw_grip_observe_account(const fw_grip *grip);
+fw_grip_ledger *fw_grip_ledger_of(fw_grip *grip);
+const fw_grip_ledger *fw_grip_observe_ledger(const fw_grip *grip);
 
 /* Another drive from now on, as in the next phase of an experiment; the displacement, to which
  * tethers refer, is kept. Paths are counted from their own time 0. FW_BAD_INPUT as for create. */

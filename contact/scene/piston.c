@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* piston.c - a rigid wall with a mass.
- * State: the account, with place and velocity. Start reading at fw_piston_displacement(). */
+ * State: the ledger, with place and velocity. Start reading at fw_piston_displacement(). */
 #include "contact/scene/piston.h"
 
 #include <stdlib.h>
@@ -12,7 +12,7 @@ struct fw_piston {
     double energy_at_start;
     fw_vec2 momentum_at_start;
     fw_drive drive;
-    fw_piston_account account;
+    fw_piston_ledger ledger;
 };
 
 static fw_status check(const char *name, double mass, double damping, const fw_drive *drive,
@@ -53,8 +53,8 @@ fw_status fw_piston_create(fw_piston **piston, const char *name, const fw_piston
     made->mass = def->mass;
     made->damping = def->damping;
     made->drive = def->drive;
-    made->account.velocity = def->velocity;
-    made->account.held = held_by(&def->drive);
+    made->ledger.velocity = def->velocity;
+    made->ledger.held = held_by(&def->drive);
     made->energy_at_start = fw_piston_kinetic_energy(made);
     made->momentum_at_start = fw_piston_momentum(made);
     *piston = made;
@@ -68,43 +68,43 @@ void fw_piston_destroy(fw_piston *piston)
     free(piston);
 }
 
-fw_piston_account *fw_piston_account_of(fw_piston *piston)
+fw_piston_ledger *fw_piston_ledger_of(fw_piston *piston)
 {
-    return &piston->account;
+    return &piston->ledger;
 }
 
-const fw_piston_account *fw_piston_observe_account(const fw_piston *piston)
+const fw_piston_ledger *fw_piston_observe_ledger(const fw_piston *piston)
 {
-    return &piston->account;
+    return &piston->ledger;
 }
 
 /* What of a vector belongs to the components that forces move. */
-static fw_vec2 driven(const fw_piston_account *account, fw_vec2 v)
+static fw_vec2 driven(const fw_piston_ledger *ledger, fw_vec2 v)
 {
-    return (fw_vec2){(1 - account->held.x) * v.x, (1 - account->held.y) * v.y};
+    return (fw_vec2){(1 - ledger->held.x) * v.x, (1 - ledger->held.y) * v.y};
 }
 
 fw_vec2 fw_piston_momentum(const fw_piston *piston)
 {
-    return fw_vec2_scale(piston->mass, driven(&piston->account, piston->account.velocity));
+    return fw_vec2_scale(piston->mass, driven(&piston->ledger, piston->ledger.velocity));
 }
 
 double fw_piston_kinetic_energy(const fw_piston *piston)
 {
-    const fw_vec2 v = driven(&piston->account, piston->account.velocity);
+    const fw_vec2 v = driven(&piston->ledger, piston->ledger.velocity);
     return 0.5 * piston->mass * fw_vec2_dot(v, v);
 }
 
 double fw_piston_energy_error(const fw_piston *piston)
 {
-    const fw_piston_account *a = &piston->account;
+    const fw_piston_ledger *a = &piston->ledger;
     return fw_piston_kinetic_energy(piston) -
            (piston->energy_at_start + a->work + a->pushed_by - a->unmatched_work - a->heat);
 }
 
 fw_vec2 fw_piston_momentum_error(const fw_piston *piston)
 {
-    const fw_piston_account *a = &piston->account;
+    const fw_piston_ledger *a = &piston->ledger;
     const fw_vec2 felt = fw_vec2_subtract(a->pushed, a->unmatched);
     const fw_vec2 given =
         fw_vec2_add(fw_vec2_add(piston->momentum_at_start, a->impulse), fw_vec2_add(felt, a->drag));
@@ -117,13 +117,13 @@ fw_status fw_piston_set_drive(fw_piston *piston, const fw_drive *drive, double d
     FW_TRY(check(piston->name, piston->mass, damping, drive, error));
     const double kinetic = fw_piston_kinetic_energy(piston);
     const fw_vec2 momentum = fw_piston_momentum(piston);
-    fw_piston_account *account = &piston->account;
+    fw_piston_ledger *ledger = &piston->ledger;
     piston->drive = *drive;
     piston->damping = damping;
-    account->held = held_by(drive);
-    account->work += fw_piston_kinetic_energy(piston) - kinetic;
-    account->impulse =
-        fw_vec2_add(account->impulse, fw_vec2_subtract(fw_piston_momentum(piston), momentum));
+    ledger->held = held_by(drive);
+    ledger->work += fw_piston_kinetic_energy(piston) - kinetic;
+    ledger->impulse =
+        fw_vec2_add(ledger->impulse, fw_vec2_subtract(fw_piston_momentum(piston), momentum));
     return FW_OK;
 }
 
@@ -142,11 +142,11 @@ static double yielding(const fw_piston *piston, double tick)
 fw_vec2 fw_piston_displacement(const fw_piston *piston, fw_vec2 push, double time, double tick)
 {
     const double inertia = 1 / yielding(piston, tick);
-    const fw_vec2 coasting =
-        fw_vec2_scale(0.5 * tick * (1 + kept(piston, tick)), piston->account.velocity);
+    const fw_vec2 inertial =
+        fw_vec2_scale(0.5 * tick * (1 + kept(piston, tick)), piston->ledger.velocity);
     return fw_drive_solve(&piston->drive, fw_sym2_scalar(inertia),
-                          fw_vec2_add(fw_vec2_scale(inertia, coasting), push),
-                          piston->account.displacement, time, tick);
+                          fw_vec2_add(fw_vec2_scale(inertia, inertial), push),
+                          piston->ledger.displacement, time, tick);
 }
 
 fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick)
@@ -159,38 +159,38 @@ fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick)
 
 bool fw_piston_yields(const fw_piston *piston, fw_vec2 direction)
 {
-    const fw_vec2 along = driven(&piston->account, direction);
+    const fw_vec2 along = driven(&piston->ledger, direction);
     return along.x != 0 || along.y != 0;
 }
 
 void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,
                        double time, double tick)
 {
-    fw_piston_account *account = &piston->account;
+    fw_piston_ledger *ledger = &piston->ledger;
     const fw_drive *drive = &piston->drive;
     const double c = kept(piston, tick), mass = piston->mass;
-    const fw_vec2 free = fw_drive_force(drive, account->displacement, motion, time);
+    const fw_vec2 free = fw_drive_force(drive, ledger->displacement, motion, time);
     const fw_vec2 force = {drive->prescribed_x ? -push.x : free.x,
                            drive->prescribed_y ? -push.y : free.y};
     /* w = dt (1 + c) u1 / 2 tells u1, and that the force on the piston: D + R, if all fits. */
-    const fw_vec2 halfway = driven(account, fw_vec2_scale(2 / (tick * (1 + c)), motion));
-    const fw_vec2 kick = driven(account, fw_vec2_subtract(halfway, account->velocity));
+    const fw_vec2 halfway = driven(ledger, fw_vec2_scale(2 / (tick * (1 + c)), motion));
+    const fw_vec2 kick = driven(ledger, fw_vec2_subtract(halfway, ledger->velocity));
     const fw_vec2 felt = fw_vec2_subtract(fw_vec2_scale(2 * mass / tick, kick), force);
-    const fw_vec2 unmatched = driven(account, fw_vec2_subtract(push, felt));
+    const fw_vec2 unmatched = driven(ledger, fw_vec2_subtract(push, felt));
     const fw_vec2 after = fw_vec2_add(fw_vec2_scale(c, halfway), kick);
-    account->velocity = (fw_vec2){drive->prescribed_x ? motion.x / tick : after.x,
-                                  drive->prescribed_y ? motion.y / tick : after.y};
-    account->heat += 0.5 * mass * (1 - c * c) * fw_vec2_dot(halfway, halfway);
-    account->drag = fw_vec2_add(account->drag, fw_vec2_scale(-(1 - c) * mass, halfway));
-    account->reaction = fw_vec2_scale(0.5, fw_vec2_add(account->force, force));
-    account->force = force;
-    account->torque = torque;
-    account->impulse = fw_vec2_add(account->impulse, fw_vec2_scale(tick, force));
-    account->work += fw_vec2_dot(force, motion);
-    account->pushed = fw_vec2_add(account->pushed, fw_vec2_scale(tick, push));
-    account->pushed_by += work;
-    account->unmatched = fw_vec2_add(account->unmatched, fw_vec2_scale(tick, unmatched));
-    account->unmatched_work += work - fw_vec2_dot(fw_vec2_subtract(push, unmatched), motion);
-    account->displacement = fw_vec2_add(account->displacement, motion);
-    account->way = fw_vec2_add(account->way, (fw_vec2){fabs(motion.x), fabs(motion.y)});
+    ledger->velocity = (fw_vec2){drive->prescribed_x ? motion.x / tick : after.x,
+                                 drive->prescribed_y ? motion.y / tick : after.y};
+    ledger->heat += 0.5 * mass * (1 - c * c) * fw_vec2_dot(halfway, halfway);
+    ledger->drag = fw_vec2_add(ledger->drag, fw_vec2_scale(-(1 - c) * mass, halfway));
+    ledger->reaction = fw_vec2_scale(0.5, fw_vec2_add(ledger->force, force));
+    ledger->force = force;
+    ledger->torque = torque;
+    ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(tick, force));
+    ledger->work += fw_vec2_dot(force, motion);
+    ledger->pushed = fw_vec2_add(ledger->pushed, fw_vec2_scale(tick, push));
+    ledger->pushed_by += work;
+    ledger->unmatched = fw_vec2_add(ledger->unmatched, fw_vec2_scale(tick, unmatched));
+    ledger->unmatched_work += work - fw_vec2_dot(fw_vec2_subtract(push, unmatched), motion);
+    ledger->displacement = fw_vec2_add(ledger->displacement, motion);
+    ledger->way = fw_vec2_add(ledger->way, (fw_vec2){fabs(motion.x), fabs(motion.y)});
 }

@@ -22,7 +22,7 @@ typedef struct fw_piston_def {
 } fw_piston_def;
 
 /* What the piston did and what was done to it. All of it is state. */
-typedef struct fw_piston_account {
+typedef struct fw_piston_ledger {
     fw_vec2 displacement;  /* since the beginning */
     fw_vec2 velocity;      /* of a prescribed component: of the last tick, 0 before the first */
     fw_vec2 held;          /* 1 in components that are prescribed now, else 0 */
@@ -39,7 +39,7 @@ typedef struct fw_piston_account {
     fw_vec2 drag;          /* momentum taken by damping, with its sign */
     double heat;           /* energy taken by damping, >= 0 */
     fw_vec2 way;           /* length of its way, per component */
-} fw_piston_account;
+} fw_piston_ledger;
 
 typedef struct fw_piston fw_piston;
 
@@ -51,12 +51,12 @@ fw_status fw_piston_create(fw_piston **piston, const char *name, const fw_piston
 void fw_piston_destroy(fw_piston *piston);
 
 /* Part of the state: the caller puts it into its list and may write saved values back. */
-fw_piston_account *fw_piston_account_of(fw_piston *piston);
-const fw_piston_account *fw_piston_observe_account(const fw_piston *piston);
+fw_piston_ledger *fw_piston_ledger_of(fw_piston *piston);
+const fw_piston_ledger *fw_piston_observe_ledger(const fw_piston *piston);
 /* Of the components that are not prescribed. */
 double fw_piston_kinetic_energy(const fw_piston *piston);
 fw_vec2 fw_piston_momentum(const fw_piston *piston);
-/* Both minus what they were at the start and what the account says of work, heat and impulses, all
+/* Both minus what they were at the start and what the ledger says of work, heat and impulses, all
  * but what is unmatched: the piston's books, closed to rounding. */
 double fw_piston_energy_error(const fw_piston *piston);
 fw_vec2 fw_piston_momentum_error(const fw_piston *piston);

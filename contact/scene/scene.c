@@ -25,19 +25,20 @@ static void apply_loads(fw_scene *scene)
                       scene->bodies[scene->loads[n].body].solid);
 }
 
-/* 2. predict: where skin particles would go, and how they yield to a force. */
-static void predict_skins(fw_scene *scene)
+/* 2. predict: where boundary particles would go, and how they yield to a force. */
+static void predict_boundaries(fw_scene *scene)
 {
     if (scene->wall_count == 0) return;
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
-        fw_solid_predict(body->solid, fw_skin_particles(body->skin), fw_skin_count(body->skin),
-                         fw_skin_predictions(body->skin));
+        fw_solid_predict(body->solid, fw_boundary_particles(body->boundary),
+                         fw_boundary_count(body->boundary),
+                         fw_boundary_predictions(body->boundary));
     }
 }
 
-/* 3. find, and 4. constrain: which facets are near which run of skin particles, and the forces that
- * hold contact particles. Both again and again where pistons have to find their way. */
+/* 3. find, and 4. constrain: which facets are near which run of boundary particles, and the forces
+ * that hold contact particles. Both again and again where pistons have to find their way. */
 static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
 {
     if (scene->piston_count > 0) return scene_move_pistons(scene, error);
@@ -56,16 +57,15 @@ static void advance_solids(fw_scene *scene)
     scene_advance_pistons(scene);
 }
 
-/* 6. account: work, heat and impulse of each wall. */
+/* 6. ledger: work, heat and impulse of each wall. */
 static void balance_ledger(fw_scene *scene)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
-        fw_wall_account *account = &scene->accounts[w];
-        account->reaction =
-            fw_vec2_scale(0.5, fw_vec2_add(account->force, scene->walls[w].force_before));
-        account->impulse =
-            fw_vec2_add(account->impulse, fw_vec2_scale(scene->tick, account->force));
-        account->held += account->contacts;
+        fw_wall_ledger *ledger = &scene->ledgers[w];
+        ledger->reaction =
+            fw_vec2_scale(0.5, fw_vec2_add(ledger->force, scene->walls[w].force_before));
+        ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
+        ledger->held += ledger->contacts;
     }
 }
 
@@ -103,7 +103,7 @@ fw_status fw_scene_step(fw_scene *scene, fw_error *error)
 {
     for (int tick = 0; tick < scene->ticks_per_step; ++tick) {
         apply_loads(scene);
-        predict_skins(scene);
+        predict_boundaries(scene);
         FW_TRY(constrain_contacts(scene, error));
         scene_book_contacts(scene);
         advance_solids(scene);

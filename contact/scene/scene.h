@@ -5,16 +5,16 @@
 #define FW_SCENE_H
 
 #include "contact/constraint/constrain.h"
+#include "contact/geometry/wall.h"
 #include "contact/scene/grip.h"
 #include "contact/scene/load.h"
 #include "contact/scene/piston.h"
-#include "contact/geometry/wall.h"
 #include "core/solid.h"
 
 typedef struct fw_scene fw_scene;
 
 /* What has passed between the scene and one wall. Forces are those of the wall on the bodies. */
-typedef struct fw_wall_account {
+typedef struct fw_wall_ledger {
     fw_vec2 force;     /* of this tick: momentum per time */
     fw_vec2 reaction;  /* [F(t) + F(t-1)]/2: the physical reaction, free of the held mode */
     fw_vec2 impulse;   /* sum of force times tick */
@@ -23,14 +23,14 @@ typedef struct fw_wall_account {
     double stored;     /* energy in the springs of a penalty wall */
     double contacts;   /* particles held in this step */
     double held;       /* particle steps held since the beginning */
-} fw_wall_account;
+} fw_wall_ledger;
 
 /* What the whole scene has exchanged since it began. Closes to rounding:
  * see fw_ledger_energy and fw_ledger_momentum. */
 typedef struct fw_ledger {
     double energy_at_start;
     fw_vec2 momentum_at_start;
-    double external_work, wall_work, grip_work, dissipated, friction_heat, noise_heat;
+    double external_work, wall_work, grip_work, dissipated, friction_heat, thermostat_heat;
     double wall_stored; /* in penalty walls, at present; not a part of the bodies' energy */
     fw_vec2 external_impulse, wall_impulse, grip_impulse, drag;
 } fw_ledger;
@@ -58,8 +58,8 @@ fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, f
 /* The load acts on particles of that body. */
 fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
 
-/* Builds the broadphase and skins. FW_BAD_INPUT where a particle starts behind a wall, or where
- * there are pistons and a body that moves in half-steps. */
+/* Builds the broadphase and boundaries. FW_BAD_INPUT where a particle starts behind a wall, or
+ * where there are pistons and a body that moves in half-steps. */
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
 
 /* One step of time (two ticks where an automaton takes part). FW_DIVERGED names a particle or
@@ -87,13 +87,14 @@ int fw_scene_grip_count(const fw_scene *scene);
 fw_grip *fw_scene_grip(fw_scene *scene, int grip);
 const fw_grip *fw_scene_observe_grip(const fw_scene *scene, int grip);
 
-const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall);
+const fw_wall_ledger *fw_scene_wall_ledger(const fw_scene *scene, int wall);
 fw_ledger fw_scene_ledger(const fw_scene *scene);
 fw_energies fw_scene_energies(const fw_scene *scene);
 fw_vec2 fw_scene_momentum(const fw_scene *scene);
 /* Steps in which a particle had to be held fast since no consistent set of walls was found. */
 int64_t fw_scene_unresolved(const fw_scene *scene);
-/* How deep any skin particle of the body (-1: of any body) lies behind a wall; 0 if none does. */
+/* How deep any boundary particle of the body (-1: of any body) lies behind a wall; 0 if none does.
+ */
 double fw_scene_penetration(const fw_scene *scene, int body);
 /* Adds the forces of walls and grips in the last tick to x and y, one number per particle of the
  * body. */

@@ -14,7 +14,7 @@ void scene_follow_wall(fw_scene *scene, int w, int ticks)
     const double since = fmax(0, now - (ticks - 1) * scene->tick);
     scene_wall *wall = &scene->walls[w];
     if (wall->piston) {
-        wall->place = fw_piston_observe_account(wall->piston)->displacement;
+        wall->place = fw_piston_observe_ledger(wall->piston)->displacement;
         return;
     }
     wall->place = fw_wall_displacement(wall->wall, since);
@@ -41,17 +41,18 @@ static void place_barriers(fw_scene *scene, int ticks)
     }
 }
 
-static fw_status refresh_skin(fw_scene *scene, scene_body *body, fw_error *error)
+static fw_status refresh_boundaries(fw_scene *scene, scene_body *body, fw_error *error)
 {
-    if (body->skin_revision != body->solid->skin_revision) {
-        fw_skin_destroy(body->skin);
-        body->skin = NULL;
-        FW_TRY(fw_skin_create(&body->skin, body->solid, error));
-        body->skin_revision = body->solid->skin_revision;
-        fw_solid_predict(body->solid, fw_skin_particles(body->skin), fw_skin_count(body->skin),
-                         fw_skin_predictions(body->skin));
+    if (body->boundary_revision != body->solid->boundary_revision) {
+        fw_boundary_destroy(body->boundary);
+        body->boundary = NULL;
+        FW_TRY(fw_boundary_create(&body->boundary, body->solid, error));
+        body->boundary_revision = body->solid->boundary_revision;
+        fw_solid_predict(body->solid, fw_boundary_particles(body->boundary),
+                         fw_boundary_count(body->boundary),
+                         fw_boundary_predictions(body->boundary));
     }
-    return fw_skin_refresh(body->skin, body->solid, scene->broadphase, error);
+    return fw_boundary_refresh(body->boundary, body->solid, scene->broadphase, error);
 }
 
 fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
@@ -63,7 +64,7 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
                                 scene->walls[w].motion);
     }
     for (int b = 0; b < scene->body_count && scene->wall_count > 0; ++b)
-        FW_TRY(refresh_skin(scene, &scene->bodies[b], error));
+        FW_TRY(refresh_boundaries(scene, &scene->bodies[b], error));
     return FW_OK;
 }
 
@@ -73,7 +74,7 @@ static int compare_contacts(const void *left, const void *right)
     return (a->particle > b->particle) - (a->particle < b->particle);
 }
 
-static void list_near(fw_scene *scene, fw_run run)
+static void list_near(fw_scene *scene, fw_boundary_run run)
 {
     for (int n = 0; n < run.facet_count; ++n) scene->near[n] = scene->barriers[run.facets[n]];
 }
@@ -84,21 +85,21 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
                                 const fw_prediction *free, fw_constraint *constraint,
                                 fw_error *error)
 {
-    const int particle = fw_skin_particles(body->skin)[entry];
+    const int particle = fw_boundary_particles(body->boundary)[entry];
     const fw_vec2 position = fw_solid_position(body->solid, particle);
     fw_contact_memory *memory = body->memory ? &body->memory[particle] : NULL;
     const fw_contact_memory before = memory ? *memory : (fw_contact_memory){0};
     for (;;) {
-        fw_run run = fw_skin_run(body->skin, run_number);
+        fw_boundary_run run = fw_boundary_observe_run(body->boundary, run_number);
         *constraint = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
                                    scene->near, run.facet_count, scene->barriers, memory);
         if (!constraint->held) {
             constraint->displacement = free->displacement;
             return FW_OK;
         }
-        FW_TRY(fw_skin_extend(body->skin, scene->broadphase, run_number,
-                              fw_vec2_add(position, constraint->displacement), error));
-        fw_run extended = fw_skin_run(body->skin, run_number);
+        FW_TRY(fw_boundary_extend(body->boundary, scene->broadphase, run_number,
+                                  fw_vec2_add(position, constraint->displacement), error));
+        fw_boundary_run extended = fw_boundary_observe_run(body->boundary, run_number);
         if (extended.facet_count == run.facet_count) return FW_OK;
         list_near(scene, extended);
         if (memory) *memory = before;
@@ -118,9 +119,9 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
                                  fw_error *error)
 {
     enum { ROUNDS = 60 };
-    const int particle = fw_skin_particles(body->skin)[entry];
+    const int particle = fw_boundary_particles(body->boundary)[entry];
     const fw_vec2 position = fw_solid_position(body->solid, particle);
-    fw_prediction free = fw_skin_predictions(body->skin)[entry];
+    fw_prediction free = fw_boundary_predictions(body->boundary)[entry];
     const fw_vec2 alone = free.displacement;
     const fw_contact_memory before = body->memory ? body->memory[particle] : (fw_contact_memory){0};
     scene_contact contact = {
@@ -155,13 +156,13 @@ static void book(fw_scene *scene, const scene_body *body, const scene_contact *c
         scene_book_soft(scene, contact, fw_solid_position(body->solid, contact->particle), ticks);
     for (int n = 0; n < constraint->touch_count; ++n) {
         const fw_touch *touch = &constraint->touch[n];
-        fw_wall_account *account = &scene->accounts[touch->wall];
-        account->force = fw_vec2_add(account->force, fw_vec2_scale(ticks, touch->force));
-        account->work += touch->work;
-        account->dissipated += touch->dissipated;
+        fw_wall_ledger *ledger = &scene->ledgers[touch->wall];
+        ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(ticks, touch->force));
+        ledger->work += touch->work;
+        ledger->dissipated += touch->dissipated;
         bool counted = false;
         for (int m = 0; m < n; ++m) counted |= constraint->touch[m].wall == touch->wall;
-        account->contacts += !counted;
+        ledger->contacts += !counted;
     }
     scene->clock.unresolved += constraint->unresolved;
 }
@@ -169,10 +170,10 @@ static void book(fw_scene *scene, const scene_body *body, const scene_contact *c
 void scene_book_contacts(fw_scene *scene)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
-        scene->walls[w].force_before = scene->accounts[w].force;
-        scene->walls[w].work_before = scene->accounts[w].work;
-        scene->accounts[w].force = (fw_vec2){0, 0};
-        scene->accounts[w].contacts = 0;
+        scene->walls[w].force_before = scene->ledgers[w].force;
+        scene->walls[w].work_before = scene->ledgers[w].work;
+        scene->ledgers[w].force = (fw_vec2){0, 0};
+        scene->ledgers[w].contacts = 0;
     }
     for (int b = 0; b < scene->body_count; ++b) {
         const scene_body *body = &scene->bodies[b];
@@ -182,7 +183,7 @@ void scene_book_contacts(fw_scene *scene)
     }
 }
 
-static bool knows_rows(const scene_body *body, fw_run run)
+static bool knows_rows(const scene_body *body, fw_boundary_run run)
 {
     for (int entry = run.first; body->rows && entry < run.first + run.count; ++entry)
         if (body->rows[entry].count > 0) return true;
@@ -193,14 +194,14 @@ static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *err
 {
     body->contact_count = 0;
     if (scene->wall_count == 0) return FW_OK;
-    for (int n = 0; n < fw_skin_run_count(body->skin); ++n) {
-        fw_run run = fw_skin_run(body->skin, n);
+    for (int n = 0; n < fw_boundary_run_count(body->boundary); ++n) {
+        fw_boundary_run run = fw_boundary_observe_run(body->boundary, n);
         if (run.facet_count == 0 && !body->memory && scene->soft_count == 0 &&
             !knows_rows(body, run))
             continue;
         list_near(scene, run);
         for (int entry = run.first; entry < run.first + run.count; ++entry)
-            if (!body->gripped || !body->gripped[fw_skin_particles(body->skin)[entry]])
+            if (!body->gripped || !body->gripped[fw_boundary_particles(body->boundary)[entry]])
                 FW_TRY(constrain_entry(scene, body, n, entry, error));
     }
     /* Runs follow a curve through space that is another one after a restart; sums go by particle.

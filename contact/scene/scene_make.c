@@ -28,7 +28,7 @@ void fw_scene_destroy(fw_scene *scene)
         scene_body *body = &scene->bodies[b];
         free(body->name);
         fw_solid_destroy(body->solid);
-        fw_skin_destroy(body->skin);
+        fw_boundary_destroy(body->boundary);
         free(body->memory);
         free(body->contacts);
         free(body->rows);
@@ -46,7 +46,7 @@ void fw_scene_destroy(fw_scene *scene)
     free(scene->grips);
     free(scene->bodies);
     free(scene->walls);
-    free(scene->accounts);
+    free(scene->ledgers);
     free(scene->loads);
     free(scene->barriers);
     free(scene->near);
@@ -191,8 +191,8 @@ static fw_status build_broadphase(fw_scene *scene, fw_error *error)
     scene->facet_count = fw_broadphase_facet_count(scene->broadphase);
     scene->barriers = calloc((size_t)scene->facet_count + 1, sizeof *scene->barriers);
     scene->near = calloc((size_t)scene->facet_count + 1, sizeof *scene->near);
-    scene->accounts = calloc((size_t)scene->wall_count + 1, sizeof *scene->accounts);
-    if (!scene->barriers || !scene->near || !scene->accounts)
+    scene->ledgers = calloc((size_t)scene->wall_count + 1, sizeof *scene->ledgers);
+    if (!scene->barriers || !scene->near || !scene->ledgers)
         return fw_fail_memory(error, "the facets of all walls");
     for (int f = 0; f < scene->facet_count; ++f) {
         const fw_facet *facet = fw_broadphase_facet(scene->broadphase, f);
@@ -214,8 +214,8 @@ static bool any_wall_rubs(const fw_scene *scene)
 static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error)
 {
     size_t count = (size_t)body->solid->count;
-    FW_TRY(fw_skin_create(&body->skin, body->solid, error));
-    body->skin_revision = body->solid->skin_revision;
+    FW_TRY(fw_boundary_create(&body->boundary, body->solid, error));
+    body->boundary_revision = body->solid->boundary_revision;
     body->contacts = calloc(count, sizeof *body->contacts);
     if (any_wall_rubs(scene)) body->memory = calloc(count, sizeof *body->memory);
     if (!body->contacts || (any_wall_rubs(scene) && !body->memory))
@@ -300,8 +300,8 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
         fw_state_list_add(list, "clock", FW_I64, sizeof scene->clock / sizeof(int64_t),
                           &scene->clock);
         fw_state_list_add(list, "walls", FW_F64,
-                          (size_t)scene->wall_count * sizeof *scene->accounts / sizeof(double),
-                          scene->accounts);
+                          (size_t)scene->wall_count * sizeof *scene->ledgers / sizeof(double),
+                          scene->ledgers);
         fw_state_list_add(list, "energy-at-start", FW_F64, 1, &scene->energy_at_start);
         fw_state_list_add(list, "momentum-at-start", FW_F64, 2, &scene->momentum_at_start);
         return "scene";
@@ -310,15 +310,15 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
         for (int w = 0; w < scene->wall_count; ++w)
             if (scene->walls[w].piston)
                 fw_state_list_add(list, fw_wall_name(scene->walls[w].wall), FW_F64,
-                                  sizeof(fw_piston_account) / sizeof(double),
-                                  fw_piston_account_of(scene->walls[w].piston));
+                                  sizeof(fw_piston_ledger) / sizeof(double),
+                                  fw_piston_ledger_of(scene->walls[w].piston));
         return "pistons";
     }
     if (section > scene->body_count) {
         for (int n = 0; n < scene->grip_count; ++n)
             fw_state_list_add(list, fw_grip_name(scene->grips[n].grip), FW_F64,
-                              sizeof(fw_grip_account) / sizeof(double),
-                              fw_grip_account_of(scene->grips[n].grip));
+                              sizeof(fw_grip_ledger) / sizeof(double),
+                              fw_grip_ledger_of(scene->grips[n].grip));
         return "grips";
     }
     scene_body *body = &scene->bodies[section - 1];
@@ -334,11 +334,11 @@ fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
         if (body->solid->model->restored) body->solid->model->restored(body->solid);
-        if (!body->skin) continue;
-        fw_skin_destroy(body->skin);
-        body->skin = NULL;
-        FW_TRY(fw_skin_create(&body->skin, body->solid, error));
-        body->skin_revision = body->solid->skin_revision;
+        if (!body->boundary) continue;
+        fw_boundary_destroy(body->boundary);
+        body->boundary = NULL;
+        FW_TRY(fw_boundary_create(&body->boundary, body->solid, error));
+        body->boundary_revision = body->solid->boundary_revision;
     }
     return FW_OK;
 }

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
  * scene_soft.c, scene_pistons.c and scene_stops.c (its contact phase), scene_make.c (making,
- * restoring) and scene_ask.c, and by nobody else. */
+ * restoring) and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
 #include "contact/scene/scene.h"
-#include "contact/search/skin.h"
+#include "contact/search/boundary.h"
 
 typedef struct scene_contact {
-    int particle, entry;      /* of the solid, of the skin */
+    int particle, entry;      /* of the solid, of the boundary */
     fw_constraint constraint; /* of hard walls; with where the particle goes in any case */
     fw_vec2 soft;             /* force of penalty walls ... */
     fw_vec2 soft_path;        /* ... for this displacement: that of the constraint, to rounding */
@@ -19,13 +19,13 @@ typedef struct scene_contact {
 typedef struct scene_body {
     char *name;
     fw_solid *solid;
-    fw_skin *skin;
-    int skin_revision;         /* of the solid when `skin` was made */
+    fw_boundary *boundary;
+    int boundary_revision;     /* of the solid when `boundary` was made */
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
-    scene_contact *contacts;   /* of this tick, ascending; room for all particles of the skin */
+    scene_contact *contacts;   /* of this tick, ascending; room for all particles of the boundary */
     int contact_count;
-    fw_row_list *rows; /* known in this tick, per entry of the skin; NULL without pistons */
-    fw_contact_memory *memory_before; /* at the beginning of the tick, per entry of the skin */
+    fw_row_list *rows; /* known in this tick, per entry of the boundary; NULL without pistons */
+    fw_contact_memory *memory_before; /* at the beginning of the tick, per entry of the boundary */
     uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
     fw_hold *holds;                   /* of contacts and grips, ascending; room for all particles */
     int hold_count;
@@ -89,7 +89,7 @@ struct fw_scene {
     int body_count, wall_count, load_count, grip_count, piston_count;
     scene_body *bodies;
     scene_wall *walls;
-    fw_wall_account *accounts; /* per wall */
+    fw_wall_ledger *ledgers; /* per wall */
     scene_load *loads;
     scene_grip *grips;
     int soft_count;        /* walls that are springs */
@@ -103,7 +103,7 @@ struct fw_scene {
 };
 
 /* 3. and 4. of the time step for given motions of the walls: which facets are near which run of
- * skin particles, and the forces that hold contact particles. Books nothing. */
+ * boundary particles, and the forces that hold contact particles. Books nothing. */
 fw_status scene_find_contacts(fw_scene *scene, fw_error *error);
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
 /* The same together with the motions of the pistons, which follow from those forces. */
@@ -121,10 +121,10 @@ void scene_look_for_overrun(fw_scene *scene);
 /* Place and motion of a wall in this tick, for bodies each of whose particles moves once in so many
  * ticks. */
 void scene_follow_wall(fw_scene *scene, int wall, int ticks);
-/* What the contacts of the tick do to the walls' accounts. */
+/* What the contacts of the tick do to the walls' ledgers. */
 void scene_book_contacts(fw_scene *scene);
 /* Of one penalty wall, or of all, on a particle at `position` that moves by w in this tick; and
- * what that does to their accounts. */
+ * what that does to their ledgers. */
 fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w);
 fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);

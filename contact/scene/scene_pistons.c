@@ -54,13 +54,13 @@ static void begin_motions(fw_scene *scene)
     }
 }
 
-/* Once skins are up to date: what is kept from try to try goes by their entries. */
+/* Once boundaries are up to date: what is kept from try to try goes by their entries. */
 static void begin_rows(fw_scene *scene)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
-        const int *particles = fw_skin_particles(body->skin);
-        for (int entry = 0; entry < fw_skin_count(body->skin); ++entry) {
+        const int *particles = fw_boundary_particles(body->boundary);
+        for (int entry = 0; entry < fw_boundary_count(body->boundary); ++entry) {
             body->rows[entry] = (fw_row_list){0};
             if (body->memory) body->memory_before[entry] = body->memory[particles[entry]];
         }
@@ -71,8 +71,8 @@ static void forget_try(fw_scene *scene)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
-        const int *particles = fw_skin_particles(body->skin);
-        for (int entry = 0; body->memory && entry < fw_skin_count(body->skin); ++entry)
+        const int *particles = fw_boundary_particles(body->boundary);
+        for (int entry = 0; body->memory && entry < fw_boundary_count(body->boundary); ++entry)
             body->memory[particles[entry]] = body->memory_before[entry];
     }
 }
@@ -107,7 +107,7 @@ static double excess_of(const fw_scene *scene, const scene_body *body, const sce
 {
     const fw_barrier *barrier = &scene->barriers[facet];
     const scene_wall *wall = &scene->walls[barrier->facet->wall];
-    const fw_vec2 path = fw_skin_predictions(body->skin)[contact->entry].displacement;
+    const fw_vec2 path = fw_boundary_predictions(body->boundary)[contact->entry].displacement;
     const fw_vec2 from =
         fw_vec2_subtract(fw_solid_position(body->solid, contact->particle), wall->place);
     const fw_vec2 way = fw_vec2_subtract(path, wall->motion);
@@ -142,7 +142,7 @@ static int look_at_rows(fw_scene *scene, scene_body *body, const scene_contact *
         } else if (wall->search.deepest > 0 && excess < (1 - TOGETHER) * wall->search.deepest) {
             wall->search.draws_back = true;
             left += 1;
-        } else if (known->count < FW_TOUCH_MOST) {
+        } else if (known->count < FW_TOUCH_MAX) {
             known->facet[known->count++] = facet;
             wall->search.takes = true;
         }
@@ -326,7 +326,7 @@ static void note_failures(fw_scene *scene)
     scene_look_for_overrun(scene);
     for (int w = 0; w < scene->wall_count; ++w)
         if (scene->walls[w].piston && !scene->walls[w].search.fits)
-            fw_piston_account_of(scene->walls[w].piston)->unresolved += 1;
+            fw_piston_ledger_of(scene->walls[w].piston)->unresolved += 1;
 }
 
 fw_status scene_move_pistons(fw_scene *scene, fw_error *error)
@@ -358,7 +358,7 @@ void scene_advance_pistons(fw_scene *scene)
     const double now = fw_scene_time(scene);
     for (int w = 0; w < scene->wall_count; ++w) {
         const scene_wall *wall = &scene->walls[w];
-        const double work = scene->accounts[w].work - wall->work_before;
+        const double work = scene->ledgers[w].work - wall->work_before;
         if (wall->piston)
             fw_piston_advance(wall->piston, wall->motion, wall->search.push, -work,
                               wall->search.torque, now, scene->tick);

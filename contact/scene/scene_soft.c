@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_soft.c - the penalty walls of a scene: their forces as a part of the contact phase.
- * State: what each wall stores, in its account. */
+ * State: what each wall stores, in its ledger. */
 #include "contact/constraint/penalty.h"
 #include "contact/scene/scene_parts.h"
 
@@ -50,19 +50,19 @@ void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 posi
         const double stored =
             fw_penalty_energy(wall->wall, to) - fw_penalty_energy(wall->wall, from);
         if (stored == 0 && force.x == 0 && force.y == 0) continue;
-        fw_wall_account *account = &scene->accounts[n];
-        account->force = fw_vec2_add(account->force, fw_vec2_scale(ticks, force));
-        account->stored += stored;
-        account->work += fw_vec2_dot(force, w) + stored;
-        account->contacts += 1;
+        fw_wall_ledger *ledger = &scene->ledgers[n];
+        ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(ticks, force));
+        ledger->stored += stored;
+        ledger->work += fw_vec2_dot(force, w) + stored;
+        ledger->contacts += 1;
     }
 }
 
 static double largest_mobility(const scene_body *body)
 {
     double largest = 0;
-    const fw_prediction *predictions = fw_skin_predictions(body->skin);
-    for (int k = 0; k < fw_skin_count(body->skin); ++k) {
+    const fw_prediction *predictions = fw_boundary_predictions(body->boundary);
+    for (int k = 0; k < fw_boundary_count(body->boundary); ++k) {
         const fw_sym2 m = predictions[k].mobility;
         const double half = 0.5 * (m.xx - m.yy);
         largest = fmax(largest, 0.5 * (m.xx + m.yy) + sqrt(half * half + m.xy * m.xy));
@@ -76,8 +76,9 @@ fw_status scene_check_soft(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count && scene->soft_count > 0; ++b) {
         scene_body *body = &scene->bodies[b];
-        fw_solid_predict(body->solid, fw_skin_particles(body->skin), fw_skin_count(body->skin),
-                         fw_skin_predictions(body->skin));
+        fw_solid_predict(body->solid, fw_boundary_particles(body->boundary),
+                         fw_boundary_count(body->boundary),
+                         fw_boundary_predictions(body->boundary));
         const double most = 2 / largest_mobility(body);
         for (int n = 0; n < scene->wall_count; ++n) {
             const double stiffness = fw_wall_surface(scene->walls[n].wall).stiffness;

@@ -47,7 +47,7 @@ static bool bears(const scene_body *body, const scene_contact *contact, int wall
 {
     const fw_stop *own = &body->rows[contact->entry].stop;
     return own->piston == wall + 1 && own->limit <= stop->limit &&
-           contact->constraint.touch_count + 2 <= FW_TOUCH_MOST;
+           contact->constraint.touch_count + 2 <= FW_TOUCH_MAX;
 }
 
 /* What a force does beside the work of its wall's own motion is lost. */

@@ -2,7 +2,7 @@
 /* broadphase.h - the C door to Box2D 2.4.1: which facets are near a box.
  *
  * Every wall is a Box2D body, every facet one of its fixtures, and Box2D's tree finds candidates.
- * It never decides: its floats and skins (0.005, 0.01, 0.1) are far too coarse. Its boxes are
+ * It never decides: its floats and boundaries (0.005, 0.01, 0.1) are far too coarse. Its boxes are
  * rounded outward, with lengths scaled to some ten Box2D units and measured from the scene's
  * middle, so that no candidate is lost however far the scene lies from the origin; what it finds is
  * then sifted in double precision, so that the answer depends on nothing but the walls' places.
@@ -31,7 +31,7 @@ int fw_broadphase_facet_count(const fw_broadphase *broadphase);
 const fw_facet *fw_broadphase_facet(const fw_broadphase *broadphase, int number);
 
 /* Says where a moving wall is at the beginning of a step and how far it may go in it (`sweep`, also
- * when it is zero). To be called for every moving wall in every step, before the skins are
+ * when it is zero). To be called for every moving wall in every step, before the boundaries are
  * refreshed. The wall's boxes are remade only where they do not cover that any more, and then for
  * some steps ahead. */
 void fw_broadphase_move_wall(fw_broadphase *broadphase, int wall, fw_vec2 displacement,

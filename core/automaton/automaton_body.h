@@ -16,7 +16,7 @@ enum { FW_BLACK, FW_WHITE, FW_COLOURS };
 /* Cells begin .. begin + count - 1 of a colour: neighbours of cell n in direction d are cells
  * n + offset[d] of the other colour, with the full matrices; their particles are
  * particle + 2 (n - begin). */
-enum { FW_SPAN_MOST = 512 };
+enum { FW_SPAN_MAX = 512 };
 typedef struct fw_automaton_span {
     int begin, count, particle;
     int offset[FW_DIRECTIONS];
@@ -45,7 +45,7 @@ typedef struct fw_automaton_colour {
     const fw_sym2 *matrix[FW_DIRECTIONS]; /* B for black, D for white */
 } fw_automaton_colour;
 
-/* What one piece of a half-step adds to the account. */
+/* What one piece of a half-step adds to the ledger. */
 typedef struct fw_automaton_share {
     double work, dissipated;
     fw_vec2 impulse, drag;
@@ -88,8 +88,8 @@ static inline int fw_automaton_moving(const fw_automaton *body)
     return (int)(body->head.ticks & 1);
 }
 
-/* Lays out the cells of the definition: colours, neighbours, spans, rim, links, skin. On failure
- * the caller destroys the body. */
+/* Lays out the cells of the definition: colours, neighbours, spans, rim, links, boundary. On
+ * failure the caller destroys the body. */
 fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_def *def,
                                fw_error *error);
 void fw_automaton_release(fw_automaton *body);
@@ -126,7 +126,7 @@ void fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
 /* The starting state of the definition: automaton_start.c. */
 void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def);
 
-/* Bonds and skin of the head, as they are now. */
+/* Bonds and boundary of the head, as they are now. */
 void fw_automaton_list_bonds(fw_automaton *body);
 
 /* The model's measurements: automaton_measure.c. */

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 /* Products of the factorisation that are still done: about a second (200 x 200 cells, 260 MB). */
-#define WORK_MOST 8e9
+#define WORK_MAX 8e9
 /* Rigid shifts have no energy; without a shift rounding would decide about them. What a form above
  * -1e-12 can do is to grow by a factor 1 + 3e-6 in a step. */
 #define SHIFT 1e-12
@@ -162,7 +162,7 @@ static fw_status sign_of(skyline *form, const fw_automaton *body, const int *ran
                          fw_form_sign *sign, fw_error *error)
 {
     *sign = FW_FORM_TOO_LARGE;
-    if (skyline_shape(form, body, rank) > WORK_MOST) return FW_OK;
+    if (skyline_shape(form, body, rank) > WORK_MAX) return FW_OK;
     form->entry = fw_array_of_doubles(form->start[form->rows]);
     if (!form->entry) return fw_fail_memory(error, "the energy form of an automaton");
     skyline_fill(form, body, rank);

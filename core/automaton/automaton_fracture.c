@@ -33,11 +33,11 @@ static void break_bond(fw_automaton *body, int cell, int direction, int moved)
                          fw_automaton_at(&body->colour[FW_BLACK], cell));
     const fw_vec2 pull = fw_sym2_apply(rim->pull[direction], difference);
     const double energy = fw_vec2_dot(difference, pull) / 2;
-    fw_account *account = &body->head.account;
-    account->fracture += energy;
-    account->dissipated += energy;
+    fw_solid_ledger *ledger = &body->head.ledger;
+    ledger->fracture += energy;
+    ledger->dissipated += energy;
     /* p = 1/2 sum B (w - b) once white has moved, the negative once black has. */
-    account->drag = fw_vec2_add(account->drag, fw_vec2_scale(moved == FW_WHITE ? -0.5 : 0.5, pull));
+    ledger->drag = fw_vec2_add(ledger->drag, fw_vec2_scale(moved == FW_WHITE ? -0.5 : 0.5, pull));
     body->bonds[cell] &= (uint8_t) ~(1 << direction);
     set_bond(body, cell, direction, false);
 }

@@ -161,7 +161,7 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
 static bool continues(const fw_automaton_span *span, const fw_automaton *body, const int *next,
                       int cell, int particle)
 {
-    if (span->count == 0 || span->count == FW_SPAN_MOST) return false;
+    if (span->count == 0 || span->count == FW_SPAN_MAX) return false;
     if (span->begin + span->count != cell || span->particle + 2 * span->count != particle)
         return false;
     for (int d = 0; d < FW_DIRECTIONS; ++d)
@@ -260,7 +260,7 @@ static fw_status find_borders(fw_automaton *body, const surroundings *around, fw
 void fw_automaton_list_bonds(fw_automaton *body)
 {
     fw_solid *head = &body->head;
-    head->link_count = head->skin_count = 0;
+    head->link_count = head->boundary_count = 0;
     for (int p = 0; p < head->count; ++p) {
         const int colour = body->white[p];
         bool exposed = body->border[p] & EDGE;
@@ -274,9 +274,9 @@ void fw_automaton_list_bonds(fw_automaton *body)
             head->links[head->link_count][1] = body->colour[!colour].particle[partner];
             head->link_count += 1;
         }
-        if (exposed) head->skin[head->skin_count++] = p;
+        if (exposed) head->boundary[head->boundary_count++] = p;
     }
-    head->skin_revision += 1;
+    head->boundary_revision += 1;
 }
 
 static fw_status lay_out_breakable(fw_automaton *body, fw_error *error)
@@ -321,5 +321,5 @@ fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_de
     free(around.seam);
     if (status != FW_OK) return status;
     body->share = fw_array_allocate(pieces, sizeof *body->share);
-    return body->share ? FW_OK : fw_fail_memory(error, "the account of an automaton");
+    return body->share ? FW_OK : fw_fail_memory(error, "the ledger of an automaton");
 }

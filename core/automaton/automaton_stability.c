@@ -102,10 +102,10 @@ static double general_growth(gsl_matrix *dense)
 
 fw_status fw_automaton_spectral_radius(const fw_automaton *body, double *radius, fw_error *error)
 {
-    if (body->head.count > FW_AUTOMATON_DENSE_MOST)
+    if (body->head.count > FW_AUTOMATON_DENSE_MAX)
         return fw_fail(error, FW_BAD_INPUT,
                        "the spectral radius of a body of %d cells, expected at most %d",
-                       body->head.count, FW_AUTOMATON_DENSE_MOST);
+                       body->head.count, FW_AUTOMATON_DENSE_MAX);
     const size_t white = 2 * (size_t)body->colour[FW_WHITE].count;
     const size_t black = 2 * (size_t)body->colour[FW_BLACK].count;
     double *room = fw_array_of_doubles(2 * white + black);
@@ -286,7 +286,7 @@ static fw_status refuse(const fw_automaton *body, double growth, fw_error *error
 static fw_status check_mirror(const fw_automaton *body, fw_error *error)
 {
     double growth = 0;
-    if (body->head.count <= FW_AUTOMATON_DENSE_MOST) {
+    if (body->head.count <= FW_AUTOMATON_DENSE_MAX) {
         FW_TRY(fw_automaton_spectral_radius(body, &growth, error));
         /* lambda = 1 is defective: an error of 1e-12 in z shows as 1e-6. */
         return growth > 1 + 1e-5 ? refuse(body, growth, error) : FW_OK;

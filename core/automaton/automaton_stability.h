@@ -22,7 +22,7 @@ fw_status fw_automaton_check_stability(const fw_automaton *body, fw_error *error
 
 /* The largest |lambda| of a step at a = 1, by dense eigenvalues; for at most 400 cells. Where it is
  * 1, rounding leaves up to 1 + 1e-6: lambda = 1 is defective. */
-enum { FW_AUTOMATON_DENSE_MOST = 400 };
+enum { FW_AUTOMATON_DENSE_MAX = 400 };
 fw_status fw_automaton_spectral_radius(const fw_automaton *body, double *radius, fw_error *error);
 
 /* Cholesky factorisation of the energy form, shifted by 1e-12: automaton_energy_form.c. */

@@ -3,7 +3,7 @@
  * the resting colour asks for. Start reading at fw_automaton_advance().
  *
  * Cells gather and write only their own entry, so pieces can be shared among threads and the result
- * does not depend on how many there are; what pieces add to the account is added up in their
+ * does not depend on how many there are; what pieces add to the ledger is added up in their
  * order.
  *
  * Displacements are kept small: a body that has drifted far has its common part moved from x, y
@@ -67,10 +67,10 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
         out[n].mobility = mobility(&step, fw_automaton_cell_inverse_mass(body, step.colour, cell));
         /* The reflection is all momentum: nothing of it could be told apart as elastic force. */
         const fw_automaton_colour *colour = &body->colour[step.colour];
-        out[n].coasting = colour->place[cell] >= 0
+        out[n].inertial = colour->place[cell] >= 0
                               ? rim_displacement(&step, &colour->rim[colour->place[cell]], pull)
                               : fw_vec2_scale(step.share_of_pull, pull);
-        out[n].displacement = out[n].coasting;
+        out[n].displacement = out[n].inertial;
         if (!solid->loaded) continue;
         const fw_vec2 force = {solid->external_x[particle], solid->external_y[particle]};
         out[n].displacement =
@@ -110,7 +110,7 @@ static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw
 static void move_span(const half_step *step, const fw_automaton_span *span,
                       fw_automaton_share *share)
 {
-    double dx[FW_SPAN_MOST], dy[FW_SPAN_MOST];
+    double dx[FW_SPAN_MAX], dy[FW_SPAN_MAX];
     fw_automaton_span_pull(step->body, step->colour, span, dx, dy);
     const fw_solid *head = &step->body->head;
     if (step->holds || head->loaded || step->loss > 0) {
@@ -149,12 +149,12 @@ static void move_rim(const half_step *step, int block, fw_automaton_share *share
     }
 }
 
-static void add_share(fw_account *account, const fw_automaton_share *share)
+static void add_share(fw_solid_ledger *ledger, const fw_automaton_share *share)
 {
-    account->work += share->work;
-    account->dissipated += share->dissipated;
-    account->impulse = fw_vec2_add(account->impulse, share->impulse);
-    account->drag = fw_vec2_add(account->drag, share->drag);
+    ledger->work += share->work;
+    ledger->dissipated += share->dissipated;
+    ledger->impulse = fw_vec2_add(ledger->impulse, share->impulse);
+    ledger->drag = fw_vec2_add(ledger->drag, share->drag);
 }
 
 /* Moves whole quanta of displacement into the drift, for all cells alike, once the first cell has
@@ -195,8 +195,7 @@ void fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
             move_rim(&step, piece - spans, &body->share[piece]);
     }
     if (solid->loaded || step.loss > 0)
-        for (int piece = 0; piece < pieces; ++piece)
-            add_share(&solid->account, &body->share[piece]);
+        for (int piece = 0; piece < pieces; ++piece) add_share(&solid->ledger, &body->share[piece]);
     for (int h = 0; h < hold_count; ++h)
         if (body->white[holds[h].particle] == step.colour)
             colour->held[body->cell[holds[h].particle]] = -1;

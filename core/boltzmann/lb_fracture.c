@@ -42,8 +42,8 @@ static void break_link(lb_solid *lb, int l, int direction)
     lost -= absorb(lb, l, direction, kappa, mean);
     lost -= absorb(lb, m, opposite, kappa, mean);
     *here.x = *here.y = *there.x = *there.y = 0;
-    lb->head.account.dissipated += lost;
-    lb->head.account.fracture += lost;
+    lb->head.ledger.dissipated += lost;
+    lb->head.ledger.fracture += lost;
     lb->broken += 1;
 }
 

@@ -135,9 +135,9 @@ static bool allocate(lb_solid *lb)
     int chunks = (lb->head.count + LB_CHUNK - 1) / LB_CHUNK;
     lb->spans = fw_array_allocate(count, sizeof *lb->spans);
     lb->chunk_span = fw_array_allocate((size_t)chunks + 1, sizeof *lb->chunk_span);
-    lb->chunk_account = fw_array_allocate((size_t)chunks, sizeof *lb->chunk_account);
+    lb->chunk_ledger = fw_array_allocate((size_t)chunks, sizeof *lb->chunk_ledger);
     lb->chunk_count = chunks;
-    return all && lb->spans && lb->chunk_span && lb->chunk_account;
+    return all && lb->spans && lb->chunk_span && lb->chunk_ledger;
 }
 
 static void destroy(fw_solid *solid)
@@ -158,7 +158,7 @@ static void destroy(fw_solid *solid)
     free(lb->rest_y);
     free(lb->spans);
     free(lb->chunk_span);
-    free(lb->chunk_account);
+    free(lb->chunk_ledger);
     fw_solid_head_release(&lb->head);
     free(lb);
 }
@@ -217,7 +217,7 @@ void lb_rebuild(lb_solid *lb)
 {
     fw_solid *head = &lb->head;
     head->link_count = 0;
-    head->skin_count = 0;
+    head->boundary_count = 0;
     for (int l = 0; l < head->count; ++l) {
         for (int d = FW_EAST; d <= FW_NORTH; ++d)
             if (lb->present[l] & (1u << d)) {
@@ -225,9 +225,10 @@ void lb_rebuild(lb_solid *lb)
                 head->links[head->link_count][1] = lb->neighbour[d][l];
                 head->link_count += 1;
             }
-        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS) head->skin[head->skin_count++] = l;
+        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS)
+            head->boundary[head->boundary_count++] = l;
     }
-    head->skin_revision += 1;
+    head->boundary_revision += 1;
     lb_cut_into_spans(lb);
 }
 

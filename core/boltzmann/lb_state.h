@@ -48,7 +48,7 @@ typedef struct lb_solid {
     span *spans;
     int *chunk_span; /* first span of each chunk, and their number */
     int chunk_count;
-    fw_account *chunk_account;
+    fw_solid_ledger *chunk_ledger;
 } lb_solid;
 
 static inline fw_sym2 lb_get(const matrices *m, int l)
@@ -116,7 +116,7 @@ static inline fw_vec2 lb_psi(const lb_solid *lb, int l)
 fw_prediction lb_predict(const lb_solid *lb, int l);
 void lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count);
 void lb_cut_into_spans(lb_solid *lb);
-/* Links, skin and spans as they follow from `present`. */
+/* Links, boundary and spans as they follow from `present`. */
 void lb_rebuild(lb_solid *lb);
 /* Breaks every link stretched beyond break_at; books the energy. */
 void lb_break_links(lb_solid *lb);

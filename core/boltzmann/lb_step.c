@@ -31,7 +31,7 @@ static stream open_stream(const lb_solid *lb, const span *s)
 
 /* Particles begin..end of a full span with kappa = 1. */
 static inline void relax_full(lb_solid *lb, const span *s, int begin, int end, kernel k,
-                              fw_account *account)
+                              fw_solid_ledger *ledger)
 {
     stream in = open_stream(lb, s);
     double *restrict ex = in.x[FW_EAST], *restrict ey = in.y[FW_EAST];
@@ -100,17 +100,17 @@ static inline void relax_full(lb_solid *lb, const span *s, int begin, int end, k
             drag_y -= loss * qy;
         }
     }
-    account->work += work;
-    account->dissipated += dissipated;
-    account->impulse = fw_vec2_add(account->impulse, (fw_vec2){impulse_x, impulse_y});
-    account->drag = fw_vec2_add(account->drag, (fw_vec2){drag_x, drag_y});
+    ledger->work += work;
+    ledger->dissipated += dissipated;
+    ledger->impulse = fw_vec2_add(ledger->impulse, (fw_vec2){impulse_x, impulse_y});
+    ledger->drag = fw_vec2_add(ledger->drag, (fw_vec2){drag_x, drag_y});
 }
 
 /* One of eight loops for each of the two kinds of mass. */
-static void relax_stretch(lb_solid *lb, const span *s, int begin, int end, fw_account *account)
+static void relax_stretch(lb_solid *lb, const span *s, int begin, int end, fw_solid_ledger *ledger)
 {
     const bool loaded = lb->head.loaded, damped = lb->damping < 1;
-#define RELAX(R, M, L, D) relax_full(lb, s, begin, end, (kernel){R, M, L, D}, account)
+#define RELAX(R, M, L, D) relax_full(lb, s, begin, end, (kernel){R, M, L, D}, ledger)
     if (lb->matrix && lb->resting)
         loaded   ? damped ? RELAX(true, true, true, true) : RELAX(true, true, true, false)
           : damped ? RELAX(true, true, false, true)
@@ -158,7 +158,7 @@ static fw_vec2 free_displacement(const lb_solid *lb, int l)
 }
 
 /* Any particle: edges, weighted links, and those whose displacement w contact has decided. */
-static void relax_one(lb_solid *lb, int l, fw_vec2 w, fw_account *account)
+static void relax_one(lb_solid *lb, int l, fw_vec2 w, fw_solid_ledger *ledger)
 {
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
         if (!(lb->present[l] & (1u << d))) continue;
@@ -175,24 +175,24 @@ static void relax_one(lb_solid *lb, int l, fw_vec2 w, fw_account *account)
     lb->head.y[l] += w.y;
     if (lb->head.loaded) {
         fw_vec2 force = external_force(lb, l);
-        account->work += fw_vec2_dot(force, w);
-        account->impulse = fw_vec2_add(account->impulse, force);
+        ledger->work += fw_vec2_dot(force, w);
+        ledger->impulse = fw_vec2_add(ledger->impulse, force);
     }
     if (lb->damping < 1) {
         /* dE = F.w - 2(1/mu - 1) w.Mw, dPsi = F - 2(1/mu - 1) Mw */
         double loss = 2 * (1 / lb->damping - 1);
         fw_vec2 push = fw_vec2_scale(loss, fw_sym2_apply(lb_get(&lb->mass, l), w));
-        account->dissipated += fw_vec2_dot(push, w);
-        account->drag = fw_vec2_subtract(account->drag, push);
+        ledger->dissipated += fw_vec2_dot(push, w);
+        ledger->drag = fw_vec2_subtract(ledger->drag, push);
     }
 }
 
-static void relax_span(lb_solid *lb, const span *s, int begin, int end, fw_account *account)
+static void relax_span(lb_solid *lb, const span *s, int begin, int end, fw_solid_ledger *ledger)
 {
     if (s->full)
-        relax_stretch(lb, s, begin, end, account);
+        relax_stretch(lb, s, begin, end, ledger);
     else
-        for (int l = begin; l < end; ++l) relax_one(lb, l, free_displacement(lb, l), account);
+        for (int l = begin; l < end; ++l) relax_one(lb, l, free_displacement(lb, l), ledger);
 }
 
 /* First hold at or after a particle. */
@@ -211,18 +211,18 @@ static int find_hold(const fw_hold *holds, int count, int particle)
 
 static void relax_chunk(lb_solid *lb, int chunk, const fw_hold *holds, int hold_count)
 {
-    fw_account *account = &lb->chunk_account[chunk];
-    *account = (fw_account){0};
+    fw_solid_ledger *ledger = &lb->chunk_ledger[chunk];
+    *ledger = (fw_solid_ledger){0};
     int hold = find_hold(holds, hold_count, chunk * LB_CHUNK);
     for (int n = lb->chunk_span[chunk]; n < lb->chunk_span[chunk + 1]; ++n) {
         const span *s = &lb->spans[n];
         int begin = s->begin;
         for (; hold < hold_count && holds[hold].particle < s->end; ++hold) {
-            relax_span(lb, s, begin, holds[hold].particle, account);
-            relax_one(lb, holds[hold].particle, holds[hold].displacement, account);
+            relax_span(lb, s, begin, holds[hold].particle, ledger);
+            relax_one(lb, holds[hold].particle, holds[hold].displacement, ledger);
             begin = holds[hold].particle + 1;
         }
-        relax_span(lb, s, begin, s->end, account);
+        relax_span(lb, s, begin, s->end, ledger);
     }
 }
 
@@ -232,11 +232,11 @@ void lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
 #pragma omp parallel for schedule(static) if (lb->chunk_count > 4)
     for (int chunk = 0; chunk < lb->chunk_count; ++chunk) relax_chunk(lb, chunk, holds, hold_count);
     for (int chunk = 0; chunk < lb->chunk_count; ++chunk) {
-        const fw_account *part = &lb->chunk_account[chunk];
-        solid->account.work += part->work;
-        solid->account.dissipated += part->dissipated;
-        solid->account.impulse = fw_vec2_add(solid->account.impulse, part->impulse);
-        solid->account.drag = fw_vec2_add(solid->account.drag, part->drag);
+        const fw_solid_ledger *part = &lb->chunk_ledger[chunk];
+        solid->ledger.work += part->work;
+        solid->ledger.dissipated += part->dissipated;
+        solid->ledger.impulse = fw_vec2_add(solid->ledger.impulse, part->impulse);
+        solid->ledger.drag = fw_vec2_add(solid->ledger.drag, part->drag);
     }
     lb->parity = !lb->parity;
     solid->ticks += 1;
@@ -260,7 +260,7 @@ fw_prediction lb_predict(const lb_solid *lb, int l)
         momentum = fw_vec2_add(momentum, fw_sym2_apply(lb_get(&lb->rest_mass, l), lb_rest(lb, l)));
     return (fw_prediction){.displacement = free_displacement(lb, l),
                            .mobility = fw_sym2_scale(0.5, inverse),
-                           .coasting = fw_sym2_apply(inverse, momentum)};
+                           .inertial = fw_sym2_apply(inverse, momentum)};
 }
 
 /* Greedy: a span grows while the next particle is of the same kind and its neighbours lie at the

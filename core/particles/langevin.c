@@ -123,23 +123,23 @@ void fw_langevin_reverse(fw_solid *head)
 /* --- the step --- */
 
 /* The numbers of one step. */
-typedef struct fw_rhythm {
+typedef struct fw_baoab {
     double half;     /* dt/2 */
     double keep;     /* c = e^{-damping dt} */
     double lose;     /* 1 - c^2, exact for small damping */
     double shake;    /* s sqrt(m) */
     bool thermostat; /* damping acts */
-} fw_rhythm;
+} fw_baoab;
 
-static fw_rhythm rhythm_of(const fw_langevin_controls *controls)
+static fw_baoab baoab_of(const fw_langevin_controls *controls)
 {
     const double decay = controls->damping * controls->time_step;
     const double lose = -expm1(-2 * decay);
-    return (fw_rhythm){.half = controls->time_step / 2,
-                       .keep = exp(-decay),
-                       .lose = lose,
-                       .shake = sqrt(lose * controls->temperature),
-                       .thermostat = decay > 0};
+    return (fw_baoab){.half = controls->time_step / 2,
+                      .keep = exp(-decay),
+                      .lose = lose,
+                      .shake = sqrt(lose * controls->temperature),
+                      .thermostat = decay > 0};
 }
 
 static inline fw_vec2 kick(fw_vec2 velocity, double push, fw_vec2 force)
@@ -147,17 +147,17 @@ static inline fw_vec2 kick(fw_vec2 velocity, double push, fw_vec2 force)
     return (fw_vec2){velocity.x + push * force.x, velocity.y + push * force.y};
 }
 
-static inline fw_vec2 mix(const fw_rhythm *rhythm, fw_vec2 kicked, double root_inverse_mass,
+static inline fw_vec2 mix(const fw_baoab *baoab, fw_vec2 kicked, double root_inverse_mass,
                           fw_vec2 noise)
 {
-    const double shake = rhythm->shake * root_inverse_mass;
-    return (fw_vec2){rhythm->keep * kicked.x + shake * noise.x,
-                     rhythm->keep * kicked.y + shake * noise.y};
+    const double shake = baoab->shake * root_inverse_mass;
+    return (fw_vec2){baoab->keep * kicked.x + shake * noise.x,
+                     baoab->keep * kicked.y + shake * noise.y};
 }
 
-static fw_vec2 noise_of(const fw_langevin *solid, const fw_rhythm *rhythm, int i)
+static fw_vec2 noise_of(const fw_langevin *solid, const fw_baoab *baoab, int i)
 {
-    if (!(rhythm->shake > 0)) return (fw_vec2){0, 0};
+    if (!(baoab->shake > 0)) return (fw_vec2){0, 0};
     return fw_noise_gaussian(solid->seed, (uint32_t)i, (uint64_t)solid->head.ticks,
                              FW_NOISE_THERMOSTAT);
 }
@@ -165,34 +165,34 @@ static fw_vec2 noise_of(const fw_langevin *solid, const fw_rhythm *rhythm, int i
 void fw_langevin_predict(const fw_solid *head, const int *particles, int count, fw_prediction *out)
 {
     const fw_langevin *solid = (const fw_langevin *)head;
-    const fw_rhythm rhythm = rhythm_of(&solid->controls);
+    const fw_baoab baoab = baoab_of(&solid->controls);
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
     for (int k = 0; k < count; ++k) {
         const int i = particles[k];
-        const double push = rhythm.half * solid->inverse_mass[i];
+        const double push = baoab.half * solid->inverse_mass[i];
         const double root = solid->root_inverse_mass[i];
-        const fw_vec2 noise = noise_of(solid, &rhythm, i);
+        const fw_vec2 noise = noise_of(solid, &baoab, i);
         const fw_vec2 velocity = {solid->velocity_x[i], solid->velocity_y[i]};
         fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
         if (head->loaded)
             force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
         const fw_vec2 kicked = kick(velocity, push, force);
         out[k].displacement =
-            fw_vec2_scale(rhythm.half, fw_vec2_add(kicked, mix(&rhythm, kicked, root, noise)));
-        out[k].coasting =
-            fw_vec2_scale(rhythm.half, fw_vec2_add(velocity, mix(&rhythm, velocity, root, noise)));
-        out[k].mobility = fw_sym2_scalar(rhythm.half * push * (1 + rhythm.keep));
+            fw_vec2_scale(baoab.half, fw_vec2_add(kicked, mix(&baoab, kicked, root, noise)));
+        out[k].inertial =
+            fw_vec2_scale(baoab.half, fw_vec2_add(velocity, mix(&baoab, velocity, root, noise)));
+        out[k].mobility = fw_sym2_scalar(baoab.half * push * (1 + baoab.keep));
     }
 }
 
 /* Kick, drift, mix, drift of particles begin to end - 1; what passed through the bounds is added
  * up. */
-static fw_langevin_sums move_block(fw_langevin *solid, const fw_rhythm *rhythm, bool held,
-                                   int begin, int end)
+static fw_langevin_sums move_block(fw_langevin *solid, const fw_baoab *baoab, bool held, int begin,
+                                   int end)
 {
     fw_solid *head = &solid->head;
     double noise_x[BLOCK] = {0}, noise_y[BLOCK] = {0};
-    if (rhythm->shake > 0)
+    if (baoab->shake > 0)
         fw_noise_gaussians(solid->seed, (uint32_t)begin, (uint64_t)head->ticks, FW_NOISE_THERMOSTAT,
                            end - begin, noise_x, noise_y);
     fw_langevin_sums sums = {0};
@@ -205,13 +205,13 @@ static fw_langevin_sums move_block(fw_langevin *solid, const fw_rhythm *rhythm, 
         }
         if (held) force = fw_vec2_add(force, (fw_vec2){solid->hold_x[i], solid->hold_y[i]});
         const fw_vec2 kicked = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
-                                    rhythm->half * solid->inverse_mass[i], force);
+                                    baoab->half * solid->inverse_mass[i], force);
         fw_vec2 mixed = kicked;
-        if (rhythm->thermostat) {
+        if (baoab->thermostat) {
             const fw_vec2 noise = {noise_x[i - begin], noise_y[i - begin]};
             const double mass = solid->mass[i];
-            mixed = mix(rhythm, kicked, solid->root_inverse_mass[i], noise);
-            const double drag = 0.5 * mass * rhythm->lose * fw_vec2_dot(kicked, kicked);
+            mixed = mix(baoab, kicked, solid->root_inverse_mass[i], noise);
+            const double drag = 0.5 * mass * baoab->lose * fw_vec2_dot(kicked, kicked);
             const double change =
                 0.5 * mass * (fw_vec2_dot(mixed, mixed) - fw_vec2_dot(kicked, kicked));
             sums.dissipated += drag;
@@ -219,7 +219,7 @@ static fw_langevin_sums move_block(fw_langevin *solid, const fw_rhythm *rhythm, 
             sums.drag =
                 fw_vec2_add(sums.drag, fw_vec2_scale(mass, fw_vec2_subtract(mixed, kicked)));
         }
-        const fw_vec2 path = fw_vec2_scale(rhythm->half, fw_vec2_add(kicked, mixed));
+        const fw_vec2 path = fw_vec2_scale(baoab->half, fw_vec2_add(kicked, mixed));
         sums.work += fw_vec2_dot(external, path);
         sums.external = fw_vec2_add(sums.external, external);
         head->x[i] += path.x;
@@ -230,7 +230,7 @@ static fw_langevin_sums move_block(fw_langevin *solid, const fw_rhythm *rhythm, 
     return sums;
 }
 
-static void kick_block(fw_langevin *solid, const fw_rhythm *rhythm, bool held, int begin, int end)
+static void kick_block(fw_langevin *solid, const fw_baoab *baoab, bool held, int begin, int end)
 {
     const fw_solid *head = &solid->head;
     for (int i = begin; i < end; ++i) {
@@ -239,7 +239,7 @@ static void kick_block(fw_langevin *solid, const fw_rhythm *rhythm, bool held, i
             force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
         if (held) force = fw_vec2_add(force, (fw_vec2){solid->hold_x[i], solid->hold_y[i]});
         const fw_vec2 velocity = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
-                                      rhythm->half * solid->inverse_mass[i], force);
+                                      baoab->half * solid->inverse_mass[i], force);
         solid->velocity_x[i] = velocity.x;
         solid->velocity_y[i] = velocity.y;
     }
@@ -247,22 +247,22 @@ static void kick_block(fw_langevin *solid, const fw_rhythm *rhythm, bool held, i
 
 static void book(fw_langevin *solid, int blocks)
 {
-    fw_account *account = &solid->head.account;
+    fw_solid_ledger *ledger = &solid->head.ledger;
     const double dt = solid->controls.time_step;
     for (int b = 0; b < blocks; ++b) {
         const fw_langevin_sums *sums = &solid->sums[b];
-        account->work += sums->work;
-        account->dissipated += sums->dissipated;
-        account->heat += sums->heat;
-        account->impulse = fw_vec2_add(account->impulse, fw_vec2_scale(dt, sums->external));
-        account->drag = fw_vec2_add(account->drag, sums->drag);
+        ledger->work += sums->work;
+        ledger->dissipated += sums->dissipated;
+        ledger->heat += sums->heat;
+        ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(dt, sums->external));
+        ledger->drag = fw_vec2_add(ledger->drag, sums->drag);
     }
 }
 
 void fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count)
 {
     fw_langevin *solid = (fw_langevin *)head;
-    const fw_rhythm rhythm = rhythm_of(&solid->controls);
+    const fw_baoab baoab = baoab_of(&solid->controls);
     const int blocks = block_count(solid), count = head->count;
     const bool held = hold_count > 0;
     for (int k = 0; k < hold_count; ++k) {
@@ -274,7 +274,7 @@ void fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count)
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
     for (int b = 0; b < blocks; ++b) {
         const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
-        solid->sums[b] = move_block(solid, &rhythm, held, begin, end);
+        solid->sums[b] = move_block(solid, &baoab, held, begin, end);
     }
     /* The force brings a held particle where it belongs up to rounding; here it is put there. */
     for (int k = 0; k < hold_count; ++k) {
@@ -286,7 +286,7 @@ void fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count)
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
     for (int b = 0; b < blocks; ++b) {
         const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
-        kick_block(solid, &rhythm, held, begin, end);
+        kick_block(solid, &baoab, held, begin, end);
     }
     for (int k = 0; k < hold_count; ++k)
         solid->hold_x[holds[k].particle] = solid->hold_y[holds[k].particle] = 0;

@@ -328,7 +328,7 @@ static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *
             lattice->bonds[i][alpha].neighbour = j;
             around += j >= 0;
         }
-        if (around < NEIGHBOURS) head->skin[head->skin_count++] = i;
+        if (around < NEIGHBOURS) head->boundary[head->boundary_count++] = i;
     }
     weigh_bonds(lattice, def->compensated);
     FW_TRY(list_links(lattice, error));

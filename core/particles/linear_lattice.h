@@ -17,8 +17,8 @@
 #ifndef FW_LINEAR_LATTICE_H
 #define FW_LINEAR_LATTICE_H
 
-#include "core/particles/langevin.h"
 #include "core/lattice.h"
+#include "core/particles/langevin.h"
 
 typedef struct fw_linear_lattice_def {
     fw_lattice lattice;           /* hexagonal */

@@ -18,7 +18,7 @@ enum {
 };
 
 /* Where cell coordinates end: beyond it, and for what is not a number, all share one cell. */
-#define COORDINATE_MOST 1e15
+#define COORDINATE_MAX 1e15
 
 fw_status fw_neighbours_create(fw_neighbours **neighbours, int count, double radius, double skin,
                                fw_error *error)
@@ -110,7 +110,7 @@ typedef struct fw_torus {
 static int64_t coordinate(const fw_torus *torus, double position)
 {
     double place = position * torus->inverse_size;
-    if (!(fabs(place) <= COORDINATE_MOST)) return 0;
+    if (!(fabs(place) <= COORDINATE_MAX)) return 0;
     return (int64_t)floor(place);
 }
 

@@ -194,8 +194,8 @@ static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_
     FW_TRY(
         fw_neighbours_create(&particles->neighbours, count, longest_reach(def), def->skin, error));
     /* A body that flows brings any particle to its surface. */
-    for (int i = 0; i < count; ++i) langevin->head.skin[i] = i;
-    langevin->head.skin_count = count;
+    for (int i = 0; i < count; ++i) langevin->head.boundary[i] = i;
+    langevin->head.boundary_count = count;
     langevin->seed = def->seed;
     langevin->find_forces = fw_particles_find_forces;
     fw_langevin_set_controls(langevin, &def->controls);

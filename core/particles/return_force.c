@@ -2,7 +2,7 @@
 /* return_force.c - defaults and sanity of return forces. Keeps no state. */
 #include "core/particles/return_force.h"
 
-enum { FOLD_MOST = 24 };
+enum { FOLD_MAX = 24 };
 
 fw_return_force fw_return_force_default(void)
 {
@@ -17,10 +17,10 @@ fw_status fw_return_force_check(const fw_return_force *force, fw_error *error)
                        "the return force has the odd fold %d, expected an even one (4 or 6): with "
                        "an odd one the two particles of a bond would not pull equally",
                        force->fold);
-    if (force->fold < 2 || force->fold > FOLD_MOST)
+    if (force->fold < 2 || force->fold > FOLD_MAX)
         return fw_fail(error, FW_BAD_INPUT,
                        "the return force has the fold %d, expected an even number from 2 to %d",
-                       force->fold, FOLD_MOST);
+                       force->fold, FOLD_MAX);
     if (!(force->amplitude >= 0 && isfinite(force->amplitude)))
         return fw_fail(error, FW_BAD_INPUT,
                        "the return force has an amplitude of %g, expected a number >= 0",

@@ -21,7 +21,7 @@ const fw_command fw_commands[] = {
     {"resume", "resume DIR", "goes on exactly where a run stopped", "htqn", 1, 1,
      fw_command_resume},
     {"verify", "verify [NAME...]", "runs experiments and holds them against what they should show",
-     "hstqj", 0, FW_WORDS_MOST, fw_command_verify},
+     "hstqj", 0, FW_WORDS_MAX, fw_command_verify},
     {"plot", "plot DIR", "draws pictures of a result", "hikfbapl", 1, 1, fw_command_plot},
     {"table", "table DIR", "observables of a result as comma-separated values", "hcb", 1, 1,
      fw_command_table},
@@ -88,12 +88,12 @@ static fw_status refuse_option(const fw_command *command, const char *word, size
     char name[FW_NAME_BYTES + 1];
     snprintf(name, sizeof name, "%.*s", (int)length, word);
     /* The dashes, which are always right, say nothing about the word. */
-    fw_guess guess = fw_guess_begin(name + strspn(name, "-"));
+    fw_suggestion suggestion = fw_suggestion_begin(name + strspn(name, "-"));
     for (const option *o = options; o->letter; ++o)
-        if (takes(command, o)) fw_guess_offer(&guess, o->name + 2);
-    if (guess.best)
+        if (takes(command, o)) fw_suggestion_offer(&suggestion, o->name + 2);
+    if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "fretwork %s has no option %s; did you mean --%s?",
-                       command->name, name, guess.best);
+                       command->name, name, suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "fretwork %s has no option %s, expected one of `fretwork %s --help`",
                    command->name, name, command->name);
@@ -101,8 +101,8 @@ static fw_status refuse_option(const fw_command *command, const char *word, size
 
 static fw_status add_setting(fw_arguments *arguments, const char *setting, fw_error *error)
 {
-    if (arguments->setting_count == FW_SETTINGS_MOST)
-        return fw_fail(error, FW_BAD_INPUT, "more than %d --set options", FW_SETTINGS_MOST);
+    if (arguments->setting_count == FW_SETTINGS_MAX)
+        return fw_fail(error, FW_BAD_INPUT, "more than %d --set options", FW_SETTINGS_MAX);
     arguments->settings[arguments->setting_count++] = setting;
     return FW_OK;
 }
@@ -218,8 +218,8 @@ fw_status fw_arguments_read(fw_arguments *arguments, const fw_command *command, 
             only_words = true;
         } else if (!only_words && words[n][0] == '-' && words[n][1] != '\0') {
             FW_TRY(read_option(arguments, command, count, words, &n, error));
-        } else if (arguments->word_count == FW_WORDS_MOST) {
-            return fw_fail(error, FW_BAD_INPUT, "more than %d words", FW_WORDS_MOST);
+        } else if (arguments->word_count == FW_WORDS_MAX) {
+            return fw_fail(error, FW_BAD_INPUT, "more than %d words", FW_WORDS_MAX);
         } else {
             arguments->words[arguments->word_count++] = words[n];
         }

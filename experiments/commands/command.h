@@ -9,13 +9,13 @@
 #include <stdio.h>
 
 /* What the command line said, options and words apart. */
-enum { FW_SETTINGS_MOST = 256, FW_WORDS_MOST = 1024 };
+enum { FW_SETTINGS_MAX = 256, FW_WORDS_MAX = 1024 };
 typedef struct fw_arguments {
     int word_count;
-    const char *words[FW_WORDS_MOST]; /* names, files and folders, in order */
+    const char *words[FW_WORDS_MAX]; /* names, files and folders, in order */
     int setting_count;
-    const char *settings[FW_SETTINGS_MOST]; /* of --set and --seed, in order */
-    const char *output;                     /* -o; NULL: not given */
+    const char *settings[FW_SETTINGS_MAX]; /* of --set and --seed, in order */
+    const char *output;                    /* -o; NULL: not given */
     const char *field, *picture, *observable, *at, *kind, *json, *axis;
     char seed[48];  /* the setting that --seed stands for */
     char given[32]; /* letters of the options that had a value */

@@ -2,9 +2,9 @@
 /* command_check.c - what a scenario would take, without running it: size, memory, time and how near
  * it is to where its solids stop being right; on request a picture of its start.
  * Start reading at fw_command_check(). */
-#include "experiments/measures/caution.h"
 #include "experiments/commands/command.h"
 #include "experiments/drawing/figure.h"
+#include "experiments/measures/warning.h"
 #include "experiments/study/sweep.h"
 
 #include "core/boltzmann/lb_solid.h"
@@ -297,7 +297,7 @@ static fw_status check_run(fw_run *run, const char *name, const check_plan *plan
     print_study(plan->scenario);
     print_sizes(experiment->scenario, &size, memory);
     FW_TRY(check_limits(experiment, &warnings, error));
-    warnings += fw_caution_walls(stdout, experiment);
+    warnings += fw_warning_walls(stdout, experiment);
     if (arguments->output) printf("  %-14s %s\n", "picture", arguments->output);
     fflush(stdout);
     /* Last, since it moves what was looked at so far. */

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_list.c - what there is to run, to measure and to write: list, show, quantities,
  * reference. */
-#include "experiments/scenario/catalogue.h"
 #include "experiments/commands/command.h"
 #include "experiments/measures/quantity.h"
+#include "experiments/scenario/catalogue.h"
 #include "experiments/scenario/schema.h"
 
 #include "core/automaton/elastic_automaton.h"

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_plot.c - pictures of a result: words of the command line into a wish. */
-#include "experiments/measures/column.h"
 #include "experiments/commands/command.h"
-#include "experiments/text/number.h"
+#include "experiments/measures/column.h"
 #include "experiments/pictures/plot.h"
+#include "experiments/text/number.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-enum { ITEMS_MOST = 1024 };
+enum { ITEMS_MAX = 1024 };
 
 /* A wish and the memory of its lists. */
 typedef struct plot_lists {
     char *text; /* that the names lie in */
     const char **names;
-    int64_t steps[ITEMS_MOST];
+    int64_t steps[ITEMS_MAX];
 } plot_lists;
 
 static fw_status read_steps(const char *text, plot_lists *lists, int *count, fw_error *error)
@@ -23,11 +23,11 @@ static fw_status read_steps(const char *text, plot_lists *lists, int *count, fw_
     for (const char *item = text; item;) {
         size_t length = strcspn(item, ",");
         int64_t step;
-        if (*count == ITEMS_MOST || fw_integer_read(item, length, &step) != FW_NUMBER_FINE ||
+        if (*count == ITEMS_MAX || fw_integer_read(item, length, &step) != FW_NUMBER_FINE ||
             step < 0)
             return fw_fail(error, FW_BAD_INPUT,
                            "--at %s, expected up to %d whole numbers with commas between them",
-                           text, ITEMS_MOST);
+                           text, ITEMS_MAX);
         lists->steps[(*count)++] = step;
         item = item[length] ? item + length + 1 : NULL;
     }

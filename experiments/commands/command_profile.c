@@ -2,8 +2,8 @@
 /* command_profile.c - the profile of a result as a table. */
 #include "experiments/commands/command.h"
 #include "experiments/measures/profile_table.h"
-#include "experiments/text/spelling.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/spelling.h"
 
 #include <string.h>
 
@@ -11,15 +11,15 @@ static fw_status find_column(const char *name, fw_profile_column *column, fw_err
 {
     *column = FW_PROFILE_COLUMNS;
     if (!name) return FW_OK;
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     for (int c = 0; c < FW_PROFILE_COLUMNS; ++c) {
         *column = (fw_profile_column)c;
         if (strcmp(fw_profile_columns[c].name, name) == 0) return FW_OK;
-        fw_guess_offer(&guess, fw_profile_columns[c].name);
+        fw_suggestion_offer(&suggestion, fw_profile_columns[c].name);
     }
-    if (guess.best)
+    if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "a profile has no field %s; did you mean %s?", name,
-                       guess.best);
+                       suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "a profile has no field %s, expected return-force, bond-return-force, order, "
                    "density, temperature, drift-velocity, bond-exchanges or relative-displacement",

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_run.c - run and resume: an experiment with its results, pictures and verdicts. */
 #include "experiments/commands/command.h"
+#include "experiments/measures/verdict.h"
+#include "experiments/pictures/plot.h"
+#include "experiments/results/playback.h"
+#include "experiments/results/provenance.h"
 #include "experiments/study/interrupt.h"
 #include "experiments/study/leftovers.h"
-#include "experiments/results/playback.h"
-#include "experiments/pictures/plot.h"
-#include "experiments/results/provenance.h"
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
-#include "experiments/measures/verdict.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -91,7 +91,7 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .at_once = arguments->threads,
                                     .name = name,
                                     .progress = arguments->quiet ? NULL : stderr,
-                                    .cautions = stderr};
+                                    .warnings = stderr};
     fw_leftovers *leftovers;
     fw_status status = fw_leftovers_find(&leftovers, directory, scenario, error);
     if (status == FW_OK)
@@ -160,7 +160,7 @@ fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
                                     .at_once = arguments->threads,
                                     .name = directory,
                                     .progress = arguments->quiet ? NULL : stderr,
-                                    .cautions = stderr};
+                                    .warnings = stderr};
     return fw_sweep_is_in(directory)
                ? go_on_with_sweep(directory, &options, arguments->no_plot, error)
                : go_on(directory, &options, arguments->no_plot, error);

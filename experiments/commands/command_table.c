@@ -2,8 +2,8 @@
 /* command_table.c - the observables of a result as comma-separated values.
  * Two lines that begin with # (title and units), one of names, then one per sample. Numbers have
  * the digits that give the same doubles back. Start reading at fw_command_table(). */
-#include "experiments/measures/column.h"
 #include "experiments/commands/command.h"
+#include "experiments/measures/column.h"
 #include "experiments/storage/csv.h"
 #include "experiments/study/sweep.h"
 

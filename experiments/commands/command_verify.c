@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_verify.c - runs experiments without writing results, and judges them: as tables, and as
  * JSON where that is asked for. Start reading at fw_command_verify(). */
-#include "experiments/scenario/catalogue.h"
 #include "experiments/commands/command.h"
-#include "experiments/text/json.h"
-#include "experiments/study/progress.h"
 #include "experiments/results/provenance.h"
+#include "experiments/scenario/catalogue.h"
+#include "experiments/storage/whole_file.h"
+#include "experiments/study/progress.h"
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
-#include "experiments/storage/whole_file.h"
+#include "experiments/text/json.h"
 
 #include <math.h>
 #include <stdlib.h>

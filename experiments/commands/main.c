@@ -34,10 +34,10 @@ static const fw_command *find_command(const char *name)
 
 static int refuse_command(const char *name)
 {
-    fw_guess guess = fw_guess_begin(name);
-    for (const fw_command *c = fw_commands; c->name; ++c) fw_guess_offer(&guess, c->name);
-    if (guess.best)
-        fprintf(stderr, "fretwork: no command %s; did you mean %s?\n", name, guess.best);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
+    for (const fw_command *c = fw_commands; c->name; ++c) fw_suggestion_offer(&suggestion, c->name);
+    if (suggestion.best)
+        fprintf(stderr, "fretwork: no command %s; did you mean %s?\n", name, suggestion.best);
     else
         fprintf(stderr, "fretwork: no command %s, expected one of `fretwork --help`\n", name);
     return FW_BAD_INPUT;

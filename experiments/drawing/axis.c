@@ -35,7 +35,7 @@ static void take_names(fw_axis *axis)
 {
     fw_ticks *ticks = &axis->ticks;
     memset(ticks, 0, sizeof *ticks);
-    for (int k = 0; k < axis->name_count && ticks->count < FW_TICKS_MOST; ++k) {
+    for (int k = 0; k < axis->name_count && ticks->count < FW_TICKS_MAX; ++k) {
         double at = axis->names[k].at;
         if (!(at >= axis->range.low && at <= axis->range.high)) continue;
         ticks->at[ticks->count] = at;

@@ -5,8 +5,8 @@
  * the disk before fw_canvas_save. Start reading at fw_canvas_create() and fw_canvas_save(). */
 #include "experiments/drawing/canvas.h"
 
-#include "experiments/text/markup.h"
 #include "experiments/storage/whole_file.h"
+#include "experiments/text/markup.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>

@@ -33,14 +33,14 @@ static fw_colour colour_of(const fw_chart *chart, int number)
     return fw_palette_kind(wish == FW_CURVE_NEXT_COLOUR ? next : wish - 1);
 }
 
-int fw_chart_legend(const fw_chart *chart, fw_legend_entry entries[FW_CHART_LEGEND_MOST])
+int fw_chart_legend(const fw_chart *chart, fw_legend_entry entries[FW_CHART_LEGEND_MAX])
 {
     static const fw_legend_look looks[] = {[FW_CURVE_LINE] = FW_LEGEND_LINE,
                                            [FW_CURVE_DASHES] = FW_LEGEND_DASHES,
                                            [FW_CURVE_MARKERS] = FW_LEGEND_DISC,
                                            [FW_CURVE_LINE_AND_MARKERS] = FW_LEGEND_LINE_AND_DISC};
     int count = 0;
-    for (int k = 0; k < chart->curve_count && count < FW_CHART_LEGEND_MOST; ++k) {
+    for (int k = 0; k < chart->curve_count && count < FW_CHART_LEGEND_MAX; ++k) {
         const fw_curve *curve = &chart->curves[k];
         if (!curve->label) continue;
         entries[count++] =

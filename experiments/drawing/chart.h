@@ -40,8 +40,8 @@ void fw_chart_include_x(fw_range *range, const fw_chart *chart, bool positive_on
 void fw_chart_include_y(fw_range *range, const fw_chart *chart);
 
 /* Entries for the labelled curves; returns how many. */
-enum { FW_CHART_LEGEND_MOST = 24 };
-int fw_chart_legend(const fw_chart *chart, fw_legend_entry entries[FW_CHART_LEGEND_MOST]);
+enum { FW_CHART_LEGEND_MAX = 24 };
+int fw_chart_legend(const fw_chart *chart, fw_legend_entry entries[FW_CHART_LEGEND_MAX]);
 
 /* Bands, then lines, then markers; what is grey lies below the rest. */
 void fw_chart_draw(const fw_chart *chart, const fw_panel *panel);

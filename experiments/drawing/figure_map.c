@@ -56,7 +56,7 @@ fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_
     panel.x = (fw_axis){.range = {p, p + plan->columns * plan->p_step}, .label = plan->p_label};
     panel.y = (fw_axis){.range = {q, q + plan->rows * plan->q_step}, .label = plan->q_label};
     const fw_chart overlay = {.curves = plan->curves, .curve_count = plan->curve_count};
-    fw_legend_entry entries[FW_CHART_LEGEND_MOST];
+    fw_legend_entry entries[FW_CHART_LEGEND_MAX];
     int entry_count = fw_chart_legend(&overlay, entries);
     for (int k = 0; k < entry_count; ++k) entries[k].colour = fw_colour_grey(0);
 

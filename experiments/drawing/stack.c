@@ -128,7 +128,7 @@ double fw_stack_overhang(const fw_stack *stack)
 static void add_label(fw_stack *stack, const char *words, double at, double page_width)
 {
     const fw_panel *panel = &stack->panels[0];
-    if (!words || stack->label_count == FW_STACK_LABELS_MOST) return;
+    if (!words || stack->label_count == FW_STACK_LABELS_MAX) return;
     if (!(at >= panel->x.range.low && at <= panel->x.range.high)) return;
     double width = fw_canvas_text_width(words, FW_SMALL_SIZE, false);
     double left = fmin(fmax(fw_panel_x(panel, at) - width / 2, FW_PAGE_MARGIN),
@@ -176,7 +176,7 @@ void fw_stack_place(fw_stack *stack, double left, double top, double head, doubl
     add_labels(stack, page_width);
     for (int k = 0; k < stack->panel_count; ++k) {
         fw_panel *panel = &stack->panels[k];
-        fw_legend_entry entries[FW_CHART_LEGEND_MOST];
+        fw_legend_entry entries[FW_CHART_LEGEND_MAX];
         stack->legend_top[k] = top;
         if (k >= plan->view_count) {
             int count = fw_chart_legend(&plan->charts[k - plan->view_count], entries);
@@ -249,7 +249,7 @@ static void draw_chart_panel(const fw_stack *stack, int number)
     const stack_plan *plan = stack->plan;
     const fw_panel *panel = &stack->panels[number];
     const fw_chart *chart = &plan->charts[number - plan->view_count];
-    fw_legend_entry entries[FW_CHART_LEGEND_MOST];
+    fw_legend_entry entries[FW_CHART_LEGEND_MAX];
     fw_range values = fw_range_empty();
     fw_chart_include_y(&values, chart);
     draw_regions(plan, panel, true);

@@ -9,7 +9,7 @@
 #include "experiments/drawing/view_key.h"
 
 /* Words above the panels: names of regions and marks. */
-enum { FW_STACK_LABELS_MOST = 32 };
+enum { FW_STACK_LABELS_MAX = 32 };
 typedef struct fw_stack_label {
     const char *words;
     double at, left, right; /* on the paper */
@@ -24,7 +24,7 @@ typedef struct fw_stack {
     double *legend_top;               /* [panel_count] owned */
     double label_place;               /* distance of the y labels from the boxes */
     int label_count, label_rows;
-    fw_stack_label labels[FW_STACK_LABELS_MOST];
+    fw_stack_label labels[FW_STACK_LABELS_MAX];
     double labels_top;
 } fw_stack;
 

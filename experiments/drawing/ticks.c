@@ -132,7 +132,7 @@ static void find_linear(fw_ticks *ticks, fw_range range, int wanted)
     if (exponent > -4 && exponent < 6) exponent = 0;
     int decimals = exponent > power ? exponent - power : 0;
     double shown = digit * pow(10, power - exponent);
-    for (double k = first; k <= last && ticks->count < FW_TICKS_MOST; ++k) {
+    for (double k = first; k <= last && ticks->count < FW_TICKS_MAX; ++k) {
         char printed[FW_TICK_LABEL_SIZE];
         snprintf(printed, sizeof printed, "%.*f", decimals, k == 0 ? 0 : k * shown);
         ticks->at[ticks->count] = offset + k * step;
@@ -144,7 +144,7 @@ static void find_linear(fw_ticks *ticks, fw_range range, int wanted)
     for (double k = (first - 1) * parts; k <= (last + 1) * parts; ++k) {
         double at = (k / parts) * step;
         bool inside = at >= range.low - offset && at <= range.high - offset;
-        if (!inside || fmod(k, parts) == 0 || ticks->minor_count == FW_TICKS_MINOR_MOST) continue;
+        if (!inside || fmod(k, parts) == 0 || ticks->minor_count == FW_TICKS_MINOR_MAX) continue;
         ticks->minor[ticks->minor_count++] = offset + at;
     }
 }
@@ -153,7 +153,7 @@ static void find_linear(fw_ticks *ticks, fw_range range, int wanted)
 
 static void add_minor(fw_ticks *ticks, fw_range range, double at)
 {
-    if (at < range.low || at > range.high || ticks->minor_count == FW_TICKS_MINOR_MOST) return;
+    if (at < range.low || at > range.high || ticks->minor_count == FW_TICKS_MINOR_MAX) return;
     ticks->minor[ticks->minor_count++] = at;
 }
 
@@ -164,7 +164,7 @@ static void find_decades(fw_ticks *ticks, fw_range range, int first, int last, i
     for (int power = first - 1; power <= last + 1; ++power) {
         double decade = pow(10, power);
         bool inside = power >= first && power <= last;
-        if (inside && (power - first) % every == 0 && ticks->count < FW_TICKS_MOST) {
+        if (inside && (power - first) % every == 0 && ticks->count < FW_TICKS_MAX) {
             char *label = ticks->label[ticks->count];
             ticks->at[ticks->count++] = decade;
             if (plain) {

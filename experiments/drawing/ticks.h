@@ -6,13 +6,13 @@
 #include "experiments/text/range.h"
 
 /* Round numbers inside a range. */
-enum { FW_TICKS_MOST = 32, FW_TICKS_MINOR_MOST = 200, FW_TICK_LABEL_SIZE = 40 };
+enum { FW_TICKS_MAX = 32, FW_TICKS_MINOR_MAX = 200, FW_TICK_LABEL_SIZE = 40 };
 typedef struct fw_ticks {
     int count;
-    double at[FW_TICKS_MOST];
-    char label[FW_TICKS_MOST][FW_TICK_LABEL_SIZE]; /* text for fw_canvas_text */
+    double at[FW_TICKS_MAX];
+    char label[FW_TICKS_MAX][FW_TICK_LABEL_SIZE]; /* text for fw_canvas_text */
     int minor_count;
-    double minor[FW_TICKS_MINOR_MOST];
+    double minor[FW_TICKS_MINOR_MAX];
     /* What the numbers are to be multiplied by and added to, "x10^{-14} + 1"; "" for nothing. */
     char note[64];
 } fw_ticks;

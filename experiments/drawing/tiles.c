@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 /* Points that are piled up at one place limit each other's tiles no more after so many. */
-enum { NEIGHBOURS_MOST = 400, ROUND_CORNERS = 36, BINS_ALONG_MOST = 1024 };
+enum { NEIGHBOURS_MAX = 400, ROUND_CORNERS = 36, BINS_ALONG_MAX = 1024 };
 
 struct fw_tiles {
     const fw_vec2 *points;
@@ -54,9 +54,9 @@ static void lay_grid(fw_tiles *tiles, int count)
     tiles->low = low.x <= high.x ? low : (fw_vec2){0, 0};
     double width = low.x <= high.x ? high.x - low.x : 0;
     double height = low.x <= high.x ? high.y - low.y : 0;
-    tiles->bin_size = fmax(2 * tiles->reach, fmax(width, height) / BINS_ALONG_MOST);
-    tiles->columns = 1 + (int)fmin(width / tiles->bin_size, BINS_ALONG_MOST);
-    tiles->rows = 1 + (int)fmin(height / tiles->bin_size, BINS_ALONG_MOST);
+    tiles->bin_size = fmax(2 * tiles->reach, fmax(width, height) / BINS_ALONG_MAX);
+    tiles->columns = 1 + (int)fmin(width / tiles->bin_size, BINS_ALONG_MAX);
+    tiles->rows = 1 + (int)fmin(height / tiles->bin_size, BINS_ALONG_MAX);
 }
 
 /* Counting sort: points stay in index order within their bin. */
@@ -144,7 +144,7 @@ int fw_tiles_corners(const fw_tiles *tiles, int point, fw_vec2 corners[FW_TILE_C
                 fw_vec2 other = fw_vec2_subtract(tiles->points[tiles->member[k]], centre);
                 double distance = hypot(other.x, other.y);
                 if (!(distance > 0) || distance >= 2 * tiles->reach) continue;
-                if (++looked_at > NEIGHBOURS_MOST) break;
+                if (++looked_at > NEIGHBOURS_MAX) break;
                 count = cut(corners, count, other);
             }
         }

@@ -22,7 +22,7 @@ static const struct {
 double *fw_analysis_add(fw_analysis *analysis, const char *name, const char *unit,
                         const char *meaning, int rows, int columns, fw_error *error)
 {
-    assert(analysis->table_count < FW_ANALYSIS_TABLES_MOST);
+    assert(analysis->table_count < FW_ANALYSIS_TABLES_MAX);
     fw_table *table = &analysis->tables[analysis->table_count];
     *table = (fw_table){.name = name,
                         .unit = unit,

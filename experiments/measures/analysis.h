@@ -7,12 +7,12 @@
 #include "experiments/scenario/scenario.h"
 #include "experiments/storage/table.h"
 
-enum { FW_ANALYSIS_TABLES_MOST = 6 };
+enum { FW_ANALYSIS_TABLES_MAX = 6 };
 
 typedef struct fw_analysis {
     const fw_scenario_analysis *what; /* observed */
     int table_count;
-    fw_table tables[FW_ANALYSIS_TABLES_MOST]; /* values owned */
+    fw_table tables[FW_ANALYSIS_TABLES_MAX]; /* values owned */
     /* Those of its kind. */
     struct {
         double excess;   /* inside the disc: largest singular value of H(k), minus 2 */

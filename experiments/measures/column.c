@@ -63,16 +63,16 @@ static fw_status refuse(const fw_playback *playback, const char *directory, cons
         return fw_fail(error, FW_BAD_INPUT,
                        "%s: %s was not measured; to have it, name it under measure and run again",
                        directory, name);
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     for (int n = 0; n < playback->observable_count; ++n) {
         const char *label = playback->observables[n].name;
-        fw_guess_offer(&guess, label);
+        fw_suggestion_offer(&suggestion, label);
         size_t used = strlen(known);
         snprintf(known + used, sizeof known - used, "%s%s", n > 0 ? ", " : "", label);
     }
-    if (guess.best)
+    if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "%s has no observable %s; did you mean %s?", directory,
-                       name, guess.best);
+                       name, suggestion.best);
     return fw_fail(error, FW_BAD_INPUT, "%s has no observable %s, expected one of %s", directory,
                    name, known);
 }

@@ -78,13 +78,13 @@ static fw_status find_quantity(request *r, fw_scenario_name name, const fw_quant
 {
     *quantity = fw_quantity_find(name.text);
     if (*quantity) return FW_OK;
-    fw_guess guess = fw_guess_begin(name.text);
+    fw_suggestion suggestion = fw_suggestion_begin(name.text);
     for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q))
-        fw_guess_offer(&guess, q->name);
-    if (guess.best)
+        fw_suggestion_offer(&suggestion, q->name);
+    if (suggestion.best)
         return fw_scenario_fail(r->experiment->scenario, name.place, r->error,
                                 "quantity %s is not known; did you mean %s?", name.text,
-                                guess.best);
+                                suggestion.best);
     return fw_scenario_fail(r->experiment->scenario, name.place, r->error,
                             "quantity %s is not known, expected one of `fretwork quantities`",
                             name.text);

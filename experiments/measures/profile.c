@@ -32,7 +32,7 @@ const fw_profile_column_row fw_profile_columns[FW_PROFILE_COLUMNS] = {
 /* A bond is lost when it is so many bond radii long; what trembles at the radius itself is not. */
 #define LOST 1.2
 
-enum { BONDS_MOST = 12 };
+enum { BONDS_MAX = 12 };
 
 /* What is summed. Pairs of a sum and what it is divided by. */
 typedef enum fw_sum {
@@ -65,7 +65,7 @@ struct fw_profile {
     double *force_x, *force_y, *bond_force, *velocity_x, *velocity_y, *mass; /* scratch */
     int64_t samples, followed; /* followed: places and bonds of the last sample are known */
     double *last_x, *last_y;
-    int32_t (*last_bonds)[BONDS_MOST]; /* ascending, ended by -1 */
+    int32_t (*last_bonds)[BONDS_MAX]; /* ascending, ended by -1 */
 };
 
 /* --- where --- */
@@ -131,7 +131,7 @@ static void follow_bonds(const fw_profile *p, const fw_solid *solid, int i, doub
 {
     const double lost = LOST * fw_particles_bond_radius(solid);
     sums[SUM_FOLLOWED] += 1;
-    for (int n = 0; n < BONDS_MOST && p->last_bonds[i][n] >= 0; ++n) {
+    for (int n = 0; n < BONDS_MAX && p->last_bonds[i][n] >= 0; ++n) {
         const int j = p->last_bonds[i][n];
         const double dx = solid->x[j] - solid->x[i], dy = solid->y[j] - solid->y[i];
         const double mx = dx - (p->last_x[j] - p->last_x[i]);
@@ -176,10 +176,10 @@ static void remember(fw_profile *p, const fw_solid *solid)
         for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
             const int j = neighbours->list[k];
             const double dx = solid->x[j] - solid->x[i], dy = solid->y[j] - solid->y[i];
-            if (dx * dx + dy * dy < radius * radius && count < BONDS_MOST)
+            if (dx * dx + dy * dy < radius * radius && count < BONDS_MAX)
                 p->last_bonds[i][count++] = j;
         }
-        if (count < BONDS_MOST) p->last_bonds[i][count] = -1;
+        if (count < BONDS_MAX) p->last_bonds[i][count] = -1;
         p->last_x[i] = solid->x[i];
         p->last_y[i] = solid->y[i];
     }
@@ -257,7 +257,7 @@ static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario,
 static fw_status build(fw_profile *p, const fw_scenario *scenario, const fw_solid *solid,
                        fw_error *error)
 {
-    enum { BINS_MOST = 100000 };
+    enum { BINS_MAX = 100000 };
     double low = INFINITY, high = -INFINITY;
     p->plan = scenario->profile;
     p->time_step = solid->tick;
@@ -276,10 +276,10 @@ static fw_status build(fw_profile *p, const fw_scenario *scenario, const fw_soli
     const double first = floor((low - p->plan.middle) / p->plan.bin + .5);
     const double last = floor((high - p->plan.middle) / p->plan.bin + .5);
     FW_TRY(refuse_empty(p, scenario, solid, error));
-    if (last - first >= BINS_MOST || fabs(first) > 1e9)
+    if (last - first >= BINS_MAX || fabs(first) > 1e9)
         return fw_scenario_fail(scenario, p->plan.place, error,
                                 "profile.bin is %g, which makes %.0f bins, expected at most %d",
-                                p->plan.bin, last - first + 1, BINS_MOST);
+                                p->plan.bin, last - first + 1, BINS_MAX);
     p->first_bin = (int)first;
     p->bin_count = (int)(last - first) + 1;
     if (!allocate(p)) return fw_fail_memory(error, "a profile");
@@ -324,7 +324,7 @@ void fw_profile_state(fw_profile *profile, fw_state_list *list)
     fw_state_list_add(list, "followed", FW_I64, 1, &profile->followed);
     fw_state_list_add(list, "last-x", FW_F64, count, profile->last_x);
     fw_state_list_add(list, "last-y", FW_F64, count, profile->last_y);
-    fw_state_list_add(list, "last-bonds", FW_I32, count * BONDS_MOST, profile->last_bonds);
+    fw_state_list_add(list, "last-bonds", FW_I32, count * BONDS_MAX, profile->last_bonds);
 }
 
 /* --- what came out --- */

@@ -26,7 +26,7 @@ typedef struct fw_subject {
     int analysis;
 } fw_subject;
 
-enum { FW_COMPONENTS_MOST = 4 };
+enum { FW_COMPONENTS_MAX = 4 };
 
 typedef struct fw_quantity {
     const char *name; /* NULL ends the table */

@@ -211,14 +211,14 @@ static void subtract_mode(const carried *c, double frequency, double time, fw_si
 
 static void mode_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    enum { MODES_MOST = 16 };
+    enum { MODES_MAX = 16 };
     const fw_solid *solid = body_of(experiment, subject);
     const fw_patterns *patterns = &written_of(experiment, subject)->displacement;
     const fw_sites *sites = &experiment->members[subject.body].sites;
-    carried modes[MODES_MOST];
-    double frequency[MODES_MOST];
+    carried modes[MODES_MAX];
+    double frequency[MODES_MAX];
     out[0] = NAN;
-    if (patterns->count == 0 || patterns->count > MODES_MOST) return;
+    if (patterns->count == 0 || patterns->count > MODES_MAX) return;
     for (int n = 0; n < patterns->count; ++n) {
         const fw_pattern *pattern = &patterns->item[n];
         if (pattern->kind != FW_PATTERN_MODE) return;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* quantity_common.c - what can be measured of any solid and of walls. Keeps no state. */
-#include "experiments/setup/member.h"
 #include "experiments/measures/quantity.h"
+#include "experiments/setup/member.h"
 
-#include "core/particles/langevin.h"
 #include "core/boltzmann/lb_solid.h"
+#include "core/particles/langevin.h"
 
 #include <math.h>
 
@@ -81,7 +81,7 @@ static void energy_error(const fw_experiment *experiment, fw_subject subject, do
     out[0] = scale > 0 ? (now - booked) / scale : 0;
 }
 
-/* Movable particles of all bodies are one solid, with one account: theirs is taken together. */
+/* Movable particles of all bodies are one solid, with one ledger: theirs is taken together. */
 static bool goes_with(const fw_experiment *experiment, int body, int other)
 {
     return experiment->members[other].solid == experiment->members[body].solid;
@@ -93,14 +93,14 @@ static void body_energy_error(const fw_experiment *experiment, fw_subject subjec
         energy_error(experiment, subject, out);
         return;
     }
-    /* The energy of a single body that meets no wall: all it exchanged is in its own account. */
+    /* The energy of a single body that meets no wall: all it exchanged is in its own ledger. */
     const fw_solid *solid = body_of(experiment, subject);
     double start = 0;
     for (int b = 0; b < experiment->member_count; ++b)
         if (goes_with(experiment, subject.body, b)) start += experiment->energy_at_start[b];
-    double booked = start + solid->account.work - solid->account.dissipated + solid->account.heat;
+    double booked = start + solid->ledger.work - solid->ledger.dissipated + solid->ledger.heat;
     double now = total(fw_solid_energies(solid));
-    double scale = fmax(fmax(fabs(now), fabs(start)), solid->account.dissipated);
+    double scale = fmax(fmax(fabs(now), fabs(start)), solid->ledger.dissipated);
     out[0] = scale > 0 ? (now - booked) / scale : 0;
 }
 
@@ -119,7 +119,7 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
     } else {
         const fw_solid *solid = body_of(experiment, subject);
         now = fw_solid_momentum(solid);
-        booked = fw_vec2_add(solid->account.impulse, solid->account.drag);
+        booked = fw_vec2_add(solid->ledger.impulse, solid->ledger.drag);
         for (int b = 0; b < experiment->member_count; ++b)
             if (goes_with(experiment, subject.body, b))
                 booked = fw_vec2_add(booked, experiment->momentum_at_start[b]);
@@ -198,15 +198,15 @@ static void friction_heat(const fw_experiment *experiment, fw_subject subject, d
     out[0] = fw_scene_ledger(experiment->scene).friction_heat;
 }
 
-static void noise_heat(const fw_experiment *experiment, fw_subject subject, double *out)
+static void thermostat_heat(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
-    out[0] = fw_scene_ledger(experiment->scene).noise_heat;
+    out[0] = fw_scene_ledger(experiment->scene).thermostat_heat;
 }
 
 static void fracture_energy(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = body_of(experiment, subject)->account.fracture;
+    out[0] = body_of(experiment, subject)->ledger.fracture;
 }
 
 /* --- motion and shape --- */
@@ -308,38 +308,38 @@ static void unresolved(const fw_experiment *experiment, fw_subject subject, doub
     out[0] = (double)fw_scene_unresolved(experiment->scene);
 }
 
-static const fw_wall_account *account_of(const fw_experiment *experiment, fw_subject subject)
+static const fw_wall_ledger *ledger_of(const fw_experiment *experiment, fw_subject subject)
 {
-    return fw_scene_wall_account(experiment->scene, subject.wall);
+    return fw_scene_wall_ledger(experiment->scene, subject.wall);
 }
 
 static void reaction(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, account_of(experiment, subject)->reaction);
+    put(out, ledger_of(experiment, subject)->reaction);
 }
 
 static void wall_impulse(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, account_of(experiment, subject)->impulse);
+    put(out, ledger_of(experiment, subject)->impulse);
 }
 
 /* Along the tangent over along the normal, of the wall's first facet. */
 static void friction_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const fw_facet *facet = fw_wall_facet(fw_scene_wall(experiment->scene, subject.wall), 0);
-    fw_vec2 impulse = account_of(experiment, subject)->impulse;
+    fw_vec2 impulse = ledger_of(experiment, subject)->impulse;
     out[0] = fabs(fw_vec2_dot(impulse, fw_vec2_turn(facet->normal))) /
              fw_vec2_dot(impulse, facet->normal);
 }
 
 static void contacts(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = account_of(experiment, subject)->contacts;
+    out[0] = ledger_of(experiment, subject)->contacts;
 }
 
 static void contacts_so_far(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = account_of(experiment, subject)->held;
+    out[0] = ledger_of(experiment, subject)->held;
 }
 
 /* clang-format off */
@@ -361,7 +361,7 @@ const fw_quantity fw_common_quantities[] = {
     {"wall-energy", FW_SCOPE_SCENE, "", "energy", "stored in the springs of penalty walls", NULL, wall_energy},
     {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated},
     {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat},
-    {"noise-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, noise_heat},
+    {"thermostat-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, thermostat_heat},
     {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy},
     {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass},
     {"position", FW_SCOPE_SITE, "x y", "length", "of one particle", NULL, position},

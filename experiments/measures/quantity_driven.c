@@ -23,12 +23,12 @@ typedef struct driven {
 static driven driven_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.grip >= 0) {
-        const fw_grip_account *a =
-            fw_grip_observe_account(fw_scene_observe_grip(experiment->scene, subject.grip));
+        const fw_grip_ledger *a =
+            fw_grip_observe_ledger(fw_scene_observe_grip(experiment->scene, subject.grip));
         return (driven){a->displacement, a->reaction, a->impulse, a->way, a->torque, a->work};
     }
-    const fw_piston_account *a =
-        fw_piston_observe_account(fw_scene_observe_piston(experiment->scene, subject.wall));
+    const fw_piston_ledger *a =
+        fw_piston_observe_ledger(fw_scene_observe_piston(experiment->scene, subject.wall));
     return (driven){a->displacement, a->reaction, a->impulse, a->way, a->torque, a->work};
 }
 
@@ -69,19 +69,19 @@ static const fw_piston *piston_of(const fw_experiment *experiment, fw_subject su
     return fw_scene_observe_piston(experiment->scene, subject.wall);
 }
 
-static const fw_piston_account *account_of(const fw_experiment *experiment, fw_subject subject)
+static const fw_piston_ledger *ledger_of(const fw_experiment *experiment, fw_subject subject)
 {
-    return fw_piston_observe_account(piston_of(experiment, subject));
+    return fw_piston_observe_ledger(piston_of(experiment, subject));
 }
 
 static void velocity(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, account_of(experiment, subject)->velocity);
+    put(out, ledger_of(experiment, subject)->velocity);
 }
 
 static void heat(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = account_of(experiment, subject)->heat;
+    out[0] = ledger_of(experiment, subject)->heat;
 }
 
 static void kinetic_energy(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -101,12 +101,12 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
 
 static void unresolved(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = account_of(experiment, subject)->unresolved;
+    out[0] = ledger_of(experiment, subject)->unresolved;
 }
 
 static void unmatched(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = account_of(experiment, subject)->unmatched_work;
+    out[0] = ledger_of(experiment, subject)->unmatched_work;
 }
 
 /* --- where two bodies rub --- */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* quantity_elastic.c - strain, Poisson's ratio and wave speeds of any body on a lattice, from where
  * its particles are. Keeps no state. */
-#include "experiments/setup/member.h"
 #include "experiments/measures/quantity.h"
+#include "experiments/setup/member.h"
 
 #include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"

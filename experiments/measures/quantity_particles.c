@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* quantity_particles.c - what can be measured of movable particles, and of linear lattices as far
  * as they are point masses too. Keeps no state. */
-#include "experiments/setup/member.h"
 #include "experiments/measures/quantity.h"
+#include "experiments/setup/member.h"
 
 #include "core/particles/particle_observables.h"
 

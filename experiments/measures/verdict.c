@@ -11,17 +11,17 @@
 #include <string.h>
 
 static const char *const take_names[] = {
-    [FW_TAKE_LAST] = "at the end",
-    [FW_TAKE_FIRST] = "at the start",
-    [FW_TAKE_MAXIMUM] = "maximum",
-    [FW_TAKE_MINIMUM] = "minimum",
-    [FW_TAKE_LARGEST] = "largest",
-    [FW_TAKE_MEAN] = "mean",
-    [FW_TAKE_SPREAD] = "spread",
-    [FW_TAKE_CHANGE] = "change",
-    [FW_TAKE_RATE] = "rate",
-    [FW_TAKE_TIME_OF_MAXIMUM] = "time of maximum",
-    [FW_TAKE_TIME_OF_MINIMUM] = "time of minimum",
+    [FW_STATISTIC_LAST] = "at the end",
+    [FW_STATISTIC_FIRST] = "at the start",
+    [FW_STATISTIC_MAXIMUM] = "maximum",
+    [FW_STATISTIC_MINIMUM] = "minimum",
+    [FW_STATISTIC_LARGEST] = "largest",
+    [FW_STATISTIC_MEAN] = "mean",
+    [FW_STATISTIC_SPREAD] = "spread",
+    [FW_STATISTIC_CHANGE] = "change",
+    [FW_STATISTIC_RATE] = "rate",
+    [FW_STATISTIC_TIME_OF_MAXIMUM] = "time of maximum",
+    [FW_STATISTIC_TIME_OF_MINIMUM] = "time of minimum",
 };
 
 /* One component over the rows first .. last, which exist. */
@@ -88,30 +88,30 @@ static double largest_of(const series *s)
     return largest;
 }
 
-static double take(const series *s, fw_take what)
+static double take(const series *s, fw_statistic what)
 {
     switch (what) {
-    case FW_TAKE_LAST:
+    case FW_STATISTIC_LAST:
         return at(s, s->last);
-    case FW_TAKE_FIRST:
+    case FW_STATISTIC_FIRST:
         return at(s, s->first);
-    case FW_TAKE_MAXIMUM:
+    case FW_STATISTIC_MAXIMUM:
         return at(s, find_extreme(s, 1));
-    case FW_TAKE_MINIMUM:
+    case FW_STATISTIC_MINIMUM:
         return at(s, find_extreme(s, -1));
-    case FW_TAKE_LARGEST:
+    case FW_STATISTIC_LARGEST:
         return largest_of(s);
-    case FW_TAKE_MEAN:
+    case FW_STATISTIC_MEAN:
         return mean_of(s);
-    case FW_TAKE_SPREAD:
+    case FW_STATISTIC_SPREAD:
         return spread_of(s);
-    case FW_TAKE_CHANGE:
+    case FW_STATISTIC_CHANGE:
         return at(s, s->last) - at(s, s->first);
-    case FW_TAKE_RATE:
+    case FW_STATISTIC_RATE:
         return rate_of(s);
-    case FW_TAKE_TIME_OF_MAXIMUM:
+    case FW_STATISTIC_TIME_OF_MAXIMUM:
         return s->m->times[find_extreme(s, 1)];
-    case FW_TAKE_TIME_OF_MINIMUM:
+    case FW_STATISTIC_TIME_OF_MINIMUM:
         return s->m->times[find_extreme(s, -1)];
     }
     return NAN;
@@ -127,7 +127,7 @@ static double measure(const fw_measurement *m, const fw_expectation *e, int colu
         s.last = row;
     }
     if (s.first < 0) return NAN;
-    return take(&s, e->has_at ? FW_TAKE_LAST : e->take);
+    return take(&s, e->has_at ? FW_STATISTIC_LAST : e->take);
 }
 
 static void name_quantity(fw_verdict *verdict, const fw_probe *probe, int component)
@@ -208,7 +208,7 @@ static double error_in_time(const fw_measurement *m, const fw_expectation *e, in
     const int column = m->probes[m->expected[number]].first + m->component[number];
     fw_average average = {.error = NAN};
     size_t count = 0;
-    if (e->has_at || e->take != FW_TAKE_MEAN) return NAN;
+    if (e->has_at || e->take != FW_STATISTIC_MEAN) return NAN;
     double *values = fw_array_of_doubles((size_t)m->count);
     for (int64_t row = 0; values && row < m->count; ++row)
         if (m->steps[row] >= e->from && m->steps[row] <= e->until)

@@ -4,11 +4,11 @@
  * recorded, picture and output say which one stands for it. Start reading at draw_picture(). */
 #include "experiments/pictures/plot.h"
 
-#include "experiments/storage/folder.h"
 #include "experiments/pictures/plot_parts.h"
 #include "experiments/pictures/plot_sweep.h"
-#include "experiments/text/spelling.h"
+#include "experiments/storage/folder.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/spelling.h"
 
 #include "core/array.h"
 
@@ -66,11 +66,11 @@ static void append(char *text, size_t size, const char *format, ...)
 }
 
 static fw_status refuse_name(const char *directory, const char *what, const char *name,
-                             fw_guess guess, const char *known, fw_error *error)
+                             fw_suggestion suggestion, const char *known, fw_error *error)
 {
-    if (guess.best)
+    if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "%s has no %s %s; did you mean %s?", directory, what,
-                       name, guess.best);
+                       name, suggestion.best);
     if (known[0] == '\0')
         return fw_fail(error, FW_BAD_INPUT, "%s has no %s %s, and no other one", directory, what,
                        name);
@@ -90,31 +90,31 @@ static fw_status find_picture(const fw_plot_result *result, const char *name,
                               const fw_scenario_picture **picture, fw_error *error)
 {
     const fw_scenario *scenario = result->scenario;
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     char known[512] = "";
     for (int n = 0; n < scenario->picture_count; ++n) {
         *picture = &scenario->pictures[n];
         if (!is_drawn(*picture)) continue;
         if (strcmp((*picture)->name, name) == 0) return FW_OK;
-        fw_guess_offer(&guess, (*picture)->name);
+        fw_suggestion_offer(&suggestion, (*picture)->name);
         append(known, sizeof known, "%s%s", known[0] ? ", " : "", (*picture)->name);
     }
-    return refuse_name(result->directory, "picture", name, guess, known, error);
+    return refuse_name(result->directory, "picture", name, suggestion, known, error);
 }
 
 static fw_status find_kind(const char *name, fw_plot_kind *kind, fw_error *error)
 {
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     for (int k = 0; kinds[k].name; ++k) {
         if (strcmp(kinds[k].name, name) == 0) {
             *kind = (fw_plot_kind)k;
             return FW_OK;
         }
-        fw_guess_offer(&guess, kinds[k].name);
+        fw_suggestion_offer(&suggestion, kinds[k].name);
     }
-    if (guess.best)
+    if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "no pictures of kind %s; did you mean %s?", name,
-                       guess.best);
+                       suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "no pictures of kind %s, expected motion, forces, field, strip, series, "
                    "profile, loop or analysis, or sweep in the folder of one",
@@ -124,17 +124,18 @@ static fw_status find_kind(const char *name, fw_plot_kind *kind, fw_error *error
 static fw_status find_field(draft *d, const char *name, fw_error *error)
 {
     const fw_playback *playback = d->result->playback;
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     char known[512] = "";
     for (int n = 0; n < playback->field_count; ++n) {
         if (strcmp(playback->fields[n].name, name) == 0) {
             d->picture.field = playback->fields[n].name;
             return FW_OK;
         }
-        fw_guess_offer(&guess, playback->fields[n].name);
+        fw_suggestion_offer(&suggestion, playback->fields[n].name);
         append(known, sizeof known, "%s%s", n > 0 ? ", " : "", playback->fields[n].name);
     }
-    if (guess.best) return refuse_name(d->result->directory, "field", name, guess, known, error);
+    if (suggestion.best)
+        return refuse_name(d->result->directory, "field", name, suggestion, known, error);
     return fw_fail(error, FW_BAD_INPUT,
                    "%s: the field %s was not recorded (%s%s); to have it, name it under "
                    "record.fields and run again",

@@ -3,15 +3,15 @@
  * follow from where the particles are, and those that the file holds as external.
  * Keeps no state. Invariant: each link pulls its two ends with opposite forces. Start reading at
  * fw_plot_draw_forces(). */
-#include "experiments/pictures/plot_parts.h"
 #include "experiments/drawing/ticks.h"
+#include "experiments/pictures/plot_parts.h"
 
 #include "core/array.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-enum { PANELS_MOST = 64 };
+enum { PANELS_MAX = 64 };
 
 /* Stiffness of the links of one body, by their numbers in the result. */
 static fw_status apply_replacement(const fw_plot_result *result, int body,
@@ -196,10 +196,10 @@ fw_status fw_plot_forces_find(fw_plot_forces *f, const fw_plot_result *result,
     *f = (fw_plot_forces){.result = result};
     fw_playback *playback = f->result->playback;
     int panels = picture->frame_count * playback->body_count;
-    if (panels > PANELS_MOST)
+    if (panels > PANELS_MAX)
         return fw_fail(error, FW_BAD_INPUT,
                        "%s: %d panels of forces (bodies times steps), expected at most %d",
-                       f->result->directory, panels, PANELS_MOST);
+                       f->result->directory, panels, PANELS_MAX);
     if (!allocate(f, picture)) return fw_fail_memory(error, "a picture of forces");
     for (int b = 0; b < playback->body_count; ++b)
         if (has_links(f->result, b)) FW_TRY(find_stiffness(f->result, b, f->stiffness, error));

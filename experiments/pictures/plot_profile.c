@@ -2,9 +2,9 @@
 /* plot_profile.c - the layer between two rubbing bodies: the bodies above their profile (Popov &
  * Filippov Fig 6), the control beside it; and the fretting loop. Keeps no state. Start reading at
  * fw_plot_draw_profile(). */
-#include "experiments/storage/folder.h"
-#include "experiments/pictures/plot_parts.h"
 #include "experiments/measures/profile_table.h"
+#include "experiments/pictures/plot_parts.h"
+#include "experiments/storage/folder.h"
 #include "experiments/study/study.h"
 
 #include "core/array.h"

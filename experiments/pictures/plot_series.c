@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CURVES_MOST = 256 };
+enum { CURVES_MAX = 256 };
 
 /* One component of an observable. */
 typedef struct fw_plot_curve {
@@ -67,10 +67,10 @@ static fw_status gather_curves(series *s, const fw_plot_picture *picture, fw_err
     fw_status status =
         fw_columns_find(s->result->playback, s->result->directory, picture->observables,
                         picture->observable_count, &columns, &count, error);
-    if (status == FW_OK && count > CURVES_MOST)
+    if (status == FW_OK && count > CURVES_MAX)
         status = fw_fail(error, FW_BAD_INPUT,
                          "%s: %d curves in one picture, expected at most %d: fewer observables",
-                         s->result->directory, count, CURVES_MOST);
+                         s->result->directory, count, CURVES_MAX);
     for (int n = 0; status == FW_OK && n < count; ++n) add_curve(s, &columns[n]);
     free(columns);
     return status;
@@ -270,7 +270,7 @@ static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error 
 fw_status fw_plot_series_find(fw_plot_series *s, const fw_plot_result *result,
                               const fw_plot_picture *picture, fw_error *error)
 {
-    *s = (fw_plot_series){.result = result, .curves = calloc(CURVES_MOST, sizeof *s->curves)};
+    *s = (fw_plot_series){.result = result, .curves = calloc(CURVES_MAX, sizeof *s->curves)};
     if (!s->curves) return fw_fail_memory(error, "the curves of a picture");
     FW_TRY(gather_curves(s, picture, error));
     FW_TRY(read_times(s, picture, error));

@@ -4,8 +4,8 @@
 #include "experiments/pictures/plot_sweep.h"
 
 #include "experiments/drawing/figure.h"
-#include "experiments/text/spelling.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/spelling.h"
 
 #include "core/array.h"
 
@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PANELS_MOST = 32 };
+enum { PANELS_MAX = 32 };
 
 /* A sweep that is drawn. */
 typedef struct sweep_result {
@@ -36,8 +36,8 @@ typedef struct drawing {
     double *x;
     int *order; /* rows of the table by the parameter */
     int count;
-    panel_data panels[PANELS_MOST];
-    fw_chart charts[PANELS_MOST];
+    panel_data panels[PANELS_MAX];
+    fw_chart charts[PANELS_MAX];
     bool expected; /* any panel shows what was expected */
 } drawing;
 
@@ -83,7 +83,7 @@ static const fw_quantity *quantity_of(const fw_sweep_column *column)
     return fw_quantity_find(name);
 }
 
-static bool add_panels(drawing *d, const char *quantity, int columns[PANELS_MOST])
+static bool add_panels(drawing *d, const char *quantity, int columns[PANELS_MAX])
 {
     const fw_sweep_table *table = &d->result->table;
     bool found = false;
@@ -92,7 +92,7 @@ static bool add_panels(drawing *d, const char *quantity, int columns[PANELS_MOST
         if (!is_of(&table->columns[c], quantity)) continue;
         found = true;
         for (int p = 0; p < d->count; ++p) there = there || columns[p] == c;
-        if (!there && d->count < PANELS_MOST) columns[d->count++] = c;
+        if (!there && d->count < PANELS_MAX) columns[d->count++] = c;
     }
     return found;
 }
@@ -100,14 +100,14 @@ static bool add_panels(drawing *d, const char *quantity, int columns[PANELS_MOST
 static fw_status refuse_quantity(const sweep_result *result, const char *name, fw_error *error)
 {
     const fw_sweep_table *table = &result->table;
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     for (int c = 0; c < table->column_count; ++c) {
         const fw_quantity *quantity = quantity_of(&table->columns[c]);
-        if (quantity) fw_guess_offer(&guess, quantity->name);
+        if (quantity) fw_suggestion_offer(&suggestion, quantity->name);
     }
-    if (guess.best)
+    if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "%s: the sweep has no %s; did you mean %s?",
-                       result->directory, name, guess.best);
+                       result->directory, name, suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "%s: the sweep has no %s, expected a quantity in " FW_SWEEP_FILE,
                    result->directory, name);
@@ -115,7 +115,7 @@ static fw_status refuse_quantity(const sweep_result *result, const char *name, f
 
 /* Those of the wish, else of the picture, else what is expected, else everything. */
 static fw_status choose_columns(drawing *d, const fw_plot_wish *wish,
-                                const fw_scenario_picture *own, int columns[PANELS_MOST],
+                                const fw_scenario_picture *own, int columns[PANELS_MAX],
                                 fw_error *error)
 {
     const sweep_result *result = d->result;
@@ -241,7 +241,7 @@ static void clear_drawing(drawing *d)
 static fw_status fill(drawing *d, const fw_plot_wish *wish, const fw_scenario_picture *own,
                       fw_error *error)
 {
-    int columns[PANELS_MOST];
+    int columns[PANELS_MAX];
     FW_TRY(choose_columns(d, wish, own, columns, error));
     FW_TRY(order_rows(d, error));
     const bool logarithmic = wish->logarithmic || (own && own->logarithmic);

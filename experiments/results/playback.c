@@ -5,9 +5,9 @@
  * no memory is asked for on the word of the file alone. Start reading at fw_playback_open(). */
 #include "experiments/results/playback.h"
 
+#include "experiments/results/trajectory_head.h"
 #include "experiments/storage/folder.h"
 #include "experiments/storage/hdf5_file.h"
-#include "experiments/results/trajectory_head.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -17,7 +17,7 @@
 
 #define PARTICLES "particles/trajectory"
 
-enum { MOST_MEMBERS = 1024 };
+enum { MAX_MEMBERS = 1024 };
 
 typedef struct fw_playback_file {
     fw_hdf5 *hdf5;
@@ -142,11 +142,11 @@ static fw_status read_links(fw_playback *playback, fw_error *error)
 /* Names of the members of a group, to be freed; NULL without memory. */
 static char (*list_members(fw_playback *playback, const char *path, int *count))[FW_NAME_SIZE]
 {
-    char(*names)[FW_NAME_SIZE] = calloc(MOST_MEMBERS, sizeof *names);
+    char(*names)[FW_NAME_SIZE] = calloc(MAX_MEMBERS, sizeof *names);
     *count = 0;
     if (!names) return NULL;
-    *count = fw_hdf5_list(playback->file->hdf5, path, names[0], FW_NAME_SIZE, MOST_MEMBERS);
-    if (*count > MOST_MEMBERS) *count = MOST_MEMBERS;
+    *count = fw_hdf5_list(playback->file->hdf5, path, names[0], FW_NAME_SIZE, MAX_MEMBERS);
+    if (*count > MAX_MEMBERS) *count = MAX_MEMBERS;
     return names;
 }
 

@@ -5,11 +5,11 @@
  * Start reading at fw_trajectory_create(); trajectory_layout.c makes what never changes. */
 #include "experiments/results/trajectory.h"
 
-#include "experiments/storage/folder.h"
 #include "experiments/results/provenance.h"
-#include "experiments/storage/series.h"
 #include "experiments/results/trajectory_head.h"
 #include "experiments/results/trajectory_layout.h"
+#include "experiments/storage/folder.h"
+#include "experiments/storage/series.h"
 
 #include <assert.h>
 #include <math.h>
@@ -202,7 +202,7 @@ static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
                        "no room for %s/" FW_TRAJECTORY_FILE ", which takes %.3g MB: %.3g MB are "
                        "free",
                        def->directory, needed / 1e6, room / 1e6);
-    /* The size of the structure is a guess; HDF5 tells afterwards whether it was enough. */
+    /* The size of the structure is a suggestion; HDF5 tells afterwards whether it was enough. */
     bool cramped = true;
     for (size_t structure = fw_layout_structure(def); cramped; structure *= 2) {
         fw_error ignored;

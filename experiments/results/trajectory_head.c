@@ -3,8 +3,8 @@
  * which at most one is there. Start reading at fw_head_save(). */
 #include "experiments/results/trajectory_head.h"
 
-#include "experiments/storage/sealed_file.h"
 #include "experiments/results/trajectory.h"
+#include "experiments/storage/sealed_file.h"
 
 #include <errno.h>
 #include <fcntl.h>

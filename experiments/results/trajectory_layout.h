@@ -4,8 +4,8 @@
 #ifndef FW_TRAJECTORY_LAYOUT_H
 #define FW_TRAJECTORY_LAYOUT_H
 
-#include "experiments/storage/hdf5_file.h"
 #include "experiments/results/trajectory.h"
+#include "experiments/storage/hdf5_file.h"
 
 /* FW_BAD_INPUT when a name or number of the definition cannot be used. */
 fw_status fw_layout_check(const fw_trajectory_def *def, fw_error *error);

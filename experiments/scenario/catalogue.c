@@ -9,16 +9,16 @@
 
 fw_status fw_catalogue_find(const fw_catalogue_entry **entry, const char *name, fw_error *error)
 {
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     for (*entry = fw_catalogue; (*entry)->name; ++*entry) {
         if (!strcmp((*entry)->name, name)) return FW_OK;
-        fw_guess_offer(&guess, (*entry)->name);
+        fw_suggestion_offer(&suggestion, (*entry)->name);
     }
     *entry = NULL;
     fw_quote found = fw_text_quote(name, strlen(name));
-    if (guess.best)
+    if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "there is no experiment '%s'; did you mean '%s'?",
-                       found.text, guess.best);
+                       found.text, suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
                    "there is no experiment '%s', expected one that `fretwork list` shows, or a "
                    "scenario file",

@@ -4,9 +4,9 @@
  * Start reading at build(). */
 #include "experiments/scenario/scenario.h"
 
-#include "experiments/text/number.h"
 #include "experiments/scenario/scenario_parts.h"
 #include "experiments/scenario/settings.h"
+#include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
 
 #include <errno.h>
@@ -43,18 +43,18 @@ fw_status fw_scenario_allocate(const fw_scenario *scenario, size_t count, size_t
 fw_status fw_scenario_find(const fw_scenario *scenario, const fw_node *named, const char *kind,
                            const fw_node *name, int *index, fw_error *error)
 {
-    fw_guess guess = fw_guess_begin(name->text);
+    fw_suggestion suggestion = fw_suggestion_begin(name->text);
     *index = 0;
     for (const fw_node *child = named ? named->first : NULL; child; child = child->next) {
         if (!strcmp(child->key, name->text)) return FW_OK;
-        fw_guess_offer(&guess, child->key);
+        fw_suggestion_offer(&suggestion, child->key);
         *index += 1;
     }
     *index = -1;
-    if (guess.best)
+    if (suggestion.best)
         return fw_scenario_fail(scenario, name->place, error,
                                 "there is no %s '%s'; did you mean '%s'?", kind, name->text,
-                                guess.best);
+                                suggestion.best);
     if (!named || !named->first)
         return fw_scenario_fail(scenario, name->place, error,
                                 "there is no %s '%s': the scenario has none at all", kind,

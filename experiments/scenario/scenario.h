@@ -8,8 +8,8 @@
 #ifndef FW_SCENARIO_H
 #define FW_SCENARIO_H
 
-#include "contact/scene/grip.h"
 #include "contact/geometry/wall.h"
+#include "contact/scene/grip.h"
 #include "core/automaton/automaton_matrices.h"
 #include "core/lattice.h"
 #include "core/particles/pair_potential.h"
@@ -318,19 +318,19 @@ typedef struct fw_scenario_record {
 
 /* --- what is expected --- */
 
-typedef enum fw_take {
-    FW_TAKE_LAST,
-    FW_TAKE_FIRST,
-    FW_TAKE_MAXIMUM,
-    FW_TAKE_MINIMUM,
-    FW_TAKE_LARGEST, /* in magnitude */
-    FW_TAKE_MEAN,
-    FW_TAKE_SPREAD, /* standard deviation */
-    FW_TAKE_CHANGE, /* last minus first */
-    FW_TAKE_RATE,   /* least-squares slope against time */
-    FW_TAKE_TIME_OF_MAXIMUM,
-    FW_TAKE_TIME_OF_MINIMUM
-} fw_take;
+typedef enum fw_statistic {
+    FW_STATISTIC_LAST,
+    FW_STATISTIC_FIRST,
+    FW_STATISTIC_MAXIMUM,
+    FW_STATISTIC_MINIMUM,
+    FW_STATISTIC_LARGEST, /* in magnitude */
+    FW_STATISTIC_MEAN,
+    FW_STATISTIC_SPREAD, /* standard deviation */
+    FW_STATISTIC_CHANGE, /* last minus first */
+    FW_STATISTIC_RATE,   /* least-squares slope against time */
+    FW_STATISTIC_TIME_OF_MAXIMUM,
+    FW_STATISTIC_TIME_OF_MINIMUM
+} fw_statistic;
 
 typedef enum fw_verdict_kind {
     FW_VERDICT_VALUE,
@@ -356,7 +356,7 @@ typedef struct fw_expectation {
     fw_scenario_name component; /* "x", "y", "xx", ...; text NULL: none given */
     bool has_at;
     int64_t at;             /* in that step */
-    fw_take take;           /* otherwise this of the series ... */
+    fw_statistic take;      /* otherwise this of the series ... */
     int64_t from, until;    /* ... over the steps from <= step <= until */
     fw_scenario_name phase; /* that gives these; text NULL: none given */
     int when;               /* number of the only case of a sweep that it speaks of; -1: all */

@@ -161,15 +161,15 @@ static fw_status read_twin(const fw_scenario *scenario, const fw_node *node,
 static fw_status check_rectangle(const fw_scenario *scenario, const fw_node *node,
                                  const fw_scenario_analysis *analysis, fw_error *error)
 {
-    enum { CELLS_MOST = 400 };
+    enum { CELLS_MAX = 400 };
     const int *rectangle = analysis->rectangle;
-    if (rectangle[0] <= CELLS_MOST && rectangle[1] <= CELLS_MOST &&
-        rectangle[0] * rectangle[1] <= CELLS_MOST)
+    if (rectangle[0] <= CELLS_MAX && rectangle[1] <= CELLS_MAX &&
+        rectangle[0] * rectangle[1] <= CELLS_MAX)
         return FW_OK;
     return fw_scenario_fail(scenario, fw_node_find(node, "rectangle")->place, error,
                             "rectangle is [%d, %d], expected at most %d cells: the eigenvalues of "
                             "its whole update are computed",
-                            rectangle[0], rectangle[1], CELLS_MOST);
+                            rectangle[0], rectangle[1], CELLS_MAX);
 }
 
 static fw_status check_ranges(const fw_scenario *scenario, const fw_node *node,

@@ -114,10 +114,10 @@ static fw_status limit_sites(const fw_scenario *scenario, const fw_scenario_body
 {
     int64_t total = 0;
     for (int n = 0; n < scenario->body_count; ++n) total += scenario->bodies[n].shape.count;
-    if (total <= FW_SITES_MOST) return FW_OK;
+    if (total <= FW_SITES_MAX) return FW_OK;
     return fw_scenario_fail(scenario, body->shape_place, error,
                             "with bodies.%s the bodies have %lld sites, expected at most %d",
-                            body->name, (long long)total, FW_SITES_MOST);
+                            body->name, (long long)total, FW_SITES_MAX);
 }
 
 static fw_status check_lattice(const fw_scenario *scenario, const fw_node *node,

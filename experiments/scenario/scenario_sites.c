@@ -222,7 +222,7 @@ static int larger(int a, int b)
 
 static void select_side(fw_selection *selection, const char *side, int layers)
 {
-    /* Layers are at most FW_SITES_MOST, so none of these overflow. */
+    /* Layers are at most FW_SITES_MAX, so none of these overflow. */
     if (!strcmp(side, "left"))
         selection->last_column =
             smaller(selection->last_column, selection->first_column + layers - 1);

@@ -90,18 +90,18 @@ fw_status fw_schema_check_key(const fw_document *document, const char *section, 
     if (fw_schema_find(section, key)) return FW_OK;
     const char *thing = fw_schema_section(section)->thing;
     fw_quote found = fw_text_quote(key, strlen(key));
-    fw_guess guess = fw_guess_begin(key);
+    fw_suggestion suggestion = fw_suggestion_begin(key);
     char all[EXPECTED_SIZE] = "";
     for (const fw_key *known = fw_schema_keys; known->section; ++known) {
         if (strcmp(known->section, section)) continue;
-        fw_guess_offer(&guess, known->name);
+        fw_suggestion_offer(&suggestion, known->name);
         size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", known->name);
     }
     const char *in = *path ? " in " : "";
-    if (guess.best)
+    if (suggestion.best)
         return fw_document_fail(document, place, error, "unknown key '%s'%s%s; did you mean '%s'?",
-                                found.text, in, path, guess.best);
+                                found.text, in, path, suggestion.best);
     return fw_document_fail(document, place, error,
                             "unknown key '%s'%s%s, expected a key of %s: %s", found.text, in, path,
                             thing, all);
@@ -166,7 +166,7 @@ static fw_status check_numbers(checker *c, const fw_node *node, const fw_key *ke
     int number = 0;
     for (const fw_node *child = node->first; child; child = child->next) {
         size_t before = enter_item(c, number++);
-        FW_TRY(check_number(c, child, &single, whole ? FW_COORDINATE_MOST : FW_NUMBER_MOST));
+        FW_TRY(check_number(c, child, &single, whole ? FW_COORDINATE_MAX : FW_NUMBER_MAX));
         leave(c, before);
     }
     return FW_OK;
@@ -178,7 +178,7 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
     single.forms = FW_FORM_NUMBER;
     if (node->kind == FW_SCALAR) {
         return node->quoted || !node->length ? refuse(c, node, key)
-                                             : check_number(c, node, &single, FW_NUMBER_MOST);
+                                             : check_number(c, node, &single, FW_NUMBER_MAX);
     }
     bool full = node->kind == FW_LIST && node->count == 2;
     if (!full && !(node->kind == FW_LIST && node->count == 3)) return refuse(c, node, key);
@@ -191,7 +191,7 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
         if (full && (row->kind != FW_LIST || row->count != 2)) return refuse(c, node, key);
         for (const fw_node *child = full ? row->first : row; child; child = child->next) {
             size_t before = enter_item(c, count);
-            FW_TRY(check_number(c, child, &single, FW_NUMBER_MOST));
+            FW_TRY(check_number(c, child, &single, FW_NUMBER_MAX));
             leave(c, before);
             entry[count++] = fw_node_number(child);
             if (!full) break;
@@ -225,23 +225,23 @@ static bool is_word(const char *text, size_t length, const char *words)
 static fw_status check_word(checker *c, const fw_node *node, const fw_key *key)
 {
     if (is_word(node->text, node->length, key->words)) return FW_OK;
-    enum { WORDS_MOST = 16 };
-    char words[WORDS_MOST][FW_NAME_BYTES];
-    fw_guess guess = fw_guess_begin(node->text);
+    enum { WORDS_MAX = 16 };
+    char words[WORDS_MAX][FW_NAME_BYTES];
+    fw_suggestion suggestion = fw_suggestion_begin(node->text);
     const char *word = key->words;
     for (int count = 0; *word; ++count) {
-        assert(count < WORDS_MOST);
+        assert(count < WORDS_MAX);
         size_t size = strcspn(word, "|");
         snprintf(words[count], FW_NAME_BYTES, "%.*s", (int)size, word);
-        fw_guess_offer(&guess, words[count]);
+        fw_suggestion_offer(&suggestion, words[count]);
         word += size + (word[size] == '|');
     }
-    if (!guess.best) return refuse(c, node, key);
+    if (!suggestion.best) return refuse(c, node, key);
     char expected[EXPECTED_SIZE];
     fw_schema_expected(key, expected, sizeof expected);
-    return fw_document_fail(c->document, node->place, c->error,
-                            "%s is '%s', expected %s; did you mean '%s'?", c->path,
-                            fw_text_quote(node->text, node->length).text, expected, guess.best);
+    return fw_document_fail(
+        c->document, node->place, c->error, "%s is '%s', expected %s; did you mean '%s'?", c->path,
+        fw_text_quote(node->text, node->length).text, expected, suggestion.best);
 }
 
 static bool is_name(const char *text, size_t length)
@@ -276,7 +276,7 @@ static fw_status check_value(checker *c, const fw_node *node, const fw_key *key)
 
 static fw_status check_list(checker *c, const fw_node *node, const fw_key *key)
 {
-    int most = key->most ? key->most : FW_ITEMS_MOST;
+    int most = key->most ? key->most : FW_ITEMS_MAX;
     if (node->count < key->least || node->count > most)
         return fw_document_fail(c->document, node->place, c->error,
                                 "%s has %d items, expected %d to %d", c->path, node->count,
@@ -320,8 +320,8 @@ static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key
 {
     if (key->forms & FW_FORM_SYMMETRIC) return check_symmetric(c, node, key);
     if (key->forms & (FW_FORM_NUMBER | FW_FORM_ANGLE))
-        return check_number(c, node, key, FW_NUMBER_MOST);
-    if (key->forms & FW_FORM_INTEGER) return check_number(c, node, key, FW_INTEGER_MOST);
+        return check_number(c, node, key, FW_NUMBER_MAX);
+    if (key->forms & FW_FORM_INTEGER) return check_number(c, node, key, FW_INTEGER_MAX);
     if (node->length == 0) return refuse(c, node, key);
     if (key->forms & FW_FORM_TEXT) return FW_OK;
     if (key->forms & FW_FORM_WORD) return check_word(c, node, key);

@@ -38,11 +38,11 @@ typedef enum fw_bounds {
 
 /* The largest size of a number whatever its bounds: no length, speed or force anybody means is
  * larger, and its square is far from overflow. */
-#define FW_NUMBER_MOST 1e15
+#define FW_NUMBER_MAX 1e15
 /* The same for whole numbers, and for those that come in a list, which are sites. */
-#define FW_INTEGER_MOST    1e12
-#define FW_COORDINATE_MOST 16777216
-#define FW_NOT_STORED      SIZE_MAX
+#define FW_INTEGER_MAX    1e12
+#define FW_COORDINATE_MAX 16777216
+#define FW_NOT_STORED     SIZE_MAX
 
 typedef struct fw_key {
     const char *section; /* NULL ends the table */
@@ -54,7 +54,7 @@ typedef struct fw_key {
     const char *layout; /* "[x, y]": of numbers and integers, and of a list's items */
     unsigned bounds;
     double low, high;
-    int least, most;       /* items of a list, and names; most 0: FW_ITEMS_MOST */
+    int least, most;       /* items of a list, and names; most 0: FW_ITEMS_MAX */
     bool required;         /* must be there */
     bool alternative;      /* exactly one of the section's alternatives must be there */
     const char *needs;     /* makes sense only together with this key */
@@ -72,7 +72,7 @@ typedef struct fw_section {
     const char *meaning;
 } fw_section;
 
-enum { FW_ITEMS_MOST = 1 << 20, FW_NAMED_MOST = 1024 };
+enum { FW_ITEMS_MAX = 1 << 20, FW_NAMED_MAX = 1024 };
 
 extern const fw_key fw_schema_keys[];
 extern const fw_section fw_schema_sections[];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* schema_fill.c - from checked nodes to plain data, defaults included, at the offsets that the
  * table gives. Keeps no state. Start reading at fw_schema_fill(). */
-#include "experiments/text/number.h"
 #include "experiments/scenario/scenario.h"
 #include "experiments/scenario/schema.h"
+#include "experiments/text/number.h"
 
 #include <assert.h>
 #include <limits.h>

@@ -168,7 +168,7 @@ fw_status fw_schema_print(FILE *out, fw_error *error)
             "at most %g in size (%d for sites); angles and phases are in degrees; a name is a "
             "letter followed by letters, digits, `-` or `_`. Whatever is not in these tables is "
             "refused.\n",
-            FW_NUMBER_MOST, FW_INTEGER_MOST, FW_COORDINATE_MOST);
+            FW_NUMBER_MAX, FW_INTEGER_MAX, FW_COORDINATE_MAX);
     for (const fw_section *section = fw_schema_sections; section->name; ++section) {
         fprintf(out, "\n### %s\n\n%s\n\n", section->heading, section->meaning);
         fputs("| key | value | unit | default | meaning |\n|---|---|---|---|---|\n", out);

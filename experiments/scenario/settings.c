@@ -3,8 +3,8 @@
  * at its side, and puts the value there. Keeps no state but the walk. Start reading at walk(). */
 #include "experiments/scenario/settings.h"
 
-#include "experiments/text/number.h"
 #include "experiments/scenario/schema.h"
+#include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
 
@@ -87,13 +87,13 @@ static fw_status enter_name(step *s, const char *name, bool last, fw_node **chil
     if (*child) return FW_OK;
     if (last) return add(s, name, child);
     fw_quote found = fw_text_quote(name, strlen(name));
-    fw_guess guess = fw_guess_begin(name);
+    fw_suggestion suggestion = fw_suggestion_begin(name);
     for (const fw_node *known = s->at->first; known; known = known->next)
-        fw_guess_offer(&guess, known->key);
-    if (guess.best)
+        fw_suggestion_offer(&suggestion, known->key);
+    if (suggestion.best)
         return fw_document_fail(s->document, s->value->place, s->error,
                                 "there is no '%s' in %s; did you mean '%s'?", found.text, s->path,
-                                fw_text_quote(guess.best, strlen(guess.best)).text);
+                                fw_text_quote(suggestion.best, strlen(suggestion.best)).text);
     return fw_document_fail(s->document, s->value->place, s->error, "there is no '%s' in %s",
                             found.text, s->path);
 }

@@ -8,16 +8,16 @@
 #include <stdlib.h>
 
 /* Patterns that one list may have, so that streams of different lists never meet. */
-enum { PATTERNS_MOST = 4096 };
+enum { PATTERNS_MAX = 4096 };
 
 uint32_t fw_build_displacement_stream(int body)
 {
-    return FW_NOISE_START + (uint32_t)body * 2 * PATTERNS_MOST;
+    return FW_NOISE_START + (uint32_t)body * 2 * PATTERNS_MAX;
 }
 
 uint32_t fw_build_velocity_stream(int body)
 {
-    return fw_build_displacement_stream(body) + PATTERNS_MOST;
+    return fw_build_displacement_stream(body) + PATTERNS_MAX;
 }
 
 fw_status fw_build_fail(const fw_scenario *scenario, int body, fw_status status, fw_error *error)

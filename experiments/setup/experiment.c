@@ -3,8 +3,8 @@
 #include "experiments/setup/experiment.h"
 
 #include "core/boltzmann/lb_solid.h"
-#include "core/particles/linear_lattice.h"
 #include "core/noise.h"
+#include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"
 #include "experiments/setup/build.h"
 #include "experiments/setup/member.h"

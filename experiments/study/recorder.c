@@ -4,8 +4,8 @@
  * that a checkpoint counts are on disk before it is. */
 #include "experiments/study/recorder.h"
 
-#include "experiments/results/checkpoint.h"
 #include "experiments/measures/profile_table.h"
+#include "experiments/results/checkpoint.h"
 #include "experiments/text/spelling.h"
 
 #include <stdio.h>
@@ -81,14 +81,15 @@ static fw_status describe_bodies(fw_recorder *r, fw_error *error)
 /* A field by name, from the first body that has it; once. */
 static fw_status refuse_field(const fw_recorder *r, fw_scenario_name name, fw_error *error)
 {
-    fw_guess guess = fw_guess_begin(name.text);
+    fw_suggestion suggestion = fw_suggestion_begin(name.text);
     for (int b = 0; b < r->experiment->member_count; ++b) {
         const fw_field *field = fw_experiment_solid(r->experiment, b)->model->fields;
-        for (; field && field->name; ++field) fw_guess_offer(&guess, field->name);
+        for (; field && field->name; ++field) fw_suggestion_offer(&suggestion, field->name);
     }
-    if (guess.best)
+    if (suggestion.best)
         return fw_scenario_fail(r->experiment->scenario, name.place, error,
-                                "no body has a field %s; did you mean %s?", name.text, guess.best);
+                                "no body has a field %s; did you mean %s?", name.text,
+                                suggestion.best);
     return fw_scenario_fail(r->experiment->scenario, name.place, error,
                             "no body has a field %s, expected one of those that `fretwork "
                             "quantities` lists",

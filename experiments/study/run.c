@@ -5,9 +5,9 @@
  * is in the results file. Start reading at fw_run_to_end(). */
 #include "experiments/study/run.h"
 
-#include "experiments/measures/caution.h"
-#include "experiments/study/interrupt.h"
+#include "experiments/measures/warning.h"
 #include "experiments/results/playback.h"
+#include "experiments/study/interrupt.h"
 #include "experiments/study/progress.h"
 #include "experiments/study/recorder.h"
 
@@ -25,7 +25,7 @@ struct fw_run {
     fw_measurement *measurement;
     fw_recorder *recorder; /* NULL: nothing is written */
     double checkpointed;   /* clock of the last checkpoint */
-    fw_caution caution;
+    fw_warning warning;
 };
 
 static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
@@ -36,7 +36,7 @@ static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_
     if (!made) return fw_fail_memory(error, "a run");
     made->scenario = scenario;
     made->options = *options;
-    made->caution.out = options->cautions;
+    made->warning.out = options->warnings;
     omp_set_num_threads(options->threads > 0 ? options->threads : 1);
     FW_TRY(fw_experiment_create(&made->experiment, scenario, error));
     return fw_measurement_create(&made->measurement, made->experiment, error);
@@ -56,7 +56,7 @@ static fw_status measure(fw_run *run, fw_error *error)
 
 static fw_status record(fw_run *run, fw_error *error)
 {
-    FW_TRY(fw_caution_look(&run->caution, run->experiment, error));
+    FW_TRY(fw_warning_look(&run->warning, run->experiment, error));
     fw_status status = FW_OK;
     if (!run->recorder) return FW_OK;
 #pragma omp critical(results)
@@ -107,7 +107,7 @@ static fw_status restore_rows(fw_run *run, int64_t rows, fw_error *error)
     FW_TRY(fw_playback_open(&playback, run->options.directory, error));
     size_t count = (size_t)playback->sample_count, width = (size_t)m->width;
     double *table = calloc(count * width + 1, sizeof *table);
-    double *column = calloc(count * FW_COMPONENTS_MOST + 1, sizeof *column);
+    double *column = calloc(count * FW_COMPONENTS_MAX + 1, sizeof *column);
     double *times = calloc(count + 1, sizeof *times);
     int64_t *steps = calloc(count + 1, sizeof *steps);
     fw_status status = FW_OK;

@@ -18,7 +18,7 @@ typedef struct fw_run_options {
     const char *name; /* for the progress line */
     FILE *progress;   /* NULL: none */
     bool keep_open;   /* the results file is ended by fw_run_finish, not by the last step */
-    FILE *cautions;   /* where caution.h says what it sees; NULL: nowhere */
+    FILE *warnings;   /* where warning.h says what it sees; NULL: nowhere */
 } fw_run_options;
 
 typedef struct fw_run fw_run;

@@ -50,8 +50,8 @@ static fw_status fail_control(const fw_scenario *scenario, fw_status status, fw_
 static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_t seed,
                                fw_scenario **made, fw_error *error)
 {
-    enum { SETTINGS_MOST = 80 };
-    const char *settings[SETTINGS_MOST];
+    enum { SETTINGS_MAX = 80 };
+    const char *settings[SETTINGS_MAX];
     char seed_setting[48], *text;
     int count = 0;
     snprintf(seed_setting, sizeof seed_setting, "run.seed=%lld", (long long)seed);

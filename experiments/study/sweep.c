@@ -5,9 +5,9 @@
  * Start reading at fw_sweep_to_end(). */
 #include "experiments/study/sweep.h"
 
+#include "experiments/storage/whole_file.h"
 #include "experiments/study/sweep_case.h"
 #include "experiments/study/sweep_outcome.h"
-#include "experiments/storage/whole_file.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -4,10 +4,10 @@
  * Start reading at fw_sweep_case_complete(). */
 #include "experiments/study/sweep_case.h"
 
-#include "experiments/storage/folder.h"
-#include "experiments/study/interrupt.h"
 #include "experiments/results/playback.h"
 #include "experiments/results/provenance.h"
+#include "experiments/storage/folder.h"
+#include "experiments/study/interrupt.h"
 #include "experiments/study/study.h"
 #include "experiments/study/summary.h"
 
@@ -78,8 +78,8 @@ static fw_status find_stage(const fw_sweep_case *c, const fw_run_options *option
     FW_TRY(fw_playback_open(&playback, path, error));
     const fw_status status = compare_scenarios(c, playback, path, error);
     *found = strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0 ? FINISHED : BEGUN;
-    if (status == FW_OK && options->cautions)
-        fw_provenance_compare(options->cautions, playback->revision, path);
+    if (status == FW_OK && options->warnings)
+        fw_provenance_compare(options->warnings, playback->revision, path);
     fw_playback_close(playback);
     return status;
 }
@@ -116,7 +116,7 @@ static fw_status run_case(fw_sweep_case *c, const fw_run_options *options, stage
         FW_TRY(fw_study_resume(&study, c->scenario, options, note, error));
     else
         FW_TRY(fw_study_begin(&study, c->scenario, options, error));
-    if (note[0] && options->cautions) fprintf(options->cautions, "fretwork: %s\n", note);
+    if (note[0] && options->warnings) fprintf(options->warnings, "fretwork: %s\n", note);
     fw_status status = fw_study_to_end(study, error);
     if (status == FW_OK && fw_study_table(study))
         memcpy(c->layer, fw_study_table(study)->layer, sizeof c->layer);

@@ -5,8 +5,8 @@
 #define FW_SWEEP_CASE_H
 
 #include "experiments/measures/profile_table.h"
-#include "experiments/study/run.h"
 #include "experiments/measures/verdict.h"
+#include "experiments/study/run.h"
 
 typedef struct fw_sweep_case {
     char name[FW_CASE_NAME]; /* "A=2.5" */

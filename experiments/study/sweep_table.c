@@ -131,12 +131,12 @@ fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title, c
 
 /* --- reading --- */
 
-enum { CELLS_MOST = 4096 };
+enum { CELLS_MAX = 4096 };
 
 /* Which column and part of it a cell of each line holds. */
 typedef struct layout {
     int count;
-    int column[CELLS_MOST], part[CELLS_MOST];
+    int column[CELLS_MAX], part[CELLS_MAX];
 } layout;
 
 /* "energy, mean error" is part 1 of the column "energy, mean", which comes before it. */
@@ -158,7 +158,7 @@ static bool read_names(fw_sweep_table *table, layout *cells, char *units, char *
     snprintf(table->unit, sizeof table->unit, "%s", unit);
     names = fw_csv_cut(names, &name);
     snprintf(table->parameter, sizeof table->parameter, "%s", name);
-    while (names && units && cells->count < CELLS_MOST) {
+    while (names && units && cells->count < CELLS_MAX) {
         units = fw_csv_cut(units, &unit);
         names = fw_csv_cut(names, &name);
         const int part = find_part(table, name);
@@ -218,14 +218,14 @@ static bool read_text(fw_sweep_table *table, char *text)
 
 fw_status fw_sweep_table_read(fw_sweep_table *table, const char *path, fw_error *error)
 {
-    enum { BYTES_MOST = 1 << 26 };
+    enum { BYTES_MAX = 1 << 26 };
     *table = (fw_sweep_table){0};
     FILE *in = fopen(path, "r");
     if (!in) return fw_fail(error, FW_BAD_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
     char *text = NULL;
     size_t room = 0;
     const ssize_t length = getdelim(&text, &room, '\0', in);
-    const bool fine = length > 0 && length < BYTES_MOST && read_text(table, text);
+    const bool fine = length > 0 && length < BYTES_MAX && read_text(table, text);
     fclose(in);
     free(text);
     if (fine) return FW_OK;

@@ -41,13 +41,13 @@ int fw_spelling_distance(const char *a, const char *b)
     return above[columns];
 }
 
-void fw_guess_offer(fw_guess *guess, const char *candidate)
+void fw_suggestion_offer(fw_suggestion *suggestion, const char *candidate)
 {
-    int distance = fw_spelling_distance(guess->word, candidate);
+    int distance = fw_spelling_distance(suggestion->word, candidate);
     size_t length = strlen(candidate);
     int allowed = (int)(length + 2) / 3;
     if ((size_t)distance >= length || distance > allowed) return;
-    if (guess->best && guess->distance <= distance) return;
-    guess->best = candidate;
-    guess->distance = distance;
+    if (suggestion->best && suggestion->distance <= distance) return;
+    suggestion->best = candidate;
+    suggestion->distance = distance;
 }

@@ -7,8 +7,8 @@
 #include "contact/scene/scene.h"
 #include "core/automaton/elastic_automaton.h"
 #include "core/boltzmann/lb_solid.h"
-#include "core/particles/linear_lattice.h"
 #include "core/noise.h"
+#include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"
 #include "tests/support/standing_wave.h"
 
@@ -306,9 +306,9 @@ static void books_balance_under_loads_and_damping(void **state)
                 if (tick % solid->model->ticks_per_step == 0)
                     push_at_random(solid, &kinds[k], 0.02);
                 fw_solid_advance_free(solid);
-                moved = fmax(moved, fabs(solid->account.work) + solid->account.dissipated);
+                moved = fmax(moved, fabs(solid->ledger.work) + solid->ledger.dissipated);
             }
-            const fw_account *a = &solid->account;
+            const fw_solid_ledger *a = &solid->ledger;
             const double booked = before + a->work - a->dissipated + a->heat;
             const double error = fabs(energy_of(solid) - booked) / moved;
             if (!(error < 10 * kinds[k].energy_error))
@@ -421,7 +421,7 @@ static void walls_hold_without_loss(void **state)
             const fw_vec2 gained = fw_vec2_subtract(fw_solid_momentum(solid), p0);
             const fw_vec2 normal = {slanted ? -0.14834045293024465 : 0,
                                     slanted ? 0.98893635286829761 : 1};
-            assert_true(fw_scene_wall_account(scene, 0)->held > 0);
+            assert_true(fw_scene_wall_ledger(scene, 0)->held > 0);
             assert_true(fw_vec2_dot(gained, normal) > 0);
             assert_close(fw_vec2_dot(gained, fw_vec2_turn(normal)), 0, 1e-12 * hypot(p0.x, p0.y));
             assert_true(deepest <= (slanted ? 4e-15 : 0));

@@ -42,15 +42,15 @@ static void check_scenario(const fw_scenario *scenario)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    enum { SETTINGS_MOST = 4 };
+    enum { SETTINGS_MAX = 4 };
     char *copy = malloc(size + 1);
     demand(copy != NULL);
     if (size) memcpy(copy, data, size);
     copy[size] = '\0';
     size_t length = strlen(copy);
-    const char *settings[SETTINGS_MOST];
+    const char *settings[SETTINGS_MAX];
     int count = 0;
-    for (size_t at = length + 1; at < size && count < SETTINGS_MOST; at += strlen(copy + at) + 1)
+    for (size_t at = length + 1; at < size && count < SETTINGS_MAX; at += strlen(copy + at) + 1)
         settings[count++] = copy + at;
     fw_scenario *scenario;
     fw_error error;

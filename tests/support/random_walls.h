@@ -52,18 +52,18 @@ static inline double dice_scale(dice *d, double low, double high)
     return pow(10, dice_between(d, low, high));
 }
 
-enum { WALL_POINTS_MOST = 9 };
+enum { WALL_POINTS_MAX = 9 };
 
 /* A definition with its points; not to be copied after random_wall(). */
 typedef struct wall_recipe {
     fw_wall_def def;
-    fw_vec2 points[WALL_POINTS_MOST];
+    fw_vec2 points[WALL_POINTS_MAX];
 } wall_recipe;
 
 /* Corners on an ellipse that is turned anyhow: always convex. */
 static inline void random_polygon(wall_recipe *recipe, dice *d, fw_vec2 centre, double size)
 {
-    const int count = 3 + dice_below(d, WALL_POINTS_MOST - 2);
+    const int count = 3 + dice_below(d, WALL_POINTS_MAX - 2);
     fw_vec2 axis = dice_direction(d);
     double flatness = dice_between(d, 0.1, 1), start = dice_between(d, 0, 6);
     int sense = dice_below(d, 2) ? 1 : -1;
@@ -94,7 +94,7 @@ static inline void random_wall(wall_recipe *recipe, dice *d, fw_vec2 centre, dou
         break;
     }
     case FW_CHAIN:
-        def->point_count = 2 + dice_below(d, WALL_POINTS_MOST - 1);
+        def->point_count = 2 + dice_below(d, WALL_POINTS_MAX - 1);
         for (int i = 0; i < def->point_count; ++i) recipe->points[i] = dice_point(d, centre, size);
         def->closed = dice_below(d, 2);
         break;
@@ -121,12 +121,12 @@ static inline void random_wall(wall_recipe *recipe, dice *d, fw_vec2 centre, dou
     }
 }
 
-enum { WALLS_MOST = 24, LIST = WALLS_MOST * WALL_POINTS_MOST };
+enum { WALLS_MAX = 24, LIST = WALLS_MAX * WALL_POINTS_MAX };
 
 /* Random walls with their broadphase. */
 typedef struct stage {
     int wall_count, facet_count;
-    fw_wall *walls[WALLS_MOST];
+    fw_wall *walls[WALLS_MAX];
     fw_box extent;
     fw_broadphase *broadphase;
 } stage;
@@ -147,7 +147,7 @@ static inline fw_broadphase *broadphase_of(const stage *s)
 static inline void set_stage(stage *s, dice *d, fw_vec2 middle, double size, double speed)
 {
     memset(s, 0, sizeof *s);
-    s->wall_count = 1 + dice_below(d, WALLS_MOST);
+    s->wall_count = 1 + dice_below(d, WALLS_MAX);
     s->extent = (fw_box){{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (int i = 0; i < s->wall_count; ++i) {
         wall_recipe recipe;

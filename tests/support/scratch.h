@@ -52,8 +52,8 @@ static inline void remove_folder(const char *path)
     if (system(command) != 0) fail_msg("%s remains", path);
 }
 
-/* The exit status of a script in tests/support, or -1 where no Python with h5py is installed. It leaves no
- * compiled modules beside the sources. */
+/* The exit status of a script in tests/support, or -1 where no Python with h5py is installed. It
+ * leaves no compiled modules beside the sources. */
 static inline int run_python(const char *script, const char *arguments)
 {
     static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
@@ -61,8 +61,8 @@ static inline int run_python(const char *script, const char *arguments)
     for (int i = 0; i < 2; ++i) {
         snprintf(command, sizeof command, "%s -c 'import h5py' 2>/dev/null", interpreters[i]);
         if (system(command) != 0) continue;
-        snprintf(command, sizeof command, "%s -B '%s/tests/support/%s' %s", interpreters[i], FW_SOURCE_DIR,
-                 script, arguments);
+        snprintf(command, sizeof command, "%s -B '%s/tests/support/%s' %s", interpreters[i],
+                 FW_SOURCE_DIR, script, arguments);
         int status = system(command);
         return status == -1 ? 127 : status;
     }

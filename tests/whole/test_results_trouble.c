@@ -3,8 +3,8 @@
  * nothing damaged. */
 #include "tests/support/laws.h"
 
-#include "experiments/storage/hdf5_file.h"
 #include "experiments/results/playback.h"
+#include "experiments/storage/hdf5_file.h"
 #include "tests/support/recorded_run.h"
 
 #include <dirent.h>

@@ -94,12 +94,12 @@ static void try_once(const kind *k, uint64_t *seed, tally *sum)
         if (k->moving) barriers[n].motion = random_vector(seed, 0.2);
     }
     const fw_prediction free = {.displacement = random_vector(seed, 0.5),
-                                .coasting = random_vector(seed, 0.5),
+                                .inertial = random_vector(seed, 0.5),
                                 .mobility = random_mobility(seed, k->matrix)};
     fw_contact_memory memory = {0};
     if (random_between(seed, 0, 1) < 0.5)
         memory = (fw_contact_memory){.reaction = random_between(seed, 0, 1),
-                                     .coasting = random_between(seed, -0.3, 0.3),
+                                     .inertial = random_between(seed, -0.3, 0.3),
                                      .facet = 1 + (int)random_between(seed, 0, count),
                                      .stuck = random_between(seed, 0, 1) < 0.5};
     /* Rows of an earlier try, in part of the cases: needed or not, the laws are the same. */

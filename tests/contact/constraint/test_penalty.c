@@ -160,8 +160,8 @@ static void sheet_between_soft_walls_keeps_its_energy(void **state)
             stored = fmax(stored, ledger.wall_stored);
         }
         assert_true(stored > 0.02 * start);
-        assert_true(fw_scene_wall_account(scene, 0)->held > 100);
-        assert_true(fw_scene_wall_account(scene, 1)->held > 100);
+        assert_true(fw_scene_wall_ledger(scene, 0)->held > 100);
+        assert_true(fw_scene_wall_ledger(scene, 1)->held > 100);
         assert_true(fw_scene_penetration(scene, -1) >= 0);
         fw_scene_destroy(scene);
     }
@@ -202,7 +202,7 @@ static void soft_circle_exerts_no_torque(void **state)
     for (int t = 0; t < 5000; ++t) step(scene);
     const double after = fw_vec2_cross(fw_solid_position(solid, 0), fw_scene_momentum(scene));
     assert_close(after / before, 1, 1e-12);
-    assert_true(fw_scene_wall_account(scene, 0)->held > 100);
+    assert_true(fw_scene_wall_ledger(scene, 0)->held > 100);
     fw_scene_destroy(scene);
 }
 
@@ -230,7 +230,7 @@ static void hard_and_soft_walls_act_together(void **state)
         for (int i = 0; i < fw_scene_observe_body(scene, 0)->count; ++i)
             assert_true(fw_scene_observe_body(scene, 0)->y[i] >= 0);
     }
-    assert_true(fw_scene_wall_account(scene, 1)->held > 5);
+    assert_true(fw_scene_wall_ledger(scene, 1)->held > 5);
     fw_scene_destroy(scene);
 }
 
@@ -262,7 +262,7 @@ static void particles_between_soft_walls_keep_verlets_energy(void **state)
             worst[fine] = fmax(worst[fine], fabs(energy_of(scene) - fw_ledger_energy(&ledger)));
             assert_close(ledger.wall_work, 0, 1e-10);
         }
-        assert_true(fw_scene_wall_account(scene, 0)->held > 1000);
+        assert_true(fw_scene_wall_ledger(scene, 0)->held > 1000);
         fw_scene_destroy(scene);
     }
     print_message("energy error %.2g at dt, %.2g at dt/2\n", worst[0], worst[1]);

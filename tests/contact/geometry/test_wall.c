@@ -26,7 +26,7 @@ static void polygon_is_the_same_in_either_sense(void **state)
         recipe.def.side = (fw_side)(shape % 2);
         fw_wall *wall = made(&recipe.def);
         const int count = recipe.def.point_count;
-        fw_vec2 backwards[WALL_POINTS_MOST];
+        fw_vec2 backwards[WALL_POINTS_MAX];
         for (int i = 0; i < count; ++i) backwards[i] = recipe.points[count - 1 - i];
         recipe.def.points = backwards;
         fw_wall *mirror = made(&recipe.def);

@@ -70,7 +70,7 @@ static void assert_books_balance(const fw_scene *scene, double tolerance)
 {
     const fw_ledger l = fw_scene_ledger(scene);
     const double booked = l.energy_at_start + l.external_work + l.wall_work - l.dissipated -
-                          l.friction_heat + l.noise_heat;
+                          l.friction_heat + l.thermostat_heat;
     assert_close(energy_of(scene), booked, tolerance);
     const fw_vec2 p = fw_scene_momentum(scene);
     assert_close(p.x, l.momentum_at_start.x + l.external_impulse.x + l.wall_impulse.x + l.drag.x,
@@ -98,7 +98,7 @@ static void paper_body_bounces_as_computed_independently(void **state)
         double held = 0;
         for (int step = 1; step <= 250; ++step) {
             assert_int_equal(fw_scene_step(scene, NULL), FW_OK);
-            const double now = fw_scene_wall_account(scene, 0)->held;
+            const double now = fw_scene_wall_ledger(scene, 0)->held;
             if (now > held) last = step;
             if (now > held && first == 0) first = step;
             held = now;
@@ -122,7 +122,7 @@ static void conserving_walls_keep_energy_for_ten_thousand_steps(void **state)
         fw_scene *scene = paper_scene(0.4, 0.5, FW_BOUNDARY_BOND, (fw_surface){.law = laws[n]});
         for (int step = 0; step < 10000; ++step)
             assert_int_equal(fw_scene_step(scene, NULL), FW_OK);
-        assert_true(fw_scene_wall_account(scene, 0)->held > 100);
+        assert_true(fw_scene_wall_ledger(scene, 0)->held > 100);
         assert_close(energy_of(scene) / 0.09, 1, 1e-12);
         assert_books_balance(scene, 1e-12);
         fw_scene_destroy(scene);
@@ -197,8 +197,8 @@ static void moving_wall_does_what_is_booked(void **state)
         assert_int_equal(fw_scene_step(scene, NULL), FW_OK);
         deepest = fmax(deepest, fw_scene_penetration(scene, -1));
     }
-    assert_true(fw_scene_wall_account(scene, 0)->held > 50);
-    assert_true(fabs(fw_scene_wall_account(scene, 0)->work) > 1e-3);
+    assert_true(fw_scene_wall_ledger(scene, 0)->held > 50);
+    assert_true(fabs(fw_scene_wall_ledger(scene, 0)->work) > 1e-3);
     assert_books_balance(scene, 1e-11); /* impulses of some hundred */
     /* The colour that rests is where the wall was half a step ago: 1.5 2 pi/90 /2 = .052. */
     assert_below(deepest, 0.053);
@@ -251,7 +251,7 @@ static void resting_body_weighs_what_it_weighs(void **state)
         block_on_floor((fw_vec2){0, 0}, 0.8, (fw_surface){.law = FW_FRICTIONLESS}, 0.02);
     for (int step = 0; step < 3000; ++step) assert_int_equal(fw_scene_step(scene, NULL), FW_OK);
     /* At rest the floor's force, as momentum per time, is the weight. */
-    assert_close(fw_scene_wall_account(scene, 0)->reaction.y, 0.02, 1e-10);
+    assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y, 0.02, 1e-10);
     fw_scene_destroy(scene);
 }
 

@@ -107,7 +107,7 @@ static void held_walker_turns_round(void **state)
         const double c = exp(-dampings[n] * dt), s = sqrt((1 - c * c) * temperatures[n] / mass);
         const fw_vec2 xi =
             s > 0 ? fw_noise_gaussian(9, 0, 0, FW_NOISE_THERMOSTAT) : (fw_vec2){0, 0};
-        const fw_vec2 force = fw_scene_wall_account(scene, 0)->force;
+        const fw_vec2 force = fw_scene_wall_ledger(scene, 0)->force;
         assert_close(force.y, -2 * mass / dt * (-v + s * xi.y / (1 + c)), 1e-11);
         assert_close(force.x, 0, 0);
         /* Along the wall it goes on as if there were none. */
@@ -151,7 +151,7 @@ static void disc_bounces_with_verlets_energy(void **state)
                 if (t % 10 == 0) worst[fine] = fmax(worst[fine], fabs(energy_of(scene) - start));
             }
             assert_momentum_is_booked(scene, 1e-11);
-            assert_true(fw_scene_wall_account(scene, 0)->held > 10);
+            assert_true(fw_scene_wall_ledger(scene, 0)->held > 10);
             assert_int_equal(fw_scene_unresolved(scene), 0);
             fw_scene_destroy(scene);
         }
@@ -200,14 +200,13 @@ static void reaction_carries_the_weight(void **state)
     assert_int_equal(fw_scene_add_load(scene, 0, &weight, NULL), FW_OK);
     begin(scene);
     for (int t = 0; t < 8000; ++t) step(scene);
-    const double before = fw_scene_wall_account(scene, 0)->impulse.y;
+    const double before = fw_scene_wall_ledger(scene, 0)->impulse.y;
     double spread = 0;
     for (int t = 0; t < 2000; ++t) {
         step(scene);
-        spread =
-            fmax(spread, fabs(fw_scene_wall_account(scene, 0)->reaction.y / (0.1 * count) - 1));
+        spread = fmax(spread, fabs(fw_scene_wall_ledger(scene, 0)->reaction.y / (0.1 * count) - 1));
     }
-    const double mean = (fw_scene_wall_account(scene, 0)->impulse.y - before) / (2000 * 0.005);
+    const double mean = (fw_scene_wall_ledger(scene, 0)->impulse.y - before) / (2000 * 0.005);
     print_message("reaction over weight: mean %.6f, at most %.2g off\n", mean / (0.1 * count),
                   spread);
     assert_close(mean / (0.1 * count), 1, 1e-3);
@@ -215,7 +214,7 @@ static void reaction_carries_the_weight(void **state)
 }
 
 /* A liquid in a box: in time every particle comes to a wall, also those that began inside; nobody
- * gets out. The skin of a body that flows is all its particles. */
+ * gets out. The boundary of a body that flows is all its particles. */
 static void nobody_leaves_a_boiling_box(void **state)
 {
     (void)state;
@@ -261,7 +260,7 @@ static uint64_t hash_after(int threads)
     add_wall(scene, FW_BOX, corners, 2, 0, (fw_path){0});
     begin(scene);
     for (int t = 0; t < 60; ++t) step(scene);
-    assert_true(fw_scene_wall_account(scene, 0)->held > 20);
+    assert_true(fw_scene_wall_ledger(scene, 0)->held > 20);
     uint64_t hash = fingerprint(solid);
     fw_state_list list = {0};
     fw_scene_section(scene, 0, &list);

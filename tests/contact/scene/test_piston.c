@@ -66,9 +66,9 @@ static void run(fw_scene *scene, int steps)
         if (fw_scene_step(scene, &error) != FW_OK) fail_msg("%s", error.sentence);
 }
 
-static const fw_piston_account *account_of(const fw_scene *scene, int wall)
+static const fw_piston_ledger *ledger_of(const fw_scene *scene, int wall)
 {
-    return fw_piston_observe_account(fw_scene_observe_piston(scene, wall));
+    return fw_piston_observe_ledger(fw_scene_observe_piston(scene, wall));
 }
 
 /* Books of the bodies, of each piston, and that what one gives the other takes. */
@@ -81,7 +81,7 @@ static void assert_books_balance(const fw_scene *scene, double tolerance)
     const fw_vec2 p = fw_scene_momentum(scene), wanted = fw_ledger_momentum(&ledger);
     double impulses = 1;
     for (int w = 0; w < fw_scene_wall_count(scene); ++w) {
-        const fw_vec2 impulse = fw_scene_wall_account(scene, w)->impulse;
+        const fw_vec2 impulse = fw_scene_wall_ledger(scene, w)->impulse;
         impulses += fabs(impulse.x) + fabs(impulse.y);
     }
     assert_close(p.x, wanted.x, tolerance * impulses);
@@ -89,8 +89,8 @@ static void assert_books_balance(const fw_scene *scene, double tolerance)
     for (int w = 0; w < fw_scene_wall_count(scene); ++w) {
         const fw_piston *piston = fw_scene_observe_piston(scene, w);
         if (!piston) continue;
-        const fw_piston_account *a = fw_piston_observe_account(piston);
-        const fw_wall_account *wall = fw_scene_wall_account(scene, w);
+        const fw_piston_ledger *a = fw_piston_observe_ledger(piston);
+        const fw_wall_ledger *wall = fw_scene_wall_ledger(scene, w);
         const double flow = fabs(a->work) + fabs(a->pushed_by) + a->heat;
         assert_close(fw_piston_energy_error(piston), 0, tolerance * (1e-3 + flow));
         assert_close(a->pushed_by, -wall->work, tolerance * (1e-3 + flow));
@@ -113,7 +113,7 @@ static void constant_force_gives_constant_acceleration(void **state)
     add_block(scene, "block", (fw_vec2){5, 5}, (fw_vec2){6, 6}, smooth, &def);
     begin(scene);
     run(scene, 1000);
-    const fw_piston_account *a = account_of(scene, 0);
+    const fw_piston_ledger *a = ledger_of(scene, 0);
     assert_close(a->displacement.x, 0.5 * 0.02 / 4 * 1e6, 1e-8);
     assert_close(a->displacement.y, -0.5 * 0.01 / 4 * 1e6, 1e-8);
     assert_close(a->velocity.x, 0.02 / 4 * 1000, 1e-11);
@@ -132,7 +132,7 @@ static void damped_piston_reaches_its_terminal_velocity(void **state)
     add_block(scene, "block", (fw_vec2){5, 5}, (fw_vec2){6, 6}, smooth, &def);
     begin(scene);
     run(scene, 3000);
-    assert_close(account_of(scene, 0)->velocity.x, 0.25, 0.25 * 0.02 * 0.02);
+    assert_close(ledger_of(scene, 0)->velocity.x, 0.25, 0.25 * 0.02 * 0.02);
     assert_books_balance(scene, 1e-12);
     fw_scene_destroy(scene);
 }
@@ -154,9 +154,9 @@ static void tethered_piston_swings_for_ever(void **state)
     double first = 0;
     int turns = 0;
     for (int t = 0; t < 20000; ++t) {
-        const double before = account_of(scene, 0)->velocity.x;
+        const double before = ledger_of(scene, 0)->velocity.x;
         run(scene, 1);
-        const fw_piston_account *a = account_of(scene, 0);
+        const fw_piston_ledger *a = ledger_of(scene, 0);
         const double energy =
             fw_piston_kinetic_energy(piston) + 0.5 * 0.02 * a->displacement.x * a->displacement.x;
         if (t == 0) first = energy;
@@ -187,7 +187,7 @@ static void piston_and_particle_collide_elastically(void **state)
         const fw_vec2 p = fw_solid_momentum(solid);
         assert_close(p.x / m, v * (m - big) / (m + big), 1e-14);
         assert_close(p.y / m, 0.01, 1e-15);
-        assert_close(account_of(scene, 0)->velocity.x, 2 * m * v / (m + big), 1e-14);
+        assert_close(ledger_of(scene, 0)->velocity.x, 2 * m * v / (m + big), 1e-14);
         assert_books_balance(scene, 1e-12);
         fw_scene_destroy(scene);
     }
@@ -217,11 +217,11 @@ static void impacts_keep_energy_and_momentum_on_every_surface(void **state)
                 deepest = fmax(deepest, fw_scene_penetration(scene, 0));
             }
             assert_books_balance(scene, 2e-12);
-            assert_true(fw_scene_wall_account(scene, 1)->held > 0 || s == 3);
-            assert_true(fabs(account_of(scene, 1)->pushed_by) > 1e-4);
+            assert_true(fw_scene_wall_ledger(scene, 1)->held > 0 || s == 3);
+            assert_true(fabs(ledger_of(scene, 1)->pushed_by) > 1e-4);
             if (s != 3) assert_below(deepest, 1e-11);
             assert_int_equal(fw_scene_unresolved(scene), 0);
-            assert_true(account_of(scene, 1)->unresolved == 0);
+            assert_true(ledger_of(scene, 1)->unresolved == 0);
             fw_scene_destroy(scene);
         }
 }
@@ -244,7 +244,7 @@ static void round_piston_keeps_energy_and_momentum(void **state)
     assert_int_equal(fw_scene_add_piston(scene, &disc, &def, &error), FW_OK);
     begin(scene);
     run(scene, 600);
-    const fw_piston_account *a = account_of(scene, 0);
+    const fw_piston_ledger *a = ledger_of(scene, 0);
     assert_true(a->velocity.x > 0.01);
     assert_books_balance(scene, 1e-11);
     assert_true(a->unresolved == 0);
@@ -327,9 +327,9 @@ static void press_anyhow(uint64_t seed, int *unresolved)
     }
     assert_books_balance(scene, 1e-11);
     const bool resolved =
-        fw_scene_unresolved(scene) == 0 && account_of(scene, wall)->unresolved == 0;
+        fw_scene_unresolved(scene) == 0 && ledger_of(scene, wall)->unresolved == 0;
     if (resolved && !soft) assert_below(deepest, 1e-10);
-    const fw_piston_account *a = account_of(scene, wall);
+    const fw_piston_ledger *a = ledger_of(scene, wall);
     const double flow = fabs(a->work) + fabs(a->pushed_by);
     if (resolved && !soft_corner) assert_below(fabs(a->unmatched_work), 1e-9 * (1 + flow));
     /* A soft corner pushes to one side or the other, and nothing between may fit; nor where a
@@ -373,7 +373,7 @@ static void a_piston_strikes_only_what_it_reaches(void **state)
     add_block(scene, "press", (fw_vec2){-50, 9}, (fw_vec2){50, 12}, smooth, &def);
     begin(scene);
     run(scene, 1);
-    assert_true(account_of(scene, 1)->displacement.y > -0.1);
+    assert_true(ledger_of(scene, 1)->displacement.y > -0.1);
     assert_close(fw_solid_momentum(fw_scene_observe_body(scene, 1)).y, 0.025, 1e-15);
     fw_scene_destroy(scene);
 }
@@ -394,12 +394,12 @@ static void one_row_carries_the_load(void **state)
         add_block(scene, "press", (fw_vec2){-50, 0.33 * thrown}, (fw_vec2){50, 4}, smooth, &def);
         begin(scene);
         run(scene, 200);
-        const fw_piston_account *a = account_of(scene, 1);
+        const fw_piston_ledger *a = ledger_of(scene, 1);
         if (thrown) {
             assert_close(a->velocity.y, 0.05, 1e-15);
         } else {
             assert_close(a->displacement.y, 0, 0);
-            assert_close(fw_scene_wall_account(scene, 0)->reaction.y, 0.2, 1e-14);
+            assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y, 0.2, 1e-14);
         }
         assert_true(fw_scene_penetration(scene, 0) == 0);
         assert_true(a->unresolved == 0);
@@ -421,8 +421,8 @@ static void two_platens_press_one_block(void **state)
     add_block(scene, "right", (fw_vec2){4.6, 5}, (fw_vec2){11, 8}, smooth, &def);
     begin(scene);
     run(scene, 3000);
-    assert_close(fw_scene_wall_account(scene, 0)->reaction.y, 0.2, 1e-9);
-    assert_true(account_of(scene, 1)->unresolved + account_of(scene, 2)->unresolved == 0);
+    assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y, 0.2, 1e-9);
+    assert_true(ledger_of(scene, 1)->unresolved + ledger_of(scene, 2)->unresolved == 0);
     assert_books_balance(scene, 1e-11);
     fw_scene_destroy(scene);
 }
@@ -442,13 +442,13 @@ static void pressed_block_yields_by_its_compliance(void **state)
     double sum = 0, deviation = 0;
     for (int t = 0; t < 200; ++t) {
         run(scene, 1);
-        const double reaction = fw_scene_wall_account(scene, 0)->reaction.y;
+        const double reaction = fw_scene_wall_ledger(scene, 0)->reaction.y;
         sum += reaction;
         deviation = fmax(deviation, fabs(reaction - load));
     }
     assert_close(sum / 200, load, 1e-9 * load);
     assert_below(deviation, 1e-9);
-    assert_close(account_of(scene, 1)->displacement.y, -load * 9 / 20, 1e-9);
+    assert_close(ledger_of(scene, 1)->displacement.y, -load * 9 / 20, 1e-9);
     assert_books_balance(scene, 1e-11);
     fw_scene_destroy(scene);
 }
@@ -468,9 +468,9 @@ static void held_piston_follows_its_path(void **state)
     add_block(scene, "piston", (fw_vec2){7.2, -200}, (fw_vec2){20, 200}, smooth, &def);
     begin(scene);
     run(scene, 1100);
-    const fw_piston_account *a = account_of(scene, 1);
+    const fw_piston_ledger *a = ledger_of(scene, 1);
     assert_close(a->displacement.x, 0.5 * sin(6.283185307179586 * 1100 / 400), 1e-12);
-    assert_close(a->work, fw_scene_wall_account(scene, 1)->work, 1e-12);
+    assert_close(a->work, fw_scene_wall_ledger(scene, 1)->work, 1e-12);
     assert_true(a->work > 1e-3);
     assert_true(fw_piston_kinetic_energy(fw_scene_observe_piston(scene, 1)) == 0);
     /* Let go, it begins with the velocity that it had. */

@@ -168,7 +168,7 @@ static void oblique_walls_keep_energy_and_hold(void **state)
             step(scene);
             deepest = fmax(deepest, fw_scene_penetration(scene, -1));
         }
-        assert_true(fw_scene_wall_account(scene, 0)->held > 10);
+        assert_true(fw_scene_wall_ledger(scene, 0)->held > 10);
         assert_close(energy_of(scene) / start, 1, 1e-12);
         assert_true(deepest <= 4 * 2.220446049250313e-16 * (shift + 32));
         assert_int_equal(fw_scene_unresolved(scene), 0);
@@ -204,7 +204,7 @@ static void lone_particle_in_a_circle_keeps_angular_momentum(void **state)
         step(scene);
         deepest = fmax(deepest, fw_scene_penetration(scene, -1));
     }
-    assert_true(fw_scene_wall_account(scene, 0)->held > 300);
+    assert_true(fw_scene_wall_ledger(scene, 0)->held > 300);
     assert_close(energy_of(scene) / start, 1, 1e-12);
     assert_close(angular_momentum(scene, centre) / l0, 1, 1e-12);
     assert_true(deepest <= 4 * 2.220446049250313e-16 * 13);
@@ -233,7 +233,7 @@ static void circles_inside_and_outside_keep_energy(void **state)
             step(scene);
             deepest = fmax(deepest, fw_scene_penetration(scene, -1));
         }
-        assert_true(fw_scene_wall_account(scene, 0)->held > 10);
+        assert_true(fw_scene_wall_ledger(scene, 0)->held > 10);
         assert_close(energy_of(scene) / start, 1, 1e-12);
         assert_true(deepest <= 4 * 2.220446049250313e-16 * 40);
         fw_scene_destroy(scene);
@@ -302,7 +302,7 @@ static void resting_block_shows_its_load_as_reaction(void **state)
     for (int t = 0; t < 6000; ++t) step(scene);
     for (int t = 0; t < 100; ++t) {
         step(scene);
-        assert_close(fw_scene_wall_account(scene, 0)->reaction.y / 0.2, 1, 1e-8);
+        assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y / 0.2, 1, 1e-8);
     }
     fw_scene_destroy(scene);
 }
@@ -359,7 +359,7 @@ static void block_sticks_on_a_round_hill(void **state)
     for (int t = 0; t < 3000; ++t) step(scene);
     const double settled = fw_scene_observe_body(scene, 0)->x[0];
     for (int t = 0; t < 2000; ++t) step(scene);
-    assert_true(fw_scene_wall_account(scene, 0)->contacts > 0);
+    assert_true(fw_scene_wall_ledger(scene, 0)->contacts > 0);
     assert_close(fw_scene_observe_body(scene, 0)->x[0], settled, 1e-12);
     fw_scene_destroy(scene);
 }
@@ -387,8 +387,8 @@ static void coulomb_impact_loses_what_friction_takes(void **state)
     begin(scene);
     fw_vec2 before = fw_scene_momentum(scene);
     double held = -1;
-    while (held != fw_scene_wall_account(scene, 0)->held || held == 0) {
-        held = fw_scene_wall_account(scene, 0)->held;
+    while (held != fw_scene_wall_ledger(scene, 0)->held || held == 0) {
+        held = fw_scene_wall_ledger(scene, 0)->held;
         for (int t = 0; t < 60; ++t) step(scene);
     }
     fw_vec2 after = fw_scene_momentum(scene);
@@ -473,7 +473,7 @@ static void gripped_bar_keeps_its_books(void **state)
         assert_true(fw_scene_ledger(scene).grip_work > 1e-3);
         assert_books_balance(scene, 1e-11);
         if (!driven)
-            assert_close(fw_grip_observe_account(fw_scene_observe_grip(scene, 1))->reaction.y, 0.1,
+            assert_close(fw_grip_observe_ledger(fw_scene_observe_grip(scene, 1))->reaction.y, 0.1,
                          1e-12);
         fw_scene_destroy(scene);
     }

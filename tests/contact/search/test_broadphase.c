@@ -57,7 +57,7 @@ static void moving_walls_are_never_missed(void **state)
         stage s;
         set_stage(&s, &d, middle, size, speed);
         for (int step = 0; step < 60; ++step) {
-            fw_vec2 from[WALLS_MOST], to[WALLS_MOST];
+            fw_vec2 from[WALLS_MAX], to[WALLS_MAX];
             for (int i = 0; i < s.wall_count; ++i) {
                 from[i] = fw_wall_displacement(s.walls[i], step);
                 to[i] = fw_wall_displacement(s.walls[i], step + 1);

@@ -266,7 +266,7 @@ static void held_particle_stays_where_it_is_to_the_last_bit(void **state)
     fw_sites_clear(&sites);
 }
 
-static void account_of_loads_and_damping_closes(void **state)
+static void ledger_of_loads_and_damping_closes(void **state)
 {
     (void)state;
     fw_sites sites = ragged();
@@ -285,13 +285,13 @@ static void account_of_loads_and_damping_closes(void **state)
             }
             fw_solid_advance_free(solid);
         }
-        const fw_account *account = &solid->account;
-        assert_true(account->work > 0.1);
-        assert_true(damped ? account->dissipated > 0.1 : account->dissipated == 0);
-        assert_close(energy(solid) - e, account->work - account->dissipated, 1e-11);
+        const fw_solid_ledger *ledger = &solid->ledger;
+        assert_true(ledger->work > 0.1);
+        assert_true(damped ? ledger->dissipated > 0.1 : ledger->dissipated == 0);
+        assert_close(energy(solid) - e, ledger->work - ledger->dissipated, 1e-11);
         const fw_vec2 gained = fw_vec2_subtract(fw_solid_momentum(solid), p);
-        assert_close(gained.x, account->impulse.x + account->drag.x, 1e-11);
-        assert_close(gained.y, account->impulse.y + account->drag.y, 1e-11);
+        assert_close(gained.x, ledger->impulse.x + ledger->drag.x, 1e-11);
+        assert_close(gained.y, ledger->impulse.y + ledger->drag.y, 1e-11);
         fw_solid_destroy(solid);
     }
     fw_sites_clear(&sites);
@@ -385,7 +385,7 @@ int main(void)
         cmocka_unit_test(one_displaced_site_makes_the_body_drift),
         cmocka_unit_test(frictionless_hold_keeps_energy_and_tangential_momentum),
         cmocka_unit_test(held_particle_stays_where_it_is_to_the_last_bit),
-        cmocka_unit_test(account_of_loads_and_damping_closes),
+        cmocka_unit_test(ledger_of_loads_and_damping_closes),
         cmocka_unit_test(constant_force_obeys_newton),
         cmocka_unit_test(chopards_automaton_is_the_lb_solid),
     };

@@ -224,7 +224,7 @@ static void breaking_takes_energy_and_books_it(void **state)
     const double begin = energy(solid);
     const fw_vec2 p = fw_solid_momentum(solid);
     double before = begin;
-    const int revision = solid->skin_revision, links = solid->link_count;
+    const int revision = solid->boundary_revision, links = solid->link_count;
     for (int tick = 0; tick < 4000; ++tick) {
         fw_solid_advance_free(solid);
         const double now = energy(solid);
@@ -234,14 +234,14 @@ static void breaking_takes_energy_and_books_it(void **state)
     const int broken = fw_elastic_automaton_broken(solid);
     assert_true(broken > 5 && broken < links);
     assert_int_equal(solid->link_count, links - broken);
-    assert_true(solid->skin_revision > revision);
-    assert_true(solid->account.fracture > 0);
-    assert_close(begin - before, solid->account.fracture, 1e-12 * begin);
-    assert_true(solid->account.dissipated == solid->account.fracture);
+    assert_true(solid->boundary_revision > revision);
+    assert_true(solid->ledger.fracture > 0);
+    assert_close(begin - before, solid->ledger.fracture, 1e-12 * begin);
+    assert_true(solid->ledger.dissipated == solid->ledger.fracture);
     /* Fragments fly apart: by now their displacements are some hundred, known to 5e-14. */
     const fw_vec2 gained = fw_vec2_subtract(fw_solid_momentum(solid), p);
-    assert_close(gained.x, solid->account.drag.x, 1e-11);
-    assert_close(gained.y, solid->account.drag.y, 1e-11);
+    assert_close(gained.x, solid->ledger.drag.x, 1e-11);
+    assert_close(gained.y, solid->ledger.drag.y, 1e-11);
     fw_solid_destroy(solid);
     fw_sites_clear(&sites);
 }
@@ -283,7 +283,7 @@ static void cell_without_bonds_freezes(void **state)
     solid->external_x[corner] = 1;
     for (int tick = 0; tick < 50; ++tick) fw_solid_advance_free(solid);
     assert_true(solid->x[corner] == at.x && solid->y[corner] == at.y);
-    assert_true(solid->account.work == 0);
+    assert_true(solid->ledger.work == 0);
     fw_prediction prediction;
     fw_solid_predict(solid, &corner, 1, &prediction);
     assert_true(prediction.mobility.xx == 0);
@@ -312,7 +312,7 @@ static void threads_change_no_bit(void **state)
         fw_state_list list = {0};
         solid->model->state(solid, &list);
         hash[threads - 1] = fw_state_list_hash(&list);
-        assert_true(solid->account.work != 0 && solid->account.dissipated > 0);
+        assert_true(solid->ledger.work != 0 && solid->ledger.dissipated > 0);
         fw_solid_destroy(solid);
     }
     assert_true(hash[0] == hash[1]);
@@ -395,7 +395,7 @@ static void periodic_strip_has_no_seam(void **state)
     }
     /* Bonds across the seam are no lines in pictures; only rows 0 and 4 can touch something. */
     assert_int_equal(solid[0]->link_count, (COLUMNS - 1) * ROWS + COLUMNS * (ROWS - 1));
-    assert_int_equal(solid[0]->skin_count, 2 * COLUMNS);
+    assert_int_equal(solid[0]->boundary_count, 2 * COLUMNS);
     fw_solid_destroy(solid[0]);
     fw_solid_destroy(solid[1]);
     fw_sites_clear(&sites);

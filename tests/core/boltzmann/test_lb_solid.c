@@ -170,12 +170,12 @@ static void books_balance_under_random_forces(void **state)
             fw_energies e = fw_solid_energies(solid);
             fw_vec2 p = fw_solid_momentum(solid);
             double energy = e.kinetic + e.elastic, start = e0.kinetic + e0.elastic;
-            double booked = start + solid->account.work - solid->account.dissipated;
+            double booked = start + solid->ledger.work - solid->ledger.dissipated;
             assert_below(fabs(energy - booked) / energy, 1e-11);
-            assert_close(p.x, p0.x + solid->account.impulse.x + solid->account.drag.x, 1e-10);
-            assert_close(p.y, p0.y + solid->account.impulse.y + solid->account.drag.y, 1e-10);
+            assert_close(p.x, p0.x + solid->ledger.impulse.x + solid->ledger.drag.x, 1e-10);
+            assert_close(p.y, p0.y + solid->ledger.impulse.y + solid->ledger.drag.y, 1e-10);
             assert_below(fw_lb_solid_link_error(solid), 1e-10);
-            if (damped) assert_true(solid->account.dissipated > 0);
+            if (damped) assert_true(solid->ledger.dissipated > 0);
             fw_solid_destroy(solid);
             fw_sites_clear(&sites);
         }
@@ -296,7 +296,7 @@ static void breaking_keeps_momentum_and_takes_energy(void **state)
         assert_true(fw_lb_solid_broken(solid) > 3);
         assert_close(p.x, p0.x, 1e-12);
         assert_close(p.y, p0.y, 1e-12);
-        assert_close(energy + solid->account.fracture, start, 1e-12 * start);
+        assert_close(energy + solid->ledger.fracture, start, 1e-12 * start);
         fw_solid_destroy(solid);
         fw_sites_clear(&sites);
     }
@@ -354,7 +354,7 @@ static void restored_state_goes_on_to_the_bit(void **state)
         fw_solid_advance_free(two);
     }
     assert_true(fw_state_list_hash(&from) == fw_state_list_hash(&to));
-    assert_int_equal(one->skin_count, two->skin_count);
+    assert_int_equal(one->boundary_count, two->boundary_count);
     fw_solid_destroy(one);
     fw_solid_destroy(two);
     fw_sites_clear(&sites);

@@ -2,8 +2,8 @@
 /* test_linear_lattice.c - the linear lattice is an isotropic elastic medium, and turns freely. */
 #include "tests/support/laws.h"
 
-#include "core/particles/linear_lattice.h"
 #include "core/noise.h"
+#include "core/particles/linear_lattice.h"
 
 #include <stdlib.h>
 #include <string.h>

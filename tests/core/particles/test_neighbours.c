@@ -3,8 +3,8 @@
 #include "tests/support/laws.h"
 
 #include "core/array.h"
-#include "core/particles/neighbours.h"
 #include "core/noise.h"
+#include "core/particles/neighbours.h"
 
 #include <stdlib.h>
 

@@ -147,15 +147,15 @@ static void ledger_closes(void **state)
         open[fine] = 0;
         for (int step = 0; step < (fine ? 4000 : 2000); ++step) {
             fw_solid_advance_free(solid);
-            const fw_account *account = &solid->account;
+            const fw_solid_ledger *ledger = &solid->ledger;
             const double gained = total_energy(solid) - energy;
-            const double gap = gained - (account->work - account->dissipated + account->heat);
+            const double gap = gained - (ledger->work - ledger->dissipated + ledger->heat);
             open[fine] = fmax(open[fine], fabs(gap));
             const fw_vec2 momentum = fw_solid_momentum(solid);
-            assert_close(momentum.x, account->impulse.x + account->drag.x, 1e-11);
-            assert_close(momentum.y, account->impulse.y + account->drag.y, 1e-11);
+            assert_close(momentum.x, ledger->impulse.x + ledger->drag.x, 1e-11);
+            assert_close(momentum.y, ledger->impulse.y + ledger->drag.y, 1e-11);
         }
-        assert_true(solid->account.heat > 1 && solid->account.dissipated > 1);
+        assert_true(solid->ledger.heat > 1 && solid->ledger.dissipated > 1);
         print_message("ledger open by %.2g at dt %g\n", open[fine], dt);
         fw_solid_destroy(solid);
     }

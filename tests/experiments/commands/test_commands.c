@@ -3,8 +3,8 @@
  * measured, and verify's JSON what its tables say. */
 #include "tests/support/laws.h"
 
-#include "experiments/text/json.h"
 #include "experiments/results/playback.h"
+#include "experiments/text/json.h"
 #include "tests/support/program.h"
 
 #include <sys/stat.h>

@@ -2,8 +2,8 @@
 /* test_ticks.c - ranges, the round numbers in them, and numbers in print. */
 #include "tests/support/laws.h"
 
-#include "experiments/text/range.h"
 #include "experiments/drawing/ticks.h"
+#include "experiments/text/range.h"
 
 #include <float.h>
 #include <string.h>

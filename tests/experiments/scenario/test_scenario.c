@@ -198,7 +198,7 @@ static void the_run_and_what_it_should_show_are_what_was_written(void **state)
     const fw_expectation *reaction = &s->expectations[2];
     assert_int_equal(drift->kind, FW_VERDICT_BOUNDS);
     assert_true(drift->has_below && !drift->has_above && !drift->has_at);
-    assert_int_equal(drift->take, FW_TAKE_LAST);
+    assert_int_equal(drift->take, FW_STATISTIC_LAST);
     assert_true(drift->body_index == -1 && drift->wall_index == -1 && !drift->body.text);
     assert_int_equal(fraction->kind, FW_VERDICT_RELATIVE);
     assert_true(fraction->has_at && fraction->at == 2000 && fraction->has_site);
@@ -207,7 +207,7 @@ static void the_run_and_what_it_should_show_are_what_was_written(void **state)
     assert_close(fraction->within, 0.01, 0);
     assert_string_equal(fraction->component.text, "x");
     assert_string_equal(fraction->source, "Table 1");
-    assert_int_equal(reaction->take, FW_TAKE_MEAN);
+    assert_int_equal(reaction->take, FW_STATISTIC_MEAN);
     assert_true(reaction->wall_index == 3 && reaction->from == 100 && reaction->until == 200);
     assert_true(reaction->has_above && reaction->has_below);
 
@@ -310,7 +310,7 @@ static void settings_replace_and_add(void **state)
     assert_int_equal(s->wall_count, 1);
     assert_int_equal(s->walls[0].def.shape, FW_CHAIN);
     assert_int_equal(s->expectation_count, 4);
-    assert_int_equal(s->expectations[1].take, FW_TAKE_LARGEST);
+    assert_int_equal(s->expectations[1].take, FW_STATISTIC_LARGEST);
     assert_int_equal(s->expectations[2].wall_index, 0);
     assert_true(s->expectations[3].has_above);
     assert_int_equal(s->forces[0].kind, FW_FORCE_EACH); /* one alternative in place of another */

@@ -3,11 +3,11 @@
  * modes and the quantities that follow them, analyses, warnings, and the catalogue's automata. */
 #include "tests/support/laws.h"
 
-#include "experiments/setup/build_automaton.h"
-#include "experiments/scenario/catalogue.h"
-#include "experiments/results/playback.h"
-#include "experiments/study/run.h"
 #include "experiments/measures/verdict.h"
+#include "experiments/results/playback.h"
+#include "experiments/scenario/catalogue.h"
+#include "experiments/setup/build_automaton.h"
+#include "experiments/study/run.h"
 #include "tests/support/program.h"
 
 #define HEAD "title: t\nmaterials:\n  m: {elastic-automaton: "
@@ -218,7 +218,7 @@ static void mistakes_get_their_sentences(void **state)
     assert_int_equal(wrong, 0);
 }
 
-static void componentwise_walls_are_cautioned_against(void **state)
+static void componentwise_walls_are_warned_of(void **state)
 {
     (void)state;
     char folder[64];
@@ -230,7 +230,7 @@ static void componentwise_walls_are_cautioned_against(void **state)
     assert_non_null(strstr(seen.out, "can be run, with 1 warning"));
     seen = run_program(folder, "run bounce-as-printed -q --no-plot -o it --set run.steps=400");
     expect_end(&seen, 0,
-               "caution: the surface of wall box "
+               "warning: the surface of wall box "
                "is 'componentwise', which does not conserve energy");
     seen = run_program(folder, "run bounce -q --no-plot -o other");
     expect_end(&seen, 0, "");
@@ -259,7 +259,7 @@ static void moving_start_has_the_velocity_and_nothing_else(void **state)
 
 static double measured(const fw_experiment *e, const char *name)
 {
-    double out[FW_COMPONENTS_MOST];
+    double out[FW_COMPONENTS_MAX];
     fw_quantity_find(name)->measure(e, (fw_subject){0, -1, -1, -1, -1}, out);
     return out[0];
 }
@@ -490,7 +490,7 @@ int main(void)
         cmocka_unit_test(materials_are_what_was_written),
         cmocka_unit_test(settings_reach_every_key),
         cmocka_unit_test(mistakes_get_their_sentences),
-        cmocka_unit_test(componentwise_walls_are_cautioned_against),
+        cmocka_unit_test(componentwise_walls_are_warned_of),
         cmocka_unit_test(moving_start_has_the_velocity_and_nothing_else),
         cmocka_unit_test(modes_keep_their_promises),
         cmocka_unit_test(chopards_modes_are_longitudinal_and_transverse),

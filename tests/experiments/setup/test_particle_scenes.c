@@ -4,10 +4,10 @@
 #include "tests/support/laws.h"
 
 #include "core/particles/particles.h"
+#include "experiments/measures/verdict.h"
 #include "experiments/setup/member.h"
 #include "experiments/study/run.h"
 #include "experiments/study/study.h"
-#include "experiments/measures/verdict.h"
 #include "tests/support/scratch.h"
 
 #define PLAIN "movable-particles: {}"
@@ -41,7 +41,7 @@ static void measure(const fw_experiment *experiment, const char *name, int body,
 
 static double number(const fw_experiment *experiment, const char *name, int body)
 {
-    double out[FW_COMPONENTS_MOST];
+    double out[FW_COMPONENTS_MAX];
     measure(experiment, name, body, out);
     return out[0];
 }
@@ -143,7 +143,7 @@ static void movable_bodies_share_one_solid(void **state)
     assert_int_equal(m[3].count, 40);
     const fw_solid *solid = fw_experiment_solid(e, 0);
     assert_int_equal(solid->count, 61);
-    assert_int_equal(solid->skin_count, 61);
+    assert_int_equal(solid->boundary_count, 61);
     /* Axes of a body follow its lattice unless told otherwise. */
     assert_close(fw_particles_group(solid, 1)->return_force.angle, acos(-1) / 6, 1e-15);
     /* Of each body what its own particles have; of all together what the solid has. */

@@ -47,9 +47,9 @@ static void release(fw_experiment *experiment, fw_scenario *scenario, fw_measure
     fw_scenario_destroy(scenario);
 }
 
-static const fw_piston_account *account_of(const fw_experiment *experiment, int wall)
+static const fw_piston_ledger *ledger_of(const fw_experiment *experiment, int wall)
 {
-    return fw_piston_observe_account(fw_scene_observe_piston(experiment->scene, wall));
+    return fw_piston_observe_ledger(fw_scene_observe_piston(experiment->scene, wall));
 }
 
 /* The bodies' energy follows the ledger to Verlet's own error, the pistons' to rounding. */
@@ -77,14 +77,14 @@ static void pressed_crystal(const char *const *settings, int count, double deepe
             assert_close(hypot(lost.x, lost.y), 0, 1e-10);
         }
         depth = fmax(depth, fw_scene_penetration(experiment->scene, -1));
-        if (t == 499) assert_true(account_of(experiment, 0)->displacement.x == 0);
-        if (t >= 4000) push += fw_scene_wall_account(experiment->scene, 1)->reaction.x / 2000;
+        if (t == 499) assert_true(ledger_of(experiment, 0)->displacement.x == 0);
+        if (t >= 4000) push += fw_scene_wall_ledger(experiment->scene, 1)->reaction.x / 2000;
     }
-    assert_true(account_of(experiment, 0)->displacement.x > 0);
-    assert_true(account_of(experiment, 1)->displacement.x < 0);
+    assert_true(ledger_of(experiment, 0)->displacement.x > 0);
+    assert_true(ledger_of(experiment, 1)->displacement.x < 0);
     /* Over 10 units of time the piston's own acceleration is all that mean and load can differ by.
      */
-    const double change = 8 * fabs(account_of(experiment, 1)->velocity.x);
+    const double change = 8 * fabs(ledger_of(experiment, 1)->velocity.x);
     assert_close(push, -20, 1 + change);
     assert_below(depth, deepest);
     assert_int_equal(fw_scene_unresolved(experiment->scene), 0);

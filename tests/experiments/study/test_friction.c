@@ -83,8 +83,8 @@ static void a_grip_swings_only_in_the_phases_that_say_so(void **state)
     (void)state;
     fw_scenario *scenario = read_with(NULL, 0);
     fw_experiment *experiment = make(scenario);
-    const fw_grip_account *left =
-        fw_grip_observe_account(fw_scene_observe_grip(experiment->scene, 0));
+    const fw_grip_ledger *left =
+        fw_grip_observe_ledger(fw_scene_observe_grip(experiment->scene, 0));
     step_until(experiment, 500);
     assert_close(left->force.x, 16, 1e-9);
     assert_close(left->force.y, -left->displacement.y, 1e-3);

@@ -86,7 +86,7 @@ static const char soft[] =
     "  box: {box: [0, 0, 10, 10], surface: {penalty: 40},"
     " path: {amplitude: [0.4, 0.3], period: 0.2}}\n"
     "  ball: {circle: [5, 5, 0.2], side: outside, surface: {penalty: 60}}\n"
-    "measure: [energy, momentum, wall-energy, wall-work, noise-heat, local-order, "
+    "measure: [energy, momentum, wall-energy, wall-work, thermostat-heat, local-order, "
     "contacts-so-far]\n"
     "record: {velocity: true, force: true, fields: [local-order]}\n" RUN "}\n";
 
@@ -107,7 +107,8 @@ static const char phased[] =
     " period: 0.05}}}\n"
     "  sample: {until: 24, grips: {right: {hold: both, path: {velocity: [0, -0.5]}}}}\n"
     "profile: {axis: x, phase: sample, every: 3, bin: 0.9, far: [2, 4]}\n"
-    "measure: [energy, momentum, slip, grip-work, grip-way, noise-heat, contact-return-force]\n"
+    "measure: [energy, momentum, slip, grip-work, grip-way, thermostat-heat, "
+    "contact-return-force]\n"
     "record: {velocity: true, force: true, fields: [return-force]}\n" RUN "}\n";
 
 static const char pressed[] =
@@ -334,7 +335,7 @@ static void particles_in_a_heat_bath(void **state)
 static void phases_of_grips_and_their_profile(void **state)
 {
     (void)state;
-    static const char *const labels[] = {"grip-work.left", "grip-way.right", "noise-heat",
+    static const char *const labels[] = {"grip-work.left", "grip-way.right", "thermostat-heat",
                                          "contact-return-force", NULL};
     check_scenario(phased, labels, any_threads);
 }
@@ -351,7 +352,8 @@ static void pistons_in_phases(void **state)
 static void soft_walls_and_noise(void **state)
 {
     (void)state;
-    static const char *const labels[] = {"wall-energy", "noise-heat", "contacts-so-far.box", NULL};
+    static const char *const labels[] = {"wall-energy", "thermostat-heat", "contacts-so-far.box",
+                                         NULL};
     check_scenario(soft, labels, any_threads);
 }
 

@@ -3,11 +3,11 @@
  * something, and one that is interrupted. */
 #include "tests/support/laws.h"
 
-#include "experiments/storage/csv.h"
-#include "experiments/text/number.h"
 #include "experiments/scenario/scenario.h"
-#include "experiments/text/substitution.h"
+#include "experiments/storage/csv.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/number.h"
+#include "experiments/text/substitution.h"
 #include "tests/support/program.h"
 
 static const char flights[] =

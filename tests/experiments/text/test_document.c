@@ -309,12 +309,12 @@ static void the_word_that_was_meant_is_found(void **state)
     assert_int_equal(fw_spelling_distance("vleocity", "velocity"), 1); /* neighbours swapped */
     assert_int_equal(fw_spelling_distance("Rest_Mass", "rest-mass"), 0);
     assert_int_equal(fw_spelling_distance("", "abc"), 3);
-    fw_guess guess = fw_guess_begin("dampng");
-    fw_guess_offer(&guess, "rest-mass");
-    assert_null(guess.best);
-    fw_guess_offer(&guess, "dampen");
-    fw_guess_offer(&guess, "damping");
-    assert_string_equal(guess.best, "damping");
+    fw_suggestion suggestion = fw_suggestion_begin("dampng");
+    fw_suggestion_offer(&suggestion, "rest-mass");
+    assert_null(suggestion.best);
+    fw_suggestion_offer(&suggestion, "dampen");
+    fw_suggestion_offer(&suggestion, "damping");
+    assert_string_equal(suggestion.best, "damping");
 }
 
 int main(void)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* skin.c - runs of skin particles with cached boxes and candidate lists.
+/* boundary.c - runs of boundary particles with cached boxes and candidate lists.
  * State: the order of the particles; per run a fat box and the facets that meet it.
  * Invariant after a refresh: the paths of a run lie in its fat box, and its list holds every facet
  * that can be passed there while the walls stay within the margins of this generation.
- * Start reading at fw_skin_refresh(). */
-#include "contact/search/skin.h"
+ * Start reading at fw_boundary_refresh(). */
+#include "contact/search/boundary.h"
 
 #include <assert.h>
 #include <math.h>
@@ -18,7 +18,7 @@ enum { RUN = 32, FIRST_CAPACITY = 8, THREADS_FROM = 20000 };
  * since it costs nothing there. */
 static const double steps_ahead = 16, steps_ahead_if_alone = 128;
 
-struct fw_skin {
+struct fw_boundary {
     int count, run_count;
     int *particles;
     fw_prediction *predictions;
@@ -75,37 +75,37 @@ static uint32_t cell_of(double offset, double cells_per_length)
     return cell > 0 ? (uint32_t)fmin(cell, CELLS - 1) : 0;
 }
 
-static fw_status order_particles(fw_skin *skin, const fw_solid *solid, fw_error *error)
+static fw_status order_particles(fw_boundary *boundary, const fw_solid *solid, fw_error *error)
 {
-    const size_t count = (size_t)skin->count;
+    const size_t count = (size_t)boundary->count;
     keyed_particle *list = malloc((2 * count + 1) * sizeof *list);
-    if (!list) return fw_fail_memory(error, "the order of skin particles");
+    if (!list) return fw_fail_memory(error, "the order of boundary particles");
     fw_box around = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (size_t i = 0; i < count; ++i) {
-        fw_vec2 r = fw_solid_position(solid, solid->skin[i]);
+        fw_vec2 r = fw_solid_position(solid, solid->boundary[i]);
         around.low = (fw_vec2){fmin(around.low.x, r.x), fmin(around.low.y, r.y)};
         around.high = (fw_vec2){fmax(around.high.x, r.x), fmax(around.high.y, r.y)};
     }
     double size = fmax(around.high.x - around.low.x, around.high.y - around.low.y);
     double cells = size > 0 ? CELLS / size : 0;
     for (size_t i = 0; i < count; ++i) {
-        fw_vec2 r = fw_vec2_subtract(fw_solid_position(solid, solid->skin[i]), around.low);
+        fw_vec2 r = fw_vec2_subtract(fw_solid_position(solid, solid->boundary[i]), around.low);
         list[i] = (keyed_particle){hilbert_index(cell_of(r.x, cells), cell_of(r.y, cells)),
-                                   solid->skin[i]};
+                                   solid->boundary[i]};
     }
     sort_by_key(list, list + count, count);
-    for (size_t i = 0; i < count; ++i) skin->particles[i] = list[i].particle;
+    for (size_t i = 0; i < count; ++i) boundary->particles[i] = list[i].particle;
     free(list);
     return FW_OK;
 }
 
-fw_status fw_skin_create(fw_skin **skin, const fw_solid *solid, fw_error *error)
+fw_status fw_boundary_create(fw_boundary **boundary, const fw_solid *solid, fw_error *error)
 {
-    *skin = NULL;
-    fw_skin *made = calloc(1, sizeof *made);
-    if (!made) return fw_fail_memory(error, "the skin of a body");
-    made->count = solid->skin_count;
-    made->run_count = (solid->skin_count + RUN - 1) / RUN;
+    *boundary = NULL;
+    fw_boundary *made = calloc(1, sizeof *made);
+    if (!made) return fw_fail_memory(error, "the boundary of a body");
+    made->count = solid->boundary_count;
+    made->run_count = (solid->boundary_count + RUN - 1) / RUN;
     made->capacity = FIRST_CAPACITY;
     made->generation = -1; /* older than any: the first refresh fills all lists */
     const size_t count = (size_t)made->count, runs = (size_t)made->run_count;
@@ -119,73 +119,73 @@ fw_status fw_skin_create(fw_skin **skin, const fw_solid *solid, fw_error *error)
     fw_status status = FW_OK;
     if (!made->particles || !made->predictions || !made->swept || !made->fat || !made->reach ||
         !made->facets || !made->facet_count)
-        status = fw_fail_memory(error, "the skin of a body");
+        status = fw_fail_memory(error, "the boundary of a body");
     if (status == FW_OK) status = order_particles(made, solid, error);
     if (status != FW_OK) {
-        fw_skin_destroy(made);
+        fw_boundary_destroy(made);
         return status;
     }
-    *skin = made;
+    *boundary = made;
     return FW_OK;
 }
 
-void fw_skin_destroy(fw_skin *skin)
+void fw_boundary_destroy(fw_boundary *boundary)
 {
-    if (!skin) return;
-    free(skin->particles);
-    free(skin->predictions);
-    free(skin->swept);
-    free(skin->fat);
-    free(skin->reach);
-    free(skin->facets);
-    free(skin->facet_count);
-    free(skin);
+    if (!boundary) return;
+    free(boundary->particles);
+    free(boundary->predictions);
+    free(boundary->swept);
+    free(boundary->fat);
+    free(boundary->reach);
+    free(boundary->facets);
+    free(boundary->facet_count);
+    free(boundary);
 }
 
-int fw_skin_count(const fw_skin *skin)
+int fw_boundary_count(const fw_boundary *boundary)
 {
-    return skin->count;
+    return boundary->count;
 }
 
-const int *fw_skin_particles(const fw_skin *skin)
+const int *fw_boundary_particles(const fw_boundary *boundary)
 {
-    return skin->particles;
+    return boundary->particles;
 }
 
-fw_prediction *fw_skin_predictions(fw_skin *skin)
+fw_prediction *fw_boundary_predictions(fw_boundary *boundary)
 {
-    return skin->predictions;
+    return boundary->predictions;
 }
 
-int fw_skin_run_count(const fw_skin *skin)
+int fw_boundary_run_count(const fw_boundary *boundary)
 {
-    return skin->run_count;
+    return boundary->run_count;
 }
 
-fw_run fw_skin_run(const fw_skin *skin, int run)
+fw_boundary_run fw_boundary_observe_run(const fw_boundary *boundary, int run)
 {
-    assert(run >= 0 && run < skin->run_count);
-    const int first = run * RUN, left = skin->count - first;
-    return (fw_run){.first = first,
-                    .count = left < RUN ? left : RUN,
-                    .facets = skin->facets + (size_t)run * (size_t)skin->capacity,
-                    .facet_count = skin->facet_count[run]};
+    assert(run >= 0 && run < boundary->run_count);
+    const int first = run * RUN, left = boundary->count - first;
+    return (fw_boundary_run){.first = first,
+                             .count = left < RUN ? left : RUN,
+                             .facets = boundary->facets + (size_t)run * (size_t)boundary->capacity,
+                             .facet_count = boundary->facet_count[run]};
 }
 
-long fw_skin_query_count(const fw_skin *skin)
+long fw_boundary_query_count(const fw_boundary *boundary)
 {
-    return skin->queries;
+    return boundary->queries;
 }
 
 /* Fills swept[run] and reach[run]. Least and greatest values do not depend on the order in which
  * they are looked for, so the compiler may do it in vectors. */
-static void sweep_run(fw_skin *skin, int run, const double *restrict x, const double *restrict y,
-                      double wall_sweep)
+static void sweep_run(fw_boundary *boundary, int run, const double *restrict x,
+                      const double *restrict y, double wall_sweep)
 {
     const int first = run * RUN;
-    const int count = skin->count - first < RUN ? skin->count - first : RUN;
-    const int *restrict particles = skin->particles + first;
-    const fw_prediction *restrict predictions = skin->predictions + first;
+    const int count = boundary->count - first < RUN ? boundary->count - first : RUN;
+    const int *restrict particles = boundary->particles + first;
+    const fw_prediction *restrict predictions = boundary->predictions + first;
     double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
     double reach_squared = 0;
 #pragma omp simd reduction(min : low_x, low_y) reduction(max : high_x, high_y, reach_squared)
@@ -198,10 +198,10 @@ static void sweep_run(fw_skin *skin, int run, const double *restrict x, const do
         high_y = here_y > high_y ? here_y : high_y;
         reach_squared = squared > reach_squared ? squared : reach_squared;
     }
-    skin->reach[run] = sqrt(reach_squared);
+    boundary->reach[run] = sqrt(reach_squared);
     /* Friction and slanting walls can turn and lengthen a displacement, a wall can push. */
-    const double room = 2 * skin->reach[run] + wall_sweep;
-    skin->swept[run] = (fw_box){{low_x - room, low_y - room}, {high_x + room, high_y + room}};
+    const double room = 2 * boundary->reach[run] + wall_sweep;
+    boundary->swept[run] = (fw_box){{low_x - room, low_y - room}, {high_x + room, high_y + room}};
 }
 
 static bool lies_within(fw_box inner, fw_box outer)
@@ -217,71 +217,71 @@ static fw_box grown(fw_box box, double margin)
 }
 
 /* Room for `capacity` facets in every run; the lists move, from the last to the first. */
-static fw_status enlarge_lists(fw_skin *skin, int capacity, fw_error *error)
+static fw_status enlarge_lists(fw_boundary *boundary, int capacity, fw_error *error)
 {
-    const size_t runs = (size_t)skin->run_count, old_stride = (size_t)skin->capacity;
+    const size_t runs = (size_t)boundary->run_count, old_stride = (size_t)boundary->capacity;
     size_t stride = old_stride;
     while (stride < (size_t)capacity) stride *= 2;
-    int *larger = realloc(skin->facets, runs * stride * sizeof *larger);
+    int *larger = realloc(boundary->facets, runs * stride * sizeof *larger);
     if (!larger) return fw_fail_memory(error, "candidate walls of a body");
     for (size_t run = runs; run-- > 0;)
         memmove(larger + run * stride, larger + run * old_stride,
-                (size_t)skin->facet_count[run] * sizeof *larger);
-    skin->facets = larger;
-    skin->capacity = (int)stride;
+                (size_t)boundary->facet_count[run] * sizeof *larger);
+    boundary->facets = larger;
+    boundary->capacity = (int)stride;
     return FW_OK;
 }
 
 /* Makes `box` the fat box of the run and asks for its facets. */
-static fw_status ask(fw_skin *skin, const fw_broadphase *broadphase, int run, fw_box box,
+static fw_status ask(fw_boundary *boundary, const fw_broadphase *broadphase, int run, fw_box box,
                      fw_error *error)
 {
-    skin->facet_count[run] = 0;
-    skin->fat[run] = box;
+    boundary->facet_count[run] = 0;
+    boundary->fat[run] = box;
     for (;;) {
-        int *list = skin->facets + (size_t)run * (size_t)skin->capacity;
-        int found = fw_broadphase_query(broadphase, box, list, skin->capacity);
-        skin->queries += 1;
-        if (found <= skin->capacity) {
-            skin->facet_count[run] = found;
+        int *list = boundary->facets + (size_t)run * (size_t)boundary->capacity;
+        int found = fw_broadphase_query(broadphase, box, list, boundary->capacity);
+        boundary->queries += 1;
+        if (found <= boundary->capacity) {
+            boundary->facet_count[run] = found;
             return FW_OK;
         }
-        FW_TRY(enlarge_lists(skin, found, error));
+        FW_TRY(enlarge_lists(boundary, found, error));
     }
 }
 
-fw_status fw_skin_refresh(fw_skin *skin, const fw_solid *solid, const fw_broadphase *broadphase,
-                          fw_error *error)
+fw_status fw_boundary_refresh(fw_boundary *boundary, const fw_solid *solid,
+                              const fw_broadphase *broadphase, fw_error *error)
 {
     const double wall_sweep = fw_broadphase_largest_sweep(broadphase);
     const long generation = fw_broadphase_generation(broadphase);
-#pragma omp parallel for schedule(static) if (skin->count > THREADS_FROM)
-    for (int run = 0; run < skin->run_count; ++run)
-        sweep_run(skin, run, solid->x, solid->y, wall_sweep);
-    for (int run = 0; run < skin->run_count; ++run) {
-        const fw_box swept = skin->swept[run];
-        if (generation == skin->generation && lies_within(swept, skin->fat[run])) continue;
-        double step = skin->reach[run] + wall_sweep;
+#pragma omp parallel for schedule(static) if (boundary->count > THREADS_FROM)
+    for (int run = 0; run < boundary->run_count; ++run)
+        sweep_run(boundary, run, solid->x, solid->y, wall_sweep);
+    for (int run = 0; run < boundary->run_count; ++run) {
+        const fw_box swept = boundary->swept[run];
+        if (generation == boundary->generation && lies_within(swept, boundary->fat[run])) continue;
+        double step = boundary->reach[run] + wall_sweep;
         /* A quarter of the spacing at least, so that a body at rest is not asked about for its
          * trembling: 32 particles in a row are 31 spacings long. */
         double spacing = (swept.high.x - swept.low.x + swept.high.y - swept.low.y) / RUN;
-        FW_TRY(ask(skin, broadphase, run, grown(swept, fmax(steps_ahead_if_alone * step, spacing)),
-                   error));
-        if (skin->facet_count[run] > 0)
-            FW_TRY(ask(skin, broadphase, run, grown(swept, fmax(steps_ahead * step, spacing / 4)),
-                       error));
+        FW_TRY(ask(boundary, broadphase, run,
+                   grown(swept, fmax(steps_ahead_if_alone * step, spacing)), error));
+        if (boundary->facet_count[run] > 0)
+            FW_TRY(ask(boundary, broadphase, run,
+                       grown(swept, fmax(steps_ahead * step, spacing / 4)), error));
     }
-    skin->generation = generation;
+    boundary->generation = generation;
     return FW_OK;
 }
 
-fw_status fw_skin_extend(fw_skin *skin, const fw_broadphase *broadphase, int run, fw_vec2 point,
-                         fw_error *error)
+fw_status fw_boundary_extend(fw_boundary *boundary, const fw_broadphase *broadphase, int run,
+                             fw_vec2 point, fw_error *error)
 {
-    assert(run >= 0 && run < skin->run_count);
-    fw_box *fat = &skin->fat[run];
+    assert(run >= 0 && run < boundary->run_count);
+    fw_box *fat = &boundary->fat[run];
     if (lies_within((fw_box){point, point}, *fat)) return FW_OK;
     fw_box wider = {{fmin(fat->low.x, point.x), fmin(fat->low.y, point.y)},
                     {fmax(fat->high.x, point.x), fmax(fat->high.y, point.y)}};
-    return ask(skin, broadphase, run, wider, error);
+    return ask(boundary, broadphase, run, wider, error);
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs of skin particles: no pair of particle and facet is missed, and the tree is rarely asked. */
+/* Runs of boundary particles: no pair of particle and facet is missed, and the tree is rarely
+ * asked. */
 #include "tests/support/laws.h"
 
-#include "contact/search/skin.h"
+#include "contact/search/boundary.h"
 #include "tests/support/random_walls.h"
 
 #include <stdlib.h>
@@ -22,8 +23,8 @@ static void cloud_create(cloud *c, int count)
     c->solid.count = count;
     c->velocity_x = fw_array_of_doubles((size_t)count);
     c->velocity_y = fw_array_of_doubles((size_t)count);
-    c->solid.skin_count = count;
-    for (int i = 0; i < count; ++i) c->solid.skin[i] = i;
+    c->solid.boundary_count = count;
+    for (int i = 0; i < count; ++i) c->solid.boundary[i] = i;
 }
 
 static void cloud_destroy(cloud *c)
@@ -44,23 +45,23 @@ static void cloud_set_block(cloud *c, fw_vec2 corner, int columns, double spacin
     }
 }
 
-/* Where the particles of the skin want to go; the velocity is theirs, noise comes on top. */
-static void cloud_predict(const cloud *c, fw_skin *skin, dice *d, double noise)
+/* Where the particles of the boundary want to go; the velocity is theirs, noise comes on top. */
+static void cloud_predict(const cloud *c, fw_boundary *boundary, dice *d, double noise)
 {
-    const int *particles = fw_skin_particles(skin);
-    fw_prediction *predictions = fw_skin_predictions(skin);
-    for (int k = 0; k < fw_skin_count(skin); ++k) {
+    const int *particles = fw_boundary_particles(boundary);
+    fw_prediction *predictions = fw_boundary_predictions(boundary);
+    for (int k = 0; k < fw_boundary_count(boundary); ++k) {
         fw_vec2 velocity = {c->velocity_x[particles[k]], c->velocity_y[particles[k]]};
         predictions[k] =
             (fw_prediction){.displacement = noise > 0 ? dice_point(d, velocity, noise) : velocity};
     }
 }
 
-static void cloud_move(cloud *c, fw_skin *skin)
+static void cloud_move(cloud *c, fw_boundary *boundary)
 {
-    const int *particles = fw_skin_particles(skin);
-    const fw_prediction *predictions = fw_skin_predictions(skin);
-    for (int k = 0; k < fw_skin_count(skin); ++k) {
+    const int *particles = fw_boundary_particles(boundary);
+    const fw_prediction *predictions = fw_boundary_predictions(boundary);
+    for (int k = 0; k < fw_boundary_count(boundary); ++k) {
         c->solid.x[particles[k]] += predictions[k].displacement.x;
         c->solid.y[particles[k]] += predictions[k].displacement.y;
     }
@@ -74,7 +75,7 @@ typedef struct pairs {
 } pairs;
 
 typedef struct moment {
-    fw_vec2 from[WALLS_MOST], to[WALLS_MOST]; /* displacements of the walls */
+    fw_vec2 from[WALLS_MAX], to[WALLS_MAX]; /* displacements of the walls */
 } moment;
 
 static bool is_passed(const fw_facet *facet, const moment *now, fw_vec2 start, fw_vec2 step)
@@ -84,13 +85,13 @@ static bool is_passed(const fw_facet *facet, const moment *now, fw_vec2 start, f
     return fw_facet_is_passed(facet, begin, fw_vec2_subtract(end, begin));
 }
 
-static void count_pairs_of_run(pairs *sum, const stage *s, const fw_skin *skin, int run_number,
-                               const cloud *c, const moment *now, fw_vec2 push)
+static void count_pairs_of_run(pairs *sum, const stage *s, const fw_boundary *boundary,
+                               int run_number, const cloud *c, const moment *now, fw_vec2 push)
 {
-    const fw_run run = fw_skin_run(skin, run_number);
-    const fw_prediction *predictions = fw_skin_predictions((fw_skin *)skin);
+    const fw_boundary_run run = fw_boundary_observe_run(boundary, run_number);
+    const fw_prediction *predictions = fw_boundary_predictions((fw_boundary *)boundary);
     for (int k = run.first; k < run.first + run.count; ++k) {
-        const int particle = fw_skin_particles(skin)[k];
+        const int particle = fw_boundary_particles(boundary)[k];
         fw_vec2 start = fw_solid_position(&c->solid, particle);
         fw_vec2 step = fw_vec2_add(predictions[k].displacement, push);
         int next = 0;
@@ -107,27 +108,28 @@ static void count_pairs_of_run(pairs *sum, const stage *s, const fw_skin *skin, 
     }
 }
 
-static pairs all_pairs(const stage *s, const fw_skin *skin, const cloud *c, const moment *now)
+static pairs all_pairs(const stage *s, const fw_boundary *boundary, const cloud *c,
+                       const moment *now)
 {
     pairs sum = {0, 0};
-    for (int run = 0; run < fw_skin_run_count(skin); ++run)
-        count_pairs_of_run(&sum, s, skin, run, c, now, (fw_vec2){0, 0});
+    for (int run = 0; run < fw_boundary_run_count(boundary); ++run)
+        count_pairs_of_run(&sum, s, boundary, run, c, now, (fw_vec2){0, 0});
     return sum;
 }
 
 /* Every facet that is, at the beginning or the end of the step, where a particle could get with
  * twice the longest displacement of the run and the push of the fastest wall. */
-static long check_reach_of_runs(const stage *s, const fw_skin *skin, const cloud *c,
+static long check_reach_of_runs(const stage *s, const fw_boundary *boundary, const cloud *c,
                                 const moment *now)
 {
     long count = 0;
-    for (int number = 0; number < fw_skin_run_count(skin); ++number) {
-        const fw_run run = fw_skin_run(skin, number);
+    for (int number = 0; number < fw_boundary_run_count(boundary); ++number) {
+        const fw_boundary_run run = fw_boundary_observe_run(boundary, number);
         fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
         double reach = 0;
         for (int k = run.first; k < run.first + run.count; ++k) {
-            fw_vec2 w = fw_skin_predictions((fw_skin *)skin)[k].displacement;
-            fw_vec2 r = fw_solid_position(&c->solid, fw_skin_particles(skin)[k]);
+            fw_vec2 w = fw_boundary_predictions((fw_boundary *)boundary)[k].displacement;
+            fw_vec2 r = fw_solid_position(&c->solid, fw_boundary_particles(boundary)[k]);
             reach = fmax(reach, hypot(w.x, w.y));
             box.low = (fw_vec2){fmin(box.low.x, r.x), fmin(box.low.y, r.y)};
             box.high = (fw_vec2){fmax(box.high.x, r.x), fmax(box.high.y, r.y)};
@@ -166,7 +168,7 @@ static moment move_walls(const stage *s, double time)
 }
 
 /* Bodies from a fleck to a block, near walls of all kinds, with all speeds from creeping to flying
- * across the scene in a step, over many steps. A skin made anew sees the same pairs: lists may
+ * across the scene in a step, over many steps. A boundary made anew sees the same pairs: lists may
  * depend on history, what is found with them may not. */
 static void no_pair_is_missed(void **state)
 {
@@ -185,35 +187,36 @@ static void no_pair_is_missed(void **state)
         double speed = size * dice_scale(&d, -4, 0), noise = speed * dice_between(&d, -0.2, 0.5);
         cloud_set_block(&c, dice_point(&d, middle, size), 1 + dice_below(&d, 20),
                         size * dice_scale(&d, -2, -1), fw_vec2_scale(speed, dice_direction(&d)));
-        fw_skin *skin;
-        assert_int_equal(fw_skin_create(&skin, &c.solid, NULL), FW_OK);
+        fw_boundary *boundary;
+        assert_int_equal(fw_boundary_create(&boundary, &c.solid, NULL), FW_OK);
         for (int step = 0; step < 40; ++step) {
             moment now = move_walls(&s, step);
-            cloud_predict(&c, skin, &d, noise);
-            assert_int_equal(fw_skin_refresh(skin, &c.solid, s.broadphase, NULL), FW_OK);
-            pairs found = all_pairs(&s, skin, &c, &now);
+            cloud_predict(&c, boundary, &d, noise);
+            assert_int_equal(fw_boundary_refresh(boundary, &c.solid, s.broadphase, NULL), FW_OK);
+            pairs found = all_pairs(&s, boundary, &c, &now);
             passed += found.count;
-            reached += check_reach_of_runs(&s, skin, &c, &now);
+            reached += check_reach_of_runs(&s, boundary, &c, &now);
             if (step % 10 == 9) {
-                fw_skin *fresh;
-                assert_int_equal(fw_skin_create(&fresh, &c.solid, NULL), FW_OK);
-                /* The same predictions, in the order of the new skin. */
+                fw_boundary *fresh;
+                assert_int_equal(fw_boundary_create(&fresh, &c.solid, NULL), FW_OK);
+                /* The same predictions, in the order of the new boundary. */
                 fw_vec2 *wishes = calloc((size_t)c.solid.count, sizeof *wishes);
                 for (int k = 0; k < c.solid.count; ++k)
-                    wishes[fw_skin_particles(skin)[k]] = fw_skin_predictions(skin)[k].displacement;
+                    wishes[fw_boundary_particles(boundary)[k]] =
+                        fw_boundary_predictions(boundary)[k].displacement;
                 for (int k = 0; k < c.solid.count; ++k)
-                    fw_skin_predictions(fresh)[k].displacement =
-                        wishes[fw_skin_particles(fresh)[k]];
-                assert_int_equal(fw_skin_refresh(fresh, &c.solid, s.broadphase, NULL), FW_OK);
+                    fw_boundary_predictions(fresh)[k].displacement =
+                        wishes[fw_boundary_particles(fresh)[k]];
+                assert_int_equal(fw_boundary_refresh(fresh, &c.solid, s.broadphase, NULL), FW_OK);
                 pairs again = all_pairs(&s, fresh, &c, &now);
                 assert_int_equal(again.count, found.count);
                 assert_true(again.hash == found.hash);
                 free(wishes);
-                fw_skin_destroy(fresh);
+                fw_boundary_destroy(fresh);
             }
-            cloud_move(&c, skin);
+            cloud_move(&c, boundary);
         }
-        fw_skin_destroy(skin);
+        fw_boundary_destroy(boundary);
         cloud_destroy(&c);
         clear_stage(&s);
     }
@@ -233,29 +236,29 @@ static void extended_run_covers_an_unforeseen_path(void **state)
         cloud c;
         cloud_create(&c, 40);
         cloud_set_block(&c, dice_point(&d, middle, 10), 8, 0.1, (fw_vec2){1e-3, 0});
-        fw_skin *skin;
-        assert_int_equal(fw_skin_create(&skin, &c.solid, NULL), FW_OK);
+        fw_boundary *boundary;
+        assert_int_equal(fw_boundary_create(&boundary, &c.solid, NULL), FW_OK);
         moment now = move_walls(&s, 0);
-        cloud_predict(&c, skin, &d, 0);
-        assert_int_equal(fw_skin_refresh(skin, &c.solid, s.broadphase, NULL), FW_OK);
+        cloud_predict(&c, boundary, &d, 0);
+        assert_int_equal(fw_boundary_refresh(boundary, &c.solid, s.broadphase, NULL), FW_OK);
         fw_vec2 push = dice_point(&d, (fw_vec2){0, 0}, 10);
-        for (int run = 0; run < fw_skin_run_count(skin); ++run) {
-            const fw_run members = fw_skin_run(skin, run);
+        for (int run = 0; run < fw_boundary_run_count(boundary); ++run) {
+            const fw_boundary_run members = fw_boundary_observe_run(boundary, run);
             for (int k = members.first; k < members.first + members.count; ++k) {
-                fw_vec2 end = fw_solid_position(&c.solid, fw_skin_particles(skin)[k]);
+                fw_vec2 end = fw_solid_position(&c.solid, fw_boundary_particles(boundary)[k]);
                 end = fw_vec2_add(end, push);
-                assert_int_equal(fw_skin_extend(skin, s.broadphase, run, end, NULL), FW_OK);
+                assert_int_equal(fw_boundary_extend(boundary, s.broadphase, run, end, NULL), FW_OK);
             }
             pairs sum = {0, 0};
-            count_pairs_of_run(&sum, &s, skin, run, &c, &now, push);
+            count_pairs_of_run(&sum, &s, boundary, run, &c, &now, push);
             passed += sum.count;
         }
         /* What is covered already costs nothing. */
-        const long queries = fw_skin_query_count(skin);
-        fw_vec2 first = fw_solid_position(&c.solid, fw_skin_particles(skin)[0]);
-        assert_int_equal(fw_skin_extend(skin, s.broadphase, 0, first, NULL), FW_OK);
-        assert_int_equal(fw_skin_query_count(skin), queries);
-        fw_skin_destroy(skin);
+        const long queries = fw_boundary_query_count(boundary);
+        fw_vec2 first = fw_solid_position(&c.solid, fw_boundary_particles(boundary)[0]);
+        assert_int_equal(fw_boundary_extend(boundary, s.broadphase, 0, first, NULL), FW_OK);
+        assert_int_equal(fw_boundary_query_count(boundary), queries);
+        fw_boundary_destroy(boundary);
         cloud_destroy(&c);
         clear_stage(&s);
     }
@@ -267,47 +270,47 @@ static int compare_ints(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
-/* Every particle of the skin once, 32 to a run. A run of a full block is near to a square of 5.7
- * spacings; in the order of the rows it would be 32 long. */
+/* Every particle of the boundary once, 32 to a run. A run of a full block is near to a square
+ * of 5.7 spacings; in the order of the rows it would be 32 long. */
 static void runs_are_compact_and_complete(void **state)
 {
     (void)state;
     cloud c;
     cloud_create(&c, 100 * 100);
     cloud_set_block(&c, (fw_vec2){1e4, -1e4}, 100, 0.5, (fw_vec2){0, 0});
-    /* The skin need not be all of the body. */
-    int skin_count = 0;
+    /* The boundary need not be all of the body. */
+    int boundary_count = 0;
     for (int i = 0; i < c.solid.count; ++i)
-        if (i % 7 != 3) c.solid.skin[skin_count++] = i;
-    c.solid.skin_count = skin_count;
-    fw_skin *skin;
-    assert_int_equal(fw_skin_create(&skin, &c.solid, NULL), FW_OK);
-    assert_int_equal(fw_skin_count(skin), skin_count);
+        if (i % 7 != 3) c.solid.boundary[boundary_count++] = i;
+    c.solid.boundary_count = boundary_count;
+    fw_boundary *boundary;
+    assert_int_equal(fw_boundary_create(&boundary, &c.solid, NULL), FW_OK);
+    assert_int_equal(fw_boundary_count(boundary), boundary_count);
     double extent = 0;
     int expected_first = 0;
-    for (int number = 0; number < fw_skin_run_count(skin); ++number) {
-        const fw_run run = fw_skin_run(skin, number);
+    for (int number = 0; number < fw_boundary_run_count(boundary); ++number) {
+        const fw_boundary_run run = fw_boundary_observe_run(boundary, number);
         assert_int_equal(run.first, expected_first);
         expected_first += run.count;
-        assert_true(run.count == 32 || number == fw_skin_run_count(skin) - 1);
+        assert_true(run.count == 32 || number == fw_boundary_run_count(boundary) - 1);
         double low_x = INFINITY, low_y = INFINITY, high_x = -INFINITY, high_y = -INFINITY;
         for (int k = run.first; k < run.first + run.count; ++k) {
-            fw_vec2 r = fw_solid_position(&c.solid, fw_skin_particles(skin)[k]);
+            fw_vec2 r = fw_solid_position(&c.solid, fw_boundary_particles(boundary)[k]);
             low_x = fmin(low_x, r.x), high_x = fmax(high_x, r.x);
             low_y = fmin(low_y, r.y), high_y = fmax(high_y, r.y);
         }
         extent += (high_x - low_x + high_y - low_y) / 0.5;
     }
-    assert_int_equal(expected_first, skin_count);
+    assert_int_equal(expected_first, boundary_count);
     /* Half the circumference of such a square is 10 to 12 spacings; Hilbert runs are at most a
      * square and a half in a row. */
-    assert_below(extent / fw_skin_run_count(skin), 16);
-    int *sorted = calloc((size_t)skin_count, sizeof *sorted);
-    for (int k = 0; k < skin_count; ++k) sorted[k] = fw_skin_particles(skin)[k];
-    qsort(sorted, (size_t)skin_count, sizeof *sorted, compare_ints);
-    assert_memory_equal(sorted, c.solid.skin, (size_t)skin_count * sizeof *sorted);
+    assert_below(extent / fw_boundary_run_count(boundary), 16);
+    int *sorted = calloc((size_t)boundary_count, sizeof *sorted);
+    for (int k = 0; k < boundary_count; ++k) sorted[k] = fw_boundary_particles(boundary)[k];
+    qsort(sorted, (size_t)boundary_count, sizeof *sorted, compare_ints);
+    assert_memory_equal(sorted, c.solid.boundary, (size_t)boundary_count * sizeof *sorted);
     free(sorted);
-    fw_skin_destroy(skin);
+    fw_boundary_destroy(boundary);
     cloud_destroy(&c);
 }
 
@@ -326,7 +329,7 @@ static void tree_is_rarely_asked(void **state)
     cloud c;
     cloud_create(&c, 100 * 20);
     dice d = {3};
-    fw_skin *skin;
+    fw_boundary *boundary;
     const struct {
         fw_vec2 corner, velocity;
         double most_per_run_and_step;
@@ -337,24 +340,25 @@ static void tree_is_rarely_asked(void **state)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; ++i) {
         cloud_set_block(&c, cases[i].corner, 100, 1, cases[i].velocity);
-        assert_int_equal(fw_skin_create(&skin, &c.solid, NULL), FW_OK);
+        assert_int_equal(fw_boundary_create(&boundary, &c.solid, NULL), FW_OK);
         long first_queries = 0;
         enum { STEPS = 1000 };
         for (int step = 0; step <= STEPS; ++step) {
-            cloud_predict(&c, skin, &d, 0);
-            assert_int_equal(fw_skin_refresh(skin, &c.solid, broadphase, NULL), FW_OK);
-            if (step == 0) first_queries = fw_skin_query_count(skin);
-            cloud_move(&c, skin);
+            cloud_predict(&c, boundary, &d, 0);
+            assert_int_equal(fw_boundary_refresh(boundary, &c.solid, broadphase, NULL), FW_OK);
+            if (step == 0) first_queries = fw_boundary_query_count(boundary);
+            cloud_move(&c, boundary);
         }
-        double asked = (double)(fw_skin_query_count(skin) - first_queries);
-        assert_true(asked / STEPS / fw_skin_run_count(skin) <= cases[i].most_per_run_and_step);
+        double asked = (double)(fw_boundary_query_count(boundary) - first_queries);
+        assert_true(asked / STEPS / fw_boundary_run_count(boundary) <=
+                    cases[i].most_per_run_and_step);
         /* Only the lowest runs have the floor on their list. */
         int near = 0;
-        for (int run = 0; run < fw_skin_run_count(skin); ++run)
-            near += fw_skin_run(skin, run).facet_count > 0;
+        for (int run = 0; run < fw_boundary_run_count(boundary); ++run)
+            near += fw_boundary_observe_run(boundary, run).facet_count > 0;
         if (i == 0) assert_int_equal(near, 0);
-        if (i > 0) assert_in_range(near, 100 / 32, fw_skin_run_count(skin) / 2);
-        fw_skin_destroy(skin);
+        if (i > 0) assert_in_range(near, 100 / 32, fw_boundary_run_count(boundary) / 2);
+        fw_boundary_destroy(boundary);
     }
     cloud_destroy(&c);
     fw_broadphase_destroy(broadphase);
@@ -380,36 +384,36 @@ static void lists_grow_as_needed(void **state)
     cloud_create(&c, 320);
     cloud_set_block(&c, (fw_vec2){4.1, 0.02}, 32, 0.18, (fw_vec2){0, -0.05});
     dice d = {4};
-    fw_skin *skin;
-    assert_int_equal(fw_skin_create(&skin, &c.solid, NULL), FW_OK);
-    cloud_predict(&c, skin, &d, 0);
-    assert_int_equal(fw_skin_refresh(skin, &c.solid, broadphase, NULL), FW_OK);
+    fw_boundary *boundary;
+    assert_int_equal(fw_boundary_create(&boundary, &c.solid, NULL), FW_OK);
+    cloud_predict(&c, boundary, &d, 0);
+    assert_int_equal(fw_boundary_refresh(boundary, &c.solid, broadphase, NULL), FW_OK);
     int longest = 0;
-    for (int number = 0; number < fw_skin_run_count(skin); ++number) {
-        const fw_run run = fw_skin_run(skin, number);
+    for (int number = 0; number < fw_boundary_run_count(boundary); ++number) {
+        const fw_boundary_run run = fw_boundary_observe_run(boundary, number);
         longest = run.facet_count > longest ? run.facet_count : longest;
         for (int i = 1; i < run.facet_count; ++i) assert_true(run.facets[i - 1] < run.facets[i]);
     }
     assert_true(longest > 64);
-    fw_skin_destroy(skin);
+    fw_boundary_destroy(boundary);
     cloud_destroy(&c);
     fw_broadphase_destroy(broadphase);
     fw_wall_destroy(wall);
 }
 
-static void body_without_skin_has_no_runs(void **state)
+static void body_without_boundary_has_no_runs(void **state)
 {
     (void)state;
     cloud c;
     cloud_create(&c, 5);
-    c.solid.skin_count = 0;
+    c.solid.boundary_count = 0;
     fw_broadphase *broadphase = fw_broadphase_create((fw_box){{0, 0}, {1, 1}});
-    fw_skin *skin;
-    assert_int_equal(fw_skin_create(&skin, &c.solid, NULL), FW_OK);
-    assert_int_equal(fw_skin_refresh(skin, &c.solid, broadphase, NULL), FW_OK);
-    assert_int_equal(fw_skin_run_count(skin), 0);
-    fw_skin_destroy(skin);
-    fw_skin_destroy(NULL);
+    fw_boundary *boundary;
+    assert_int_equal(fw_boundary_create(&boundary, &c.solid, NULL), FW_OK);
+    assert_int_equal(fw_boundary_refresh(boundary, &c.solid, broadphase, NULL), FW_OK);
+    assert_int_equal(fw_boundary_run_count(boundary), 0);
+    fw_boundary_destroy(boundary);
+    fw_boundary_destroy(NULL);
     fw_broadphase_destroy(broadphase);
     cloud_destroy(&c);
 }
@@ -422,7 +426,7 @@ int main(void)
         cmocka_unit_test(runs_are_compact_and_complete),
         cmocka_unit_test(tree_is_rarely_asked),
         cmocka_unit_test(lists_grow_as_needed),
-        cmocka_unit_test(body_without_skin_has_no_runs),
+        cmocka_unit_test(body_without_boundary_has_no_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What it costs to know which walls are near: microseconds per step, with a query of the tree per
  * particle and with runs of 32 and their cached boxes. 84 wall shapes in a box, a slow body that is
- * made of nothing but skin, apart from the walls and in the middle of them. Prints a table. */
-#include "contact/search/skin.h"
+ * made of nothing but boundary, apart from the walls and in the middle of them. Prints a table. */
+#include "contact/search/boundary.h"
 #include "tests/support/random_walls.h"
 
 #include <stdlib.h>
@@ -57,17 +57,17 @@ static void measure(fw_broadphase *broadphase, int moving_wall, int count, fw_ve
     const int columns = (int)sqrt(count);
     fw_solid solid = {0};
     if (fw_solid_head_create(&solid, &ballistic, count, NULL) != FW_OK) abort();
-    solid.count = solid.skin_count = count;
+    solid.count = solid.boundary_count = count;
     for (int i = 0; i < count; ++i) {
-        solid.skin[i] = i;
+        solid.boundary[i] = i;
         solid.x[i] = corner.x + i % columns;
         solid.y[i] = corner.y + i / columns;
     }
     double begin = microseconds();
-    fw_skin *skin;
-    if (fw_skin_create(&skin, &solid, NULL) != FW_OK) abort();
+    fw_boundary *boundary;
+    if (fw_boundary_create(&boundary, &solid, NULL) != FW_OK) abort();
     double creation = microseconds() - begin;
-    for (int k = 0; k < count; ++k) fw_skin_predictions(skin)[k].displacement = velocity;
+    for (int k = 0; k < count; ++k) fw_boundary_predictions(boundary)[k].displacement = velocity;
     static double took[STEPS];
     double mean = 0;
     for (int step = 0; step < STEPS; ++step) {
@@ -75,19 +75,20 @@ static void measure(fw_broadphase *broadphase, int moving_wall, int count, fw_ve
         if (moving_wall >= 0)
             fw_broadphase_move_wall(broadphase, moving_wall, (fw_vec2){0.02 * step, 0},
                                     (fw_vec2){0.02, 0});
-        if (fw_skin_refresh(skin, &solid, broadphase, NULL) != FW_OK) abort();
+        if (fw_boundary_refresh(boundary, &solid, broadphase, NULL) != FW_OK) abort();
         took[step] = microseconds() - begin;
         if (step > 0) mean += took[step] / (STEPS - 1); /* the first asks for every run */
         fly(&solid, velocity);
     }
     qsort(took, STEPS, sizeof *took, compare_doubles);
     double near = 0;
-    for (int run = 0; run < fw_skin_run_count(skin); ++run)
-        near += fw_skin_run(skin, run).facet_count > 0;
+    for (int run = 0; run < fw_boundary_run_count(boundary); ++run)
+        near += fw_boundary_observe_run(boundary, run).facet_count > 0;
     printf("%8d  %-22s %10.1f %10.1f %10.1f %12.2f %10.2f %10.0f\n", count, where,
            query_per_particle(&solid, broadphase, velocity), mean, took[STEPS / 2],
-           (double)fw_skin_query_count(skin) / STEPS, near / fw_skin_run_count(skin), creation);
-    fw_skin_destroy(skin);
+           (double)fw_boundary_query_count(boundary) / STEPS,
+           near / fw_boundary_run_count(boundary), creation);
+    fw_boundary_destroy(boundary);
     fw_solid_head_release(&solid);
 }
 
@@ -108,7 +109,7 @@ int main(void)
     }
     printf("microseconds per step, slow motion, %d walls with %d facets\n", WALLS,
            fw_broadphase_facet_count(broadphase));
-    printf("    skin  where                  per query  runs: mean     median queries/step"
+    printf("    boundary  where                  per query  runs: mean     median queries/step"
            "  runs near  to create\n");
     const int counts[] = {4000, 100000};
     for (int i = 0; i < 2; ++i) {

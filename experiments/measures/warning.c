@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* caution.c - cautions of a run. State: what was said already. */
-#include "experiments/measures/caution.h"
+/* warning.c - warnings of a run. State: what was said already. */
+#include "experiments/measures/warning.h"
 
 #include "core/boltzmann/lb_solid.h"
 #include "experiments/setup/overlap.h"
 
 #include <math.h>
 
-static fw_status look_for_meetings(fw_caution *caution, const fw_experiment *experiment,
+static fw_status look_for_meetings(fw_warning *warning, const fw_experiment *experiment,
                                    fw_error *error)
 {
     for (int a = 0; a < experiment->member_count; ++a)
@@ -17,18 +17,18 @@ static fw_status look_for_meetings(fw_caution *caution, const fw_experiment *exp
             if (experiment->members[a].solid == experiment->members[b].solid) continue;
             FW_TRY(fw_overlap_find(experiment, a, b, &found, &where, error));
             if (!found) continue;
-            fprintf(caution->out,
-                    "caution: step %lld: bodies %s and %s pass through each other near (%g, %g): "
+            fprintf(warning->out,
+                    "warning: step %lld: bodies %s and %s pass through each other near (%g, %g): "
                     "solids of these models meet walls only\n",
                     (long long)fw_scene_steps(experiment->scene), experiment->members[a].name,
                     experiment->members[b].name, where.x, where.y);
-            caution->met = true;
+            warning->met = true;
             return FW_OK;
         }
     return FW_OK;
 }
 
-static void look_for_haste(fw_caution *caution, const fw_experiment *experiment)
+static void look_for_haste(fw_warning *warning, const fw_experiment *experiment)
 {
     for (int b = 0; b < experiment->member_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(experiment, b);
@@ -39,23 +39,23 @@ static void look_for_haste(fw_caution *caution, const fw_experiment *experiment)
         double speed = hypot(velocity.x, velocity.y) / spacing;
         if (speed <= FW_LB_FASTEST) continue;
         fprintf(
-            caution->out,
-            "caution: body %s moves %g spacings in a step; above about %g an impact turns cells "
+            warning->out,
+            "warning: body %s moves %g spacings in a step; above about %g an impact turns cells "
             "of an LB solid inside out\n",
             experiment->members[b].name, speed, FW_LB_FASTEST);
-        caution->hurried = true;
+        warning->hurried = true;
         return;
     }
 }
 
-int fw_caution_walls(FILE *out, const fw_experiment *experiment)
+int fw_warning_walls(FILE *out, const fw_experiment *experiment)
 {
     int count = 0;
     for (int w = 0; w < fw_scene_wall_count(experiment->scene); ++w) {
         const fw_wall *wall = fw_scene_wall(experiment->scene, w);
         if (fw_wall_surface(wall).law != FW_COMPONENTWISE) continue;
         fprintf(out,
-                "caution: the surface of wall %s is 'componentwise', which does not conserve "
+                "warning: the surface of wall %s is 'componentwise', which does not conserve "
                 "energy: where c2 couples x and y it can grow without bound ('frictionless' and "
                 "'stick' conserve it)\n",
                 fw_wall_name(wall));
@@ -64,12 +64,12 @@ int fw_caution_walls(FILE *out, const fw_experiment *experiment)
     return count;
 }
 
-fw_status fw_caution_look(fw_caution *caution, const fw_experiment *experiment, fw_error *error)
+fw_status fw_warning_look(fw_warning *warning, const fw_experiment *experiment, fw_error *error)
 {
-    if (!caution->out) return FW_OK;
-    if (!caution->looked) fw_caution_walls(caution->out, experiment);
-    caution->looked = true;
-    if (!caution->hurried && fw_scene_wall_count(experiment->scene) > 0)
-        look_for_haste(caution, experiment);
-    return caution->met ? FW_OK : look_for_meetings(caution, experiment, error);
+    if (!warning->out) return FW_OK;
+    if (!warning->looked) fw_warning_walls(warning->out, experiment);
+    warning->looked = true;
+    if (!warning->hurried && fw_scene_wall_count(experiment->scene) > 0)
+        look_for_haste(warning, experiment);
+    return warning->met ? FW_OK : look_for_meetings(warning, experiment, error);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_ask.c - what can be asked of a scene. */
+/* scene_observe.c - what can be asked of a scene. */
 #include "contact/scene/scene_parts.h"
 
 int64_t fw_scene_steps(const fw_scene *scene)
@@ -45,7 +45,7 @@ const fw_wall *fw_scene_wall(const fw_scene *scene, int wall)
 fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall)
 {
     const scene_wall *asked = &scene->walls[wall];
-    if (asked->piston) return fw_piston_observe_account(asked->piston)->displacement;
+    if (asked->piston) return fw_piston_observe_ledger(asked->piston)->displacement;
     return fw_wall_displacement(asked->wall, fw_scene_time(scene));
 }
 
@@ -74,9 +74,9 @@ const fw_grip *fw_scene_observe_grip(const fw_scene *scene, int grip)
     return scene->grips[grip].grip;
 }
 
-const fw_wall_account *fw_scene_wall_account(const fw_scene *scene, int wall)
+const fw_wall_ledger *fw_scene_wall_ledger(const fw_scene *scene, int wall)
 {
-    return &scene->accounts[wall];
+    return &scene->ledgers[wall];
 }
 
 fw_ledger fw_scene_ledger(const fw_scene *scene)
@@ -84,23 +84,23 @@ fw_ledger fw_scene_ledger(const fw_scene *scene)
     fw_ledger ledger = {.energy_at_start = scene->energy_at_start,
                         .momentum_at_start = scene->momentum_at_start};
     for (int b = 0; b < scene->body_count; ++b) {
-        const fw_account *account = &scene->bodies[b].solid->account;
-        ledger.external_work += account->work;
-        ledger.dissipated += account->dissipated;
-        ledger.noise_heat += account->heat;
-        ledger.external_impulse = fw_vec2_add(ledger.external_impulse, account->impulse);
-        ledger.drag = fw_vec2_add(ledger.drag, account->drag);
+        const fw_solid_ledger *solid = &scene->bodies[b].solid->ledger;
+        ledger.external_work += solid->work;
+        ledger.dissipated += solid->dissipated;
+        ledger.thermostat_heat += solid->heat;
+        ledger.external_impulse = fw_vec2_add(ledger.external_impulse, solid->impulse);
+        ledger.drag = fw_vec2_add(ledger.drag, solid->drag);
     }
     for (int w = 0; w < scene->wall_count; ++w) {
-        ledger.wall_work += scene->accounts[w].work;
-        ledger.wall_stored += scene->accounts[w].stored;
-        ledger.friction_heat += scene->accounts[w].dissipated;
-        ledger.wall_impulse = fw_vec2_add(ledger.wall_impulse, scene->accounts[w].impulse);
+        ledger.wall_work += scene->ledgers[w].work;
+        ledger.wall_stored += scene->ledgers[w].stored;
+        ledger.friction_heat += scene->ledgers[w].dissipated;
+        ledger.wall_impulse = fw_vec2_add(ledger.wall_impulse, scene->ledgers[w].impulse);
     }
     for (int n = 0; n < scene->grip_count; ++n) {
-        const fw_grip_account *account = fw_grip_observe_account(scene->grips[n].grip);
-        ledger.grip_work += account->work;
-        ledger.grip_impulse = fw_vec2_add(ledger.grip_impulse, account->impulse);
+        const fw_grip_ledger *grip = fw_grip_observe_ledger(scene->grips[n].grip);
+        ledger.grip_work += grip->work;
+        ledger.grip_impulse = fw_vec2_add(ledger.grip_impulse, grip->impulse);
     }
     return ledger;
 }
@@ -137,8 +137,8 @@ double fw_scene_penetration(const fw_scene *scene, int body)
         for (int b = 0; b < scene->body_count; ++b) {
             const fw_solid *solid = scene->bodies[b].solid;
             if (body >= 0 && b != body) continue;
-            for (int n = 0; n < solid->skin_count; ++n) {
-                fw_vec2 at = fw_solid_position(solid, solid->skin[n]);
+            for (int n = 0; n < solid->boundary_count; ++n) {
+                fw_vec2 at = fw_solid_position(solid, solid->boundary[n]);
                 deepest =
                     fmax(deepest, fw_wall_depth(scene->walls[w].wall, fw_vec2_subtract(at, place)));
             }
@@ -160,14 +160,14 @@ long fw_scene_query_count(const fw_scene *scene)
 {
     long count = 0;
     for (int b = 0; b < scene->body_count; ++b)
-        if (scene->bodies[b].skin) count += fw_skin_query_count(scene->bodies[b].skin);
+        if (scene->bodies[b].boundary) count += fw_boundary_query_count(scene->bodies[b].boundary);
     return count;
 }
 
 double fw_ledger_energy(const fw_ledger *l)
 {
     return l->energy_at_start + l->external_work + l->wall_work + l->grip_work - l->dissipated -
-           l->friction_heat + l->noise_heat - l->wall_stored;
+           l->friction_heat + l->thermostat_heat - l->wall_stored;
 }
 
 fw_vec2 fw_ledger_momentum(const fw_ledger *l)
