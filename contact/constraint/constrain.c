@@ -2,7 +2,7 @@
 /* constrain.c - contact of one particle with several walls; friction stands in rub.c.
  * State: none but the particle's own memory. Rows are only ever added, so the search ends.
  * Start reading at fw_constrain(). */
-#include "contact/constraint/constrain_parts.h"
+#include "constrain_parts.h"
 
 #include <math.h>
 

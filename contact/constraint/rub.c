@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rub.c - Coulomb friction of one particle on one wall: sticking by filtered hold, sliding bounded
  * by the reaction. State: none but the particle's own memory. Start reading at constrain_rub(). */
-#include "contact/constraint/constrain_parts.h"
+#include "constrain_parts.h"
 
 /* Filter of the sticking force: how much of the change of the particle's own momentum is let
  * through. The number comes from an independent reference. */

@@ -4,7 +4,7 @@
  * the solids keep their own. Candidate lists are no state: results do not depend on them. */
 #include "contact/scene/scene.h"
 
-#include "contact/scene/scene_parts.h"
+#include "scene_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

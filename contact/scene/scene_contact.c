@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_contact.c - the contact phase of a step: from runs of candidates to holds. */
-#include "contact/scene/scene_parts.h"
+#include "scene_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

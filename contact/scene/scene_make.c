@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_make.c - making a scene, its state, and putting it back to a saved one. */
-#include "contact/scene/scene_parts.h"
+#include "scene_parts.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_observe.c - what can be asked of a scene. */
-#include "contact/scene/scene_parts.h"
+#include "scene_parts.h"
 
 int64_t fw_scene_steps(const fw_scene *scene)
 {

@@ -14,7 +14,7 @@
  * that takes.
  *
  * State: none but the pistons' own. Start reading at scene_move_pistons(). */
-#include "contact/scene/scene_parts.h"
+#include "scene_parts.h"
 
 #include <math.h>
 

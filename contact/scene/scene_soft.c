@@ -2,7 +2,7 @@
 /* scene_soft.c - the penalty walls of a scene: their forces as a part of the contact phase.
  * State: what each wall stores, in its ledger. */
 #include "contact/constraint/penalty.h"
-#include "contact/scene/scene_parts.h"
+#include "scene_parts.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 /* scene_stops.c - pistons that are stopped by a particle with no way out between them and a wall
  * that does not yield, and what the particle passes on. State: what is known of stops in this tick,
  * in the rows of each body. Start reading at scene_look_at_stop(). */
-#include "contact/scene/scene_parts.h"
+#include "scene_parts.h"
 
 #include <math.h>
 

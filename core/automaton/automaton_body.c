@@ -4,7 +4,7 @@
  *
  * Pulls are sums over differences, not -b + sum B w as the paper writes it: a rigid shift of the
  * body, however large, then leaves no rounding behind. */
-#include "core/automaton/automaton_body.h"
+#include "automaton_body.h"
 
 #include <stdlib.h>
 

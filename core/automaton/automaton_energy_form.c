@@ -3,7 +3,7 @@
  * The form is a sparse matrix with a 2x2 block per bond. Numbered by breadth, reversed (Cuthill and
  * McKee 1969), its rows are short, and Cholesky's factorisation fills nothing outside them.
  * Start reading at fw_automaton_form_sign(). */
-#include "core/automaton/automaton_stability.h"
+#include "automaton_stability.h"
 
 #include <math.h>
 #include <stdlib.h>

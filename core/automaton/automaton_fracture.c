@@ -5,7 +5,7 @@
  * carried go with it, and are booked.
  * State: one bit per bond, kept at its black end. Start reading at fw_automaton_break_stretched().
  */
-#include "core/automaton/automaton_body.h"
+#include "automaton_body.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* automaton_layout.c - from a set of sites to colours, spans and rims. Keeps no state.
  * Start reading at fw_automaton_lay_out(). */
-#include "core/automaton/automaton_body.h"
+#include "automaton_body.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 /* automaton_measure.c - what can be asked of an elastic automaton: energy, momentum, masses,
  * velocities, fields for pictures. Keeps no state; sums run in fixed blocks.
  * Start reading at fw_automaton_energies(). */
-#include "core/automaton/automaton_body.h"
+#include "automaton_body.h"
 
 #include <math.h>
 

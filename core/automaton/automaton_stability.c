@@ -5,7 +5,7 @@
  * eigenvector of a step has K_w K_b w = z w with (lambda + 1)^2 / lambda = 4 z. For `bond` and
  * `trapezoid` K_w K_b is symmetric in the scalar product of the masses, and stable means z <= 1.
  * Start reading at fw_automaton_check_stability(). */
-#include "core/automaton/automaton_stability.h"
+#include "automaton_stability.h"
 
 #include <complex.h>
 #include <gsl/gsl_eigen.h>

@@ -10,7 +10,7 @@
 #ifndef FW_AUTOMATON_STABILITY_H
 #define FW_AUTOMATON_STABILITY_H
 
-#include "core/automaton/automaton_body.h"
+#include "automaton_body.h"
 
 /* FW_BAD_INPUT with the reason and the growth for an unstable body. Exact where every bond's matrix
  * is positive, for small bodies and for those whose factorisation takes less than a second or so

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* automaton_start.c - displacements of both colours for a body that starts displaced by u and
  * moving at V. Keeps no state. Start reading at fw_automaton_start(). */
-#include "core/automaton/automaton_body.h"
+#include "automaton_body.h"
 
 static fw_vec2 value_at(const fw_vec2 *field, int particle)
 {

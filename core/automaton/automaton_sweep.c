@@ -9,7 +9,7 @@
  * Displacements are kept small: a body that has drifted far has its common part moved from x, y
  * into the integers `drift`. Otherwise the last bit of a displacement of 400 spacings would be all
  * that is left of the precision of the differences, on which the energy stands. */
-#include "core/automaton/automaton_body.h"
+#include "automaton_body.h"
 
 #include <math.h>
 

@@ -4,8 +4,8 @@
  * State: displacements of both colours, positions, which bonds are whole, the tick, whose parity
  * says which colour moves next. Invariant: E and p of the header change only by what is booked.
  * Start reading at fw_elastic_automaton_create(); the half-step is in automaton_sweep.c. */
-#include "core/automaton/automaton_body.h"
-#include "core/automaton/automaton_stability.h"
+#include "automaton_body.h"
+#include "automaton_stability.h"
 
 #include <math.h>
 #include <stdlib.h>

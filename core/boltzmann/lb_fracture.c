@@ -2,7 +2,7 @@
 /* lb_fracture.c - links that break. A broken link's mass and momentum go into the rest fields of
  * its two ends, so that M and Psi of each particle stay what they were; only energy is lost, at
  * least half kappa times the squared stretch: the fracture energy. */
-#include "core/boltzmann/lb_state.h"
+#include "lb_state.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
  * break. Invariant: Eq 30 on every existing link. Start reading at fw_lb_solid_create(). */
 #include "core/boltzmann/lb_solid.h"
 
-#include "core/boltzmann/lb_state.h"
+#include "lb_state.h"
 
 #include <math.h>
 #include <stdlib.h>

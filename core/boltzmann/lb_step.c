@@ -2,7 +2,7 @@
 /* lb_step.c - one step of the LB solid (Chopard & Marconi Eqs 18-20, corrected).
  * State: see lb_state.h. Work is cut into chunks of fixed size whose sums are added in order, so
  * that the result does not depend on the number of threads. Start reading at lb_advance(). */
-#include "core/boltzmann/lb_state.h"
+#include "lb_state.h"
 
 #include <math.h>
 

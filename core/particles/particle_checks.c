@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_checks.c - which solids of movable lattice particles are refused, and with what
  * sentence. Keeps no state. */
-#include "core/particles/particle_forces.h"
+#include "particle_forces.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_fields.c - quantities per particle of movable lattice particles, for pictures and files.
  * Keeps no state. */
-#include "core/particles/particle_forces.h"
+#include "particle_forces.h"
 
 #include <math.h>
 

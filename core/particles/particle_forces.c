@@ -7,7 +7,7 @@
  * A pair's values depend on the pair alone and what lies beyond a cut adds an exact zero, so the
  * result depends neither on threads, nor on when lists were made, nor on how particles are cut into
  * batches. Start reading at fw_particles_find_forces(). */
-#include "core/particles/particle_forces.h"
+#include "particle_forces.h"
 
 #include <math.h>
 

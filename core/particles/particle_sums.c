@@ -2,7 +2,7 @@
 /* particle_sums.c - what else is summed over the bonds of movable lattice particles: energies, net
  * return forces, the virial, bond order. Keeps no state. As in particle_forces.c each particle
  * gathers from its neighbours in ascending order. */
-#include "core/particles/particle_forces.h"
+#include "particle_forces.h"
 
 #include <math.h>
 

@@ -5,7 +5,7 @@
  * particle_forces.c. Start reading at fw_particles_create(). */
 #include "core/particles/particles.h"
 
-#include "core/particles/particle_forces.h"
+#include "particle_forces.h"
 
 #include <assert.h>
 #include <math.h>

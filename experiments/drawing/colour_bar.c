@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* colour_bar.c - a bar of colours with its axis.
  * Keeps no state. Start reading at fw_colour_bar_draw(). */
-#include "experiments/drawing/colour_bar.h"
+#include "colour_bar.h"
 
 #include <math.h>
 

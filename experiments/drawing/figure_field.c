@@ -2,7 +2,7 @@
 /* figure_field.c - a quantity as colour on the particles: one view, or a strip of them.
  * Keeps no state. Start reading at fw_figure_field() and fw_figure_strip(). */
 #include "experiments/drawing/figure.h"
-#include "experiments/drawing/view_key.h"
+#include "view_key.h"
 
 #include <math.h>
 #include <stdio.h>

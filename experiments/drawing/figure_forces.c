@@ -2,7 +2,7 @@
 /* figure_forces.c - deformed bodies with the forces on their particles.
  * Keeps no state. Invariant: one length of arrow means one force in all panels. Start reading at
  * fw_figure_forces(). */
-#include "experiments/drawing/colour_bar.h"
+#include "colour_bar.h"
 #include "experiments/drawing/figure.h"
 #include "experiments/drawing/legend.h"
 

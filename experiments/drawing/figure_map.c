@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* figure_map.c - a number at every place of a grid as colour, with curves over it.
  * Keeps no state. Start reading at fw_figure_map(). */
-#include "experiments/drawing/colour_bar.h"
+#include "colour_bar.h"
 #include "experiments/drawing/figure.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* figure_motion.c - a body on its way: several instants in one panel.
  * Keeps no state. Start reading at fw_figure_motion(). */
-#include "experiments/drawing/colour_bar.h"
+#include "colour_bar.h"
 #include "experiments/drawing/figure.h"
 #include "experiments/drawing/legend.h"
 

@@ -4,7 +4,7 @@
  * Keeps no state. Invariant: what stands in one row has the same scale. Start reading at
  * fw_figure_columns(). */
 #include "experiments/drawing/figure.h"
-#include "experiments/drawing/stack.h"
+#include "stack.h"
 
 #include <math.h>
 #include <stdlib.h>

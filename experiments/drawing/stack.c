@@ -2,7 +2,7 @@
 /* stack.c - one column of panels.
  * State: the boxes and axes of the panels (see the header). Invariant: all boxes have the same left
  * and right edge. Start reading at fw_stack_size() and fw_stack_draw(). */
-#include "experiments/drawing/stack.h"
+#include "stack.h"
 
 #include <math.h>
 #include <stdlib.h>

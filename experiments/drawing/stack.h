@@ -4,9 +4,9 @@
 #ifndef FW_STACK_H
 #define FW_STACK_H
 
-#include "experiments/drawing/colour_bar.h"
+#include "colour_bar.h"
 #include "experiments/drawing/figure.h"
-#include "experiments/drawing/view_key.h"
+#include "view_key.h"
 
 /* Words above the panels: names of regions and marks. */
 enum { FW_STACK_LABELS_MAX = 32 };

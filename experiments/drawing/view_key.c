@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* view_key.c - one scale for all values, or one name for each kind.
  * Keeps no state. Start reading at fw_view_key_for(). */
-#include "experiments/drawing/view_key.h"
+#include "view_key.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #ifndef FW_VIEW_KEY_H
 #define FW_VIEW_KEY_H
 
-#include "experiments/drawing/colour_bar.h"
+#include "colour_bar.h"
 #include "experiments/drawing/legend.h"
 #include "experiments/drawing/view.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* analysis.c - the kinds of analyses, and the memory of their results. */
-#include "experiments/measures/analysis_parts.h"
+#include "analysis_parts.h"
 
 #include "core/array.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* analysis_bodies.c - bodies of the elastic automaton by themselves: whether one would grow, and
  * whether Chopard's is its lattice Boltzmann twin. Keeps no state. */
-#include "experiments/measures/analysis_parts.h"
+#include "analysis_parts.h"
 
 #include "contact/scene/scene.h"
 #include "core/array.h"

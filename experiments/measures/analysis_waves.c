@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* analysis_waves.c - plane waves of the elastic automaton: where they grow, how fast they run, and
  * whether those of a simulated body do what the closed form says. Keeps no state. */
-#include "experiments/measures/analysis_parts.h"
+#include "analysis_parts.h"
 
 #include "core/array.h"
 #include "experiments/setup/build_automaton.h"

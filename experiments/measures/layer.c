@@ -46,22 +46,22 @@ static double middle_of(const fw_profile *profile, int bin)
     return 0.5 * (fw_profile_edge(profile, bin) + fw_profile_edge(profile, bin + 1));
 }
 
-static bool is_near(const fw_experiment *experiment, int bin)
+static bool is_near(const fw_observer *observer, int bin)
 {
-    const fw_scenario_profile *plan = &experiment->scenario->profile;
-    return fabs(middle_of(experiment->profile, bin) - plan->middle) < plan->far[0];
+    const fw_scenario_profile *plan = &observer->experiment->scenario->profile;
+    return fabs(middle_of(observer->profile, bin) - plan->middle) < plan->far[0];
 }
 
-static void measure_profile(double *values, const fw_experiment *experiment)
+static void measure_profile(double *values, const fw_observer *observer)
 {
-    const fw_profile *p = experiment->profile;
-    const double bin = experiment->scenario->profile.bin;
+    const fw_profile *p = observer->profile;
+    const double bin = observer->experiment->scenario->profile.bin;
     const double contact = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_RETURN_FORCE);
     const double far = fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_RETURN_FORCE);
     double peak = 0, width_order = 0, width_half = 0, width_double = 0;
     for (int b = 0; b < fw_profile_bin_count(p); ++b) {
         const double force = fw_profile_value(p, b, FW_PROFILE_RETURN_FORCE);
-        if (!is_near(experiment, b)) continue;
+        if (!is_near(observer, b)) continue;
         peak = fmax(peak, force);
         width_order += fw_profile_value(p, b, FW_PROFILE_ORDER) < .9 ? bin : 0;
         width_half += force > .5 * (contact + far) ? bin : 0;
@@ -202,13 +202,14 @@ static fw_status measure_steadiness(double *value, const fw_experiment *experime
     return status;
 }
 
-fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_experiment *experiment,
+fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_observer *observer,
                       const fw_measurement *measurement, fw_error *error)
 {
     for (int n = 0; n < FW_LAYER_MEASURES; ++n) values[n] = NAN;
-    measure_profile(values, experiment);
-    measure_friction(values, experiment, measurement);
-    return measure_steadiness(&values[FW_LAYER_UNSTEADINESS], experiment, measurement, error);
+    measure_profile(values, observer);
+    measure_friction(values, observer->experiment, measurement);
+    return measure_steadiness(&values[FW_LAYER_UNSTEADINESS], observer->experiment, measurement,
+                              error);
 }
 
 void fw_layer_compare(double values[FW_LAYER_MEASURES], const double control[FW_LAYER_MEASURES],

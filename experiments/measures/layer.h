@@ -36,7 +36,7 @@ typedef enum fw_layer_measure {
 
 /* Of one run; those over its control are NaN until fw_layer_compare. FW_SYSTEM_FAILED without
  * memory. */
-fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_experiment *experiment,
+fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_observer *observer,
                       const fw_measurement *measurement, fw_error *error);
 
 /* Fills in what is over the control of the same seed. */

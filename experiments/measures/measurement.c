@@ -22,7 +22,8 @@ static const char *const profile_set[] = {"slip", "interface-force", "contact-re
 static const char *const piston_place = "piston-displacement";
 
 typedef struct request {
-    const fw_experiment *experiment;
+    const fw_observer *observer;
+    const fw_experiment *experiment; /* of the observer */
     fw_measurement *measurement;
     fw_error *error;
 } request;
@@ -38,13 +39,19 @@ static void write_label(const fw_experiment *experiment, fw_probe *probe)
         snprintf(end, room, ".%s[%d,%d]", experiment->members[s.body].name, site.i, site.j);
     } else if (s.body >= 0) {
         snprintf(end, room, ".%s", experiment->members[s.body].name);
-    } else if (s.analysis >= 0) {
-        snprintf(end, room, ".%s", experiment->scenario->analyses[s.analysis].name);
+    } else if (s.analysis) {
+        snprintf(end, room, ".%s", s.analysis->what->name);
     } else if (s.wall >= 0) {
         snprintf(end, room, ".%s", fw_wall_name(fw_scene_wall(experiment->scene, s.wall)));
     } else if (s.grip >= 0) {
         snprintf(end, room, ".%s", fw_grip_name(fw_scene_observe_grip(experiment->scene, s.grip)));
     }
+}
+
+static fw_subject no_subject(const request *r)
+{
+    return (fw_subject){
+        .body = -1, .wall = -1, .grip = -1, .particle = -1, .profile = r->observer->profile};
 }
 
 /* Adds a probe unless there is one already; returns its number, or -1 without memory. */
@@ -114,7 +121,7 @@ static bool fits_wall(const request *r, const fw_quantity *quantity, int wall)
 
 static bool fits_kind(const request *r, const fw_quantity *quantity, int analysis)
 {
-    const fw_analysis *of = r->experiment->analyses[analysis];
+    const fw_analysis *of = r->observer->analyses[analysis];
     return strcmp(quantity->model, fw_analysis_kind_name(of->what->kind)) == 0;
 }
 
@@ -125,14 +132,14 @@ static bool has_what_it_takes(const request *r, const fw_quantity *quantity)
     if (strcmp(quantity->name, "slip") == 0) return fw_scene_grip_count(r->experiment->scene) >= 2;
     if (strcmp(quantity->name, "interface-force") == 0)
         return particles && fw_particles_group_count(particles) > 1;
-    if (strcmp(quantity->name, "contact-return-force") == 0) return r->experiment->profile != NULL;
+    if (strcmp(quantity->name, "contact-return-force") == 0) return r->observer->profile != NULL;
     return true;
 }
 
 /* A quantity by its name alone: of everything that it can be measured of. */
 static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_place place)
 {
-    const fw_subject nothing = {-1, -1, -1, -1, -1};
+    const fw_subject nothing = no_subject(r);
     fw_subject subject = nothing;
     if (!has_what_it_takes(r, quantity)) return FW_OK;
     switch (quantity->scope) {
@@ -162,10 +169,11 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
                                 "%s comes out of all runs together; expected it in `expect`",
                                 quantity->name);
     case FW_SCOPE_ANALYSIS:
-        for (subject.analysis = 0; subject.analysis < r->experiment->analysis_count;
-             ++subject.analysis)
-            if (fits_kind(r, quantity, subject.analysis) && add_probe(r, quantity, subject) < 0)
+        for (int n = 0; n < r->observer->analysis_count; ++n) {
+            subject.analysis = r->observer->analyses[n];
+            if (fits_kind(r, quantity, n) && add_probe(r, quantity, subject) < 0)
                 return FW_SYSTEM_FAILED;
+        }
         return FW_OK;
     case FW_SCOPE_SITE:
         break;
@@ -195,7 +203,7 @@ static fw_status add_drawn(request *r, fw_scenario_name name)
         return fw_scenario_fail(r->experiment->scenario, name.place, r->error,
                                 "there is nothing to measure %s of", quantity->name);
     if (words - component == 1 && !rest) return add_everywhere(r, quantity, name.place);
-    fw_subject subject = {-1, -1, -1, -1, -1};
+    fw_subject subject = no_subject(r);
     bool of_body = quantity->scope == FW_SCOPE_BODIES || quantity->scope == FW_SCOPE_BODY;
     for (int b = 0; b < r->experiment->member_count && of_body; ++b)
         if (strcmp(r->experiment->members[b].name, word[1]) == 0 && fits_model(r, quantity, b))
@@ -289,7 +297,7 @@ static fw_status choose_analysis(request *r, const fw_expectation *e, const fw_q
     for (int n = 0; n < scenario->analysis_count; ++n) {
         if (!fits_kind(r, quantity, n) || (e->analysis_index >= 0 && e->analysis_index != n))
             continue;
-        subject->analysis = n;
+        subject->analysis = r->observer->analyses[n];
         fitting += 1;
     }
     if (fitting == 1) return FW_OK;
@@ -310,7 +318,7 @@ static fw_status choose_subject(request *r, const fw_expectation *e, const fw_qu
                                 fw_subject *subject)
 {
     const fw_scenario *scenario = r->experiment->scenario;
-    *subject = (fw_subject){-1, -1, -1, -1, -1};
+    *subject = no_subject(r);
     if (quantity->scope != FW_SCOPE_WALL && quantity->scope != FW_SCOPE_PISTON && e->wall.text)
         return fw_scenario_fail(scenario, e->wall.place, r->error,
                                 "%s is not measured of a wall, expected no key `wall`",
@@ -366,7 +374,7 @@ static fw_status add_outcome(request *r, int number, const fw_quantity *quantity
     const fw_scenario *scenario = r->experiment->scenario;
     r->measurement->expected[number] = -1;
     r->measurement->component[number] = (int)(quantity - fw_layer_quantities);
-    if (r->experiment->profile) return FW_OK;
+    if (r->observer->profile) return FW_OK;
     return fw_scenario_fail(scenario, scenario->expectations[number].quantity.place, r->error,
                             "%s comes out of a profile, and the scenario has none", quantity->name);
 }
@@ -458,16 +466,16 @@ static fw_status allocate_rows(fw_measurement *m, const fw_scenario *scenario, f
                    (long long)m->capacity, m->width);
 }
 
-fw_status fw_measurement_create(fw_measurement **measurement, const fw_experiment *experiment,
+fw_status fw_measurement_create(fw_measurement **measurement, const fw_observer *observer,
                                 fw_error *error)
 {
     *measurement = NULL;
-    const fw_scenario *scenario = experiment->scenario;
+    const fw_scenario *scenario = observer->experiment->scenario;
     fw_measurement *made = calloc(1, sizeof *made);
     if (!made) return fw_fail_memory(error, "a measurement");
     made->expected = calloc((size_t)scenario->expectation_count + 1, sizeof *made->expected);
     made->component = calloc((size_t)scenario->expectation_count + 1, sizeof *made->component);
-    request r = {experiment, made, error};
+    request r = {observer, observer->experiment, made, error};
     fw_status status =
         made->expected && made->component ? add_all(&r) : fw_fail_memory(error, "the expectations");
     if (status == FW_OK) status = allocate_rows(made, scenario, error);

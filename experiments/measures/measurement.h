@@ -37,7 +37,7 @@ typedef struct fw_measurement {
 
 /* Resolves all names. FW_BAD_INPUT at the place of a name that means nothing, or of an expectation
  * at a step that is not measured. */
-fw_status fw_measurement_create(fw_measurement **measurement, const fw_experiment *experiment,
+fw_status fw_measurement_create(fw_measurement **measurement, const fw_observer *observer,
                                 fw_error *error);
 void fw_measurement_destroy(fw_measurement *measurement);
 

@@ -5,7 +5,7 @@
 #ifndef FW_QUANTITY_H
 #define FW_QUANTITY_H
 
-#include "experiments/setup/experiment.h"
+#include "experiments/measures/observer.h"
 
 /* What a quantity is measured of. */
 typedef enum fw_scope {
@@ -20,10 +20,11 @@ typedef enum fw_scope {
     FW_SCOPE_ANALYSIS /* one analysis of its kind; may be left out where there is only one */
 } fw_scope;
 
-/* -1: none. */
+/* What one quantity is measured of. -1, NULL: none. */
 typedef struct fw_subject {
     int body, wall, grip, particle; /* particle: within the body */
-    int analysis;
+    const fw_analysis *analysis;
+    fw_profile *profile; /* across the contact of the scene */
 } fw_subject;
 
 enum { FW_COMPONENTS_MAX = 4 };

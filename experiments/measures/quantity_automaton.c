@@ -241,67 +241,71 @@ static void mode_error(const fw_experiment *experiment, fw_subject subject, doub
 
 /* --- analyses --- */
 
-static const fw_analysis *analysis_of(const fw_experiment *experiment, fw_subject subject)
-{
-    return experiment->analyses[subject.analysis];
-}
-
 static void growth_inside(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = analysis_of(experiment, subject)->map.excess;
+    (void)experiment;
+    out[0] = subject.analysis->map.excess;
 }
 
 static void growth_outside(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = analysis_of(experiment, subject)->map.least;
+    (void)experiment;
+    out[0] = subject.analysis->map.least;
 }
 
 static void largest_growth(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = analysis_of(experiment, subject)->map.greatest;
+    (void)experiment;
+    out[0] = subject.analysis->map.greatest;
 }
 
 static void growth_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = analysis_of(experiment, subject)->map.error;
+    (void)experiment;
+    out[0] = subject.analysis->map.error;
 }
 
 static void frequency_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = analysis_of(experiment, subject)->frequency_error;
+    (void)experiment;
+    out[0] = subject.analysis->frequency_error;
 }
 
 static void phase_speed(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    for (int m = 0; m < FW_MODES; ++m) out[m] = analysis_of(experiment, subject)->mode.speed[m];
+    (void)experiment;
+    for (int m = 0; m < FW_MODES; ++m) out[m] = subject.analysis->mode.speed[m];
 }
 
-static void put_polarisation(const fw_experiment *experiment, fw_subject subject, int mode,
-                             double *out)
+static void put_polarisation(fw_subject subject, int mode, double *out)
 {
-    const fw_vec2 direction = analysis_of(experiment, subject)->mode.polarisation[mode];
+    const fw_vec2 direction = subject.analysis->mode.polarisation[mode];
     out[0] = direction.x;
     out[1] = direction.y;
 }
 
 static void slow_polarisation(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put_polarisation(experiment, subject, FW_SLOW, out);
+    (void)experiment;
+    put_polarisation(subject, FW_SLOW, out);
 }
 
 static void fast_polarisation(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put_polarisation(experiment, subject, FW_FAST, out);
+    (void)experiment;
+    put_polarisation(subject, FW_FAST, out);
 }
 
 static void spectral_radius(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = analysis_of(experiment, subject)->spectral_radius;
+    (void)experiment;
+    out[0] = subject.analysis->spectral_radius;
 }
 
 static void twin_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = analysis_of(experiment, subject)->twin_error;
+    (void)experiment;
+    out[0] = subject.analysis->twin_error;
 }
 
 /* clang-format off */

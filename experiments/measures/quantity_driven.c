@@ -135,9 +135,8 @@ static void interface_force(const fw_experiment *experiment, fw_subject subject,
 
 static void contact_return_force(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    (void)subject;
-    out[0] = experiment->profile
-                 ? fw_profile_contact_now(experiment->profile, fw_experiment_particles(experiment))
+    out[0] = subject.profile
+                 ? fw_profile_contact_now(subject.profile, fw_experiment_particles(experiment))
                  : NAN;
 }
 

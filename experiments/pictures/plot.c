@@ -4,11 +4,11 @@
  * recorded, picture and output say which one stands for it. Start reading at draw_picture(). */
 #include "experiments/pictures/plot.h"
 
-#include "experiments/pictures/plot_parts.h"
-#include "experiments/pictures/plot_sweep.h"
 #include "experiments/storage/folder.h"
 #include "experiments/study/sweep.h"
 #include "experiments/text/spelling.h"
+#include "plot_parts.h"
+#include "plot_sweep.h"
 
 #include "core/array.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot_analysis.c - pictures of analyses, from the arrays in the results file. Keeps no state.
  * Start reading at fw_plot_draw_analysis(). */
-#include "experiments/pictures/plot_parts.h"
+#include "plot_parts.h"
 
 #include <math.h>
 #include <stdlib.h>

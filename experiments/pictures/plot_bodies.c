@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot_bodies.c - pictures of where bodies are: motion, field, strip.
  * Keeps no state. Start reading at fw_plot_draw_motion(). */
-#include "experiments/pictures/plot_parts.h"
+#include "plot_parts.h"
 
 #include "core/array.h"
 

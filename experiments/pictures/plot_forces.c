@@ -4,7 +4,7 @@
  * Keeps no state. Invariant: each link pulls its two ends with opposite forces. Start reading at
  * fw_plot_draw_forces(). */
 #include "experiments/drawing/ticks.h"
-#include "experiments/pictures/plot_parts.h"
+#include "plot_parts.h"
 
 #include "core/array.h"
 

@@ -3,9 +3,9 @@
  * Filippov Fig 6), the control beside it; and the fretting loop. Keeps no state. Start reading at
  * fw_plot_draw_profile(). */
 #include "experiments/measures/profile_table.h"
-#include "experiments/pictures/plot_parts.h"
 #include "experiments/storage/folder.h"
 #include "experiments/study/study.h"
+#include "plot_parts.h"
 
 #include "core/array.h"
 

@@ -2,7 +2,7 @@
 /* plot_result.c - a results folder, opened for drawing, and its frames as views.
  * Invariant: bodies of the file and bodies of the scenario in it are the same, in the same order.
  * Start reading at fw_plot_result_open(). */
-#include "experiments/pictures/plot_parts.h"
+#include "plot_parts.h"
 
 #include "core/array.h"
 

@@ -2,7 +2,7 @@
 /* plot_series.c - observables over time: which curves, in which panels, under which names.
  * Keeps no state. Invariant: quantities of one unit share a panel;
  * pure numbers have nothing in common and get one each. Start reading at fw_plot_series_find(). */
-#include "experiments/pictures/plot_parts.h"
+#include "plot_parts.h"
 
 #include "experiments/measures/column.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot_sweep.c - the table of a sweep as panels above the axis of its parameter.
  * Keeps no state. Start reading at draw(). */
-#include "experiments/pictures/plot_sweep.h"
+#include "plot_sweep.h"
 
 #include "experiments/drawing/figure.h"
 #include "experiments/study/sweep.h"

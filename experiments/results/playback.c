@@ -5,9 +5,9 @@
  * no memory is asked for on the word of the file alone. Start reading at fw_playback_open(). */
 #include "experiments/results/playback.h"
 
-#include "experiments/results/trajectory_head.h"
 #include "experiments/storage/folder.h"
 #include "experiments/storage/hdf5_file.h"
+#include "trajectory_head.h"
 
 #include <limits.h>
 #include <stdio.h>

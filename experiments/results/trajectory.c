@@ -6,10 +6,10 @@
 #include "experiments/results/trajectory.h"
 
 #include "experiments/results/provenance.h"
-#include "experiments/results/trajectory_head.h"
-#include "experiments/results/trajectory_layout.h"
 #include "experiments/storage/folder.h"
 #include "experiments/storage/series.h"
+#include "trajectory_head.h"
+#include "trajectory_layout.h"
 
 #include <assert.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* trajectory_head.c - putting a file's structure aside and back. Its state is two file names, of
  * which at most one is there. Start reading at fw_head_save(). */
-#include "experiments/results/trajectory_head.h"
+#include "trajectory_head.h"
 
 #include "experiments/results/trajectory.h"
 #include "experiments/storage/sealed_file.h"

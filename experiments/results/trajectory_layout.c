@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* trajectory_layout.c - what a results file says besides its rows. Keeps no state; start reading at
  * fw_layout_make(), in the order of the H5MD 1.1 specification. */
-#include "experiments/results/trajectory_layout.h"
+#include "trajectory_layout.h"
 
 #include "experiments/results/provenance.h"
 #include "experiments/storage/series.h"

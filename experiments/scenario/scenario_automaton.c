@@ -2,7 +2,7 @@
 /* scenario_automaton.c - elastic automata of a scenario: their materials, what their bodies may
  * have, and the analyses. Keeps no state. */
 #include "core/lattice.h"
-#include "experiments/scenario/scenario_parts.h"
+#include "scenario_parts.h"
 
 #include <string.h>
 

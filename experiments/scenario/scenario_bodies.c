@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_bodies.c - materials and bodies of a scenario, with what single sites of a body start
  * with. Keeps no state. Start reading at read_body(). */
-#include "experiments/scenario/scenario_parts.h"
+#include "scenario_parts.h"
 
 #include <string.h>
 

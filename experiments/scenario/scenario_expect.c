@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_expect.c - what a scenario expects, and the pictures it asks for. Keeps no state. */
-#include "experiments/scenario/scenario_parts.h"
+#include "scenario_parts.h"
 
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_grips.c - grips, phases, profile and study of a scenario. Keeps no state. */
-#include "experiments/scenario/scenario_parts.h"
+#include "scenario_parts.h"
 
 #include <string.h>
 

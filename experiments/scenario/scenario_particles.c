@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_particles.c - what a scenario says of movable particles: their material, where they are
  * placed, and the dynamics that all of them share. Keeps no state. */
-#include "experiments/scenario/scenario_parts.h"
+#include "scenario_parts.h"
 
 /* The sentence of a part of the solid, at the place where its cause was written. */
 static fw_status pass_on(const fw_scenario *scenario, fw_place place, const fw_error *inner,

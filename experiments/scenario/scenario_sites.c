@@ -2,8 +2,8 @@
 /* scenario_sites.c - shapes of bodies and selections of their sites. Keeps no state.
  * Invariant: reading a scenario never makes the sites of a rectangle or disc, so that it takes no
  * longer than its text deserves, however large the body. */
-#include "experiments/scenario/scenario_parts.h"
 #include "experiments/text/text.h"
+#include "scenario_parts.h"
 
 #include <limits.h>
 #include <math.h>

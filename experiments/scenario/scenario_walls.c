@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_walls.c - walls and external forces of a scenario. Keeps no state. */
-#include "experiments/scenario/scenario_parts.h"
+#include "scenario_parts.h"
 
 /* --- walls --- */
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* settings.c - walks from the root of a document along the keys of a --set option, with the schema
  * at its side, and puts the value there. Keeps no state but the walk. Start reading at walk(). */
-#include "experiments/scenario/settings.h"
+#include "settings.h"
 
 #include "experiments/scenario/schema.h"
 #include "experiments/text/number.h"

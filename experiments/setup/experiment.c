@@ -9,7 +9,7 @@
 #include "experiments/setup/build.h"
 #include "experiments/setup/member.h"
 #include "experiments/setup/overlap.h"
-#include "experiments/setup/phase.h"
+#include "phase.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -191,32 +191,6 @@ static fw_status note_start(fw_experiment *experiment, fw_error *error)
     return FW_OK;
 }
 
-static fw_status add_profile(fw_experiment *experiment, fw_error *error)
-{
-    const fw_scenario *scenario = experiment->scenario;
-    const fw_solid *particles = fw_experiment_particles(experiment);
-    if (scenario->profile.every == 0) return FW_OK;
-    if (!particles)
-        return fw_scenario_fail(scenario, scenario->profile.place, error,
-                                "a profile is taken of movable particles, and no body is made of "
-                                "them");
-    FW_TRY(fw_profile_create(&experiment->profile, scenario, particles, error));
-    fw_profile_follow(experiment->profile, particles, 0);
-    return FW_OK;
-}
-
-static fw_status analyse(fw_experiment *experiment, fw_error *error)
-{
-    const fw_scenario *scenario = experiment->scenario;
-    experiment->analyses = calloc((size_t)scenario->analysis_count + 1, sizeof(fw_analysis *));
-    if (!experiment->analyses) return fw_fail_memory(error, "the analyses of an experiment");
-    for (int n = 0; n < scenario->analysis_count; ++n) {
-        FW_TRY(fw_analysis_create(&experiment->analyses[n], scenario, n, error));
-        experiment->analysis_count += 1;
-    }
-    return FW_OK;
-}
-
 static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, fw_error *error)
 {
     const fw_piston_def piston = {.mass = wall->piston.mass,
@@ -251,9 +225,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     FW_TRY(fw_grips_add(experiment, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
-    FW_TRY(note_start(experiment, error));
-    FW_TRY(add_profile(experiment, error));
-    return analyse(experiment, error);
+    return note_start(experiment, error);
 }
 
 fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *scenario,
@@ -283,15 +255,11 @@ fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *sc
 void fw_experiment_destroy(fw_experiment *experiment)
 {
     if (!experiment) return;
-    fw_profile_destroy(experiment->profile);
     fw_scene_destroy(experiment->scene);
     for (int b = 0; b < experiment->member_count; ++b)
         fw_sites_clear(&experiment->members[b].sites);
     for (int b = 0; experiment->start && b < experiment->member_count; ++b)
         free(experiment->start[b]);
-    for (int n = 0; n < experiment->analysis_count; ++n)
-        fw_analysis_destroy(experiment->analyses[n]);
-    free(experiment->analyses);
     free(experiment->start);
     free(experiment->energy_at_start);
     free(experiment->momentum_at_start);
@@ -307,9 +275,6 @@ fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
         fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
         for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b)
             fw_solid_reverse(fw_scene_body(experiment->scene, b));
-    if (experiment->profile)
-        fw_profile_follow(experiment->profile, fw_experiment_particles(experiment),
-                          fw_scene_steps(experiment->scene));
     return FW_OK;
 }
 

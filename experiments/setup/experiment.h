@@ -4,8 +4,6 @@
 #define FW_EXPERIMENT_H
 
 #include "contact/scene/scene.h"
-#include "experiments/measures/analysis.h"
-#include "experiments/measures/profile.h"
 #include "experiments/scenario/scenario.h"
 
 /* Where a body of the scenario lives in the scene: particles first .. first + count - 1 of one
@@ -21,15 +19,12 @@ typedef struct fw_experiment {
     const fw_scenario *scenario; /* observed: must live as long */
     fw_scene *scene;
     int member_count;
-    fw_member *members;  /* one per body of the scenario, same order */
-    fw_profile *profile; /* NULL where the scenario has none */
-    int phase;           /* whose parameters the scene has; -1: none yet */
+    fw_member *members; /* one per body of the scenario, same order */
+    int phase;          /* whose parameters the scene has; -1: none yet */
     /* As it was at the start, per body, for what is measured relative to it. */
     double *energy_at_start;
     fw_vec2 *momentum_at_start;
     fw_vec2 **start; /* positions */
-    int analysis_count;
-    fw_analysis **analyses; /* same order as the scenario's */
 } fw_experiment;
 
 /* Builds solids, walls and forces. FW_BAD_INPUT with file, line and column where the scenario asks
@@ -42,9 +37,9 @@ void fw_experiment_destroy(fw_experiment *experiment);
 /* One step, with what the scenario does to the scene at certain steps (phases, reversal). */
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error);
 
-/* The solid in which a body lives. */
 /* All movable particles of the scenario, or NULL where it has none. */
 const fw_solid *fw_experiment_particles(const fw_experiment *experiment);
+/* The solid in which a body lives. */
 const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int member);
 
 #endif

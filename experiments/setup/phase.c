@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* phase.c - grips, and the phases that drive them and pistons. State: the phase that the scene has
  * the parameters of, kept in the experiment. Start reading at fw_phase_enter(). */
-#include "experiments/setup/phase.h"
+#include "phase.h"
 
 #include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"

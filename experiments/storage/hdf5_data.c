@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hdf5_data.c - finding datasets and attributes, and reading and writing what they hold. Keeps no
  * state beyond the file's; start reading at select_rows(). */
-#include "experiments/storage/hdf5_parts.h"
+#include "hdf5_parts.h"
 
 #include <stdlib.h>
 #include <string.h>

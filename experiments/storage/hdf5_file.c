@@ -3,7 +3,7 @@
  * State: the file's handle, the datasets made in it, its first failure. Invariant:
  * after a failure no call reaches HDF5 any more, except the one that closes. Start reading at
  * fw_hdf5_create(); hdf5_make.c and hdf5_data.c do the rest. */
-#include "experiments/storage/hdf5_parts.h"
+#include "hdf5_parts.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hdf5_make.c - groups, datasets and attributes of a new file. Keeps no state beyond the file's;
  * start reading at make_dataset(). */
-#include "experiments/storage/hdf5_parts.h"
+#include "hdf5_parts.h"
 
 #include <stdlib.h>
 #include <string.h>

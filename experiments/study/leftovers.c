@@ -5,8 +5,8 @@
 
 #include "experiments/results/playback.h"
 #include "experiments/study/study.h"
-#include "experiments/study/summary.h"
 #include "experiments/study/sweep.h"
+#include "summary.h"
 
 #include <stdio.h>
 #include <stdlib.h>

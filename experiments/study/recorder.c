@@ -24,7 +24,8 @@ typedef struct written {
 } written;
 
 struct fw_recorder {
-    fw_experiment *experiment;
+    fw_observer *observer;
+    fw_experiment *experiment; /* of the observer */
     const fw_measurement *measurement;
     char *directory, *scenario_text;
     fw_trajectory_def def;
@@ -166,12 +167,12 @@ static fw_status describe_observables(fw_recorder *r, fw_error *error)
 
 static fw_status describe_analyses(fw_recorder *r, fw_error *error)
 {
-    const fw_experiment *experiment = r->experiment;
-    fw_table_group *groups = calloc((size_t)experiment->analysis_count + 1, sizeof *groups);
+    const fw_observer *observer = r->observer;
+    fw_table_group *groups = calloc((size_t)observer->analysis_count + 1, sizeof *groups);
     r->def.groups = groups;
     if (!groups) return fw_fail_memory(error, "the analyses of a results file");
-    for (int n = 0; n < experiment->analysis_count; ++n) {
-        const fw_analysis *analysis = experiment->analyses[n];
+    for (int n = 0; n < observer->analysis_count; ++n) {
+        const fw_analysis *analysis = observer->analyses[n];
         if (analysis->table_count == 0) continue;
         groups[r->def.group_count++] =
             (fw_table_group){analysis->what->name, analysis->tables, analysis->table_count};
@@ -197,10 +198,10 @@ static fw_status describe(fw_recorder *r, const char *directory, int threads, fw
     r->def.sample_count = fw_measurement_row_count(scenario);
     FW_TRY(describe_bodies(r, error));
     FW_TRY(describe_fields(r, error));
-    if (r->experiment->profile) {
+    if (r->observer->profile) {
         fw_trajectory_array *arrays;
         FW_TRY(fw_profile_table_arrays(&arrays, &r->def.array_count,
-                                       fw_profile_bin_count(r->experiment->profile), error));
+                                       fw_profile_bin_count(r->observer->profile), error));
         r->def.arrays = arrays;
     }
     FW_TRY(describe_analyses(r, error));
@@ -255,7 +256,7 @@ static fw_status allocate_frames(fw_recorder *r, fw_error *error)
 static fw_status list_sections(fw_recorder *r, fw_error *error)
 {
     int count = fw_scene_section_count(r->experiment->scene);
-    r->section_count = count + 1 + (r->experiment->profile != NULL);
+    r->section_count = count + 1 + (r->observer->profile != NULL);
     r->sections = calloc((size_t)r->section_count, sizeof *r->sections);
     r->states = calloc((size_t)r->section_count, sizeof *r->states);
     if (!r->sections || !r->states) return fw_fail_memory(error, "a checkpoint");
@@ -266,20 +267,21 @@ static fw_status list_sections(fw_recorder *r, fw_error *error)
     fw_state_list_add(&r->states[count], "written", FW_I64, sizeof r->written / sizeof(int64_t),
                       &r->written);
     r->sections[count] = (fw_checkpoint_section){"recorder", &r->states[count]};
-    if (!r->experiment->profile) return FW_OK;
-    fw_profile_state(r->experiment->profile, &r->states[count + 1]);
+    if (!r->observer->profile) return FW_OK;
+    fw_profile_state(r->observer->profile, &r->states[count + 1]);
     r->sections[count + 1] = (fw_checkpoint_section){"profile", &r->states[count + 1]};
     return FW_OK;
 }
 
-static fw_status prepare(fw_recorder **recorder, fw_experiment *experiment,
+static fw_status prepare(fw_recorder **recorder, fw_observer *observer,
                          const fw_measurement *measurement, const char *directory, int threads,
                          fw_error *error)
 {
     fw_recorder *made = calloc(1, sizeof *made);
     *recorder = made;
     if (!made) return fw_fail_memory(error, "a recorder");
-    made->experiment = experiment;
+    made->observer = observer;
+    made->experiment = observer->experiment;
     made->measurement = measurement;
     FW_TRY(describe(made, directory, threads, error));
     FW_TRY(allocate_frames(made, error));
@@ -294,11 +296,11 @@ static fw_status give_up(fw_recorder **recorder, fw_status status)
     return status;
 }
 
-fw_status fw_recorder_create(fw_recorder **recorder, fw_experiment *experiment,
+fw_status fw_recorder_create(fw_recorder **recorder, fw_observer *observer,
                              const fw_measurement *measurement, const char *directory,
                              bool overwrite, int threads, fw_error *error)
 {
-    fw_status status = prepare(recorder, experiment, measurement, directory, threads, error);
+    fw_status status = prepare(recorder, observer, measurement, directory, threads, error);
     if (status == FW_OK) {
         fw_recorder *r = *recorder;
         r->def.overwrite = overwrite;
@@ -309,11 +311,11 @@ fw_status fw_recorder_create(fw_recorder **recorder, fw_experiment *experiment,
     return give_up(recorder, status);
 }
 
-fw_status fw_recorder_reopen(fw_recorder **recorder, fw_experiment *experiment,
+fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
                              const fw_measurement *measurement, const char *directory, int threads,
                              int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error)
 {
-    fw_status status = prepare(recorder, experiment, measurement, directory, threads, error);
+    fw_status status = prepare(recorder, observer, measurement, directory, threads, error);
     fw_recorder *r = *recorder;
     fw_checkpoint_origin origin = {0};
     if (status == FW_OK)
@@ -485,12 +487,12 @@ void fw_recorder_destroy(fw_recorder *recorder)
     free(recorder);
 }
 
-fw_status fw_recorder_size(fw_experiment *experiment, const fw_measurement *measurement,
+fw_status fw_recorder_size(fw_observer *observer, const fw_measurement *measurement,
                            fw_results_size *size, fw_error *error)
 {
     fw_recorder *r;
     /* Nothing is created on disk: only the definition is made. */
-    fw_status status = prepare(&r, experiment, measurement, "", 1, error);
+    fw_status status = prepare(&r, observer, measurement, "", 1, error);
     if (status == FW_OK)
         *size = (fw_results_size){
             .frames = r->def.frame_count,

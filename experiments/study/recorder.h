@@ -10,14 +10,14 @@ typedef struct fw_recorder fw_recorder;
 
 /* Creates the results file with room for the whole run. Everything given is observed and must live
  * as long as the recorder. */
-fw_status fw_recorder_create(fw_recorder **recorder, fw_experiment *experiment,
+fw_status fw_recorder_create(fw_recorder **recorder, fw_observer *observer,
                              const fw_measurement *measurement, const char *directory,
                              bool overwrite, int threads, fw_error *error);
 
 /* First half of a resume: loads the newest checkpoint into the scene. *rows tells how many measured
  * rows it speaks of, 0 where there is none yet and the scene is at its start; *note what the user
  * should know, if not empty. */
-fw_status fw_recorder_reopen(fw_recorder **recorder, fw_experiment *experiment,
+fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
                              const fw_measurement *measurement, const char *directory, int threads,
                              int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error);
 /* Second half: cuts the results file back to the checkpoint and goes on writing behind it. */
@@ -42,8 +42,8 @@ typedef struct fw_results_size {
     double file;       /* the results file */
     double checkpoint; /* one of the two */
 } fw_results_size;
-/* Nothing is made; the experiment is only looked at. */
-fw_status fw_recorder_size(fw_experiment *experiment, const fw_measurement *measurement,
+/* Nothing is made; the observer is only looked at. */
+fw_status fw_recorder_size(fw_observer *observer, const fw_measurement *measurement,
                            fw_results_size *size, fw_error *error);
 
 #endif

@@ -21,7 +21,8 @@ static const double CHECKPOINT_SECONDS = 60;
 struct fw_run {
     const fw_scenario *scenario;
     fw_run_options options;
-    fw_experiment *experiment;
+    fw_observer *observer;
+    fw_experiment *experiment; /* of the observer */
     fw_measurement *measurement;
     fw_recorder *recorder; /* NULL: nothing is written */
     double checkpointed;   /* clock of the last checkpoint */
@@ -38,8 +39,9 @@ static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_
     made->options = *options;
     made->warning.out = options->warnings;
     omp_set_num_threads(options->threads > 0 ? options->threads : 1);
-    FW_TRY(fw_experiment_create(&made->experiment, scenario, error));
-    return fw_measurement_create(&made->measurement, made->experiment, error);
+    FW_TRY(fw_observer_create(&made->observer, scenario, error));
+    made->experiment = made->observer->experiment;
+    return fw_measurement_create(&made->measurement, made->observer, error);
 }
 
 static fw_status measure(fw_run *run, fw_error *error)
@@ -89,7 +91,7 @@ fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_o
     fw_status status = create(run, scenario, options, error);
     if (status == FW_OK && options->directory)
         status =
-            fw_recorder_create(&(*run)->recorder, (*run)->experiment, (*run)->measurement,
+            fw_recorder_create(&(*run)->recorder, (*run)->observer, (*run)->measurement,
                                options->directory, options->overwrite, options->threads, error);
     if (status == FW_OK) status = record_start(*run, error);
     if (status != FW_OK) {
@@ -151,7 +153,7 @@ static fw_status restore_rows(fw_run *run, int64_t rows, fw_error *error)
 static fw_status resume(fw_run *run, char *note, fw_error *error)
 {
     int64_t rows = 0;
-    FW_TRY(fw_recorder_reopen(&run->recorder, run->experiment, run->measurement,
+    FW_TRY(fw_recorder_reopen(&run->recorder, run->observer, run->measurement,
                               run->options.directory, run->options.threads, &rows, note, error));
     if (rows > 0) FW_TRY(fw_scene_restored(run->experiment->scene, error));
     FW_TRY(restore_rows(run, rows, error));
@@ -187,7 +189,7 @@ static bool frame_is_due(const fw_run *run, int64_t step)
 
 static fw_status step_once(fw_run *run, fw_error *error)
 {
-    FW_TRY(fw_experiment_step(run->experiment, error));
+    FW_TRY(fw_observer_step(run->observer, error));
     int64_t step = fw_scene_steps(run->experiment->scene);
     if (fw_measurement_is_due(run->scenario, step)) FW_TRY(measure(run, error));
     if (frame_is_due(run, step)) FW_TRY(record(run, error));
@@ -265,13 +267,18 @@ void fw_run_destroy(fw_run *run)
     if (!run) return;
     fw_recorder_destroy(run->recorder);
     fw_measurement_destroy(run->measurement);
-    fw_experiment_destroy(run->experiment);
+    fw_observer_destroy(run->observer);
     free(run);
 }
 
 const fw_experiment *fw_run_experiment(const fw_run *run)
 {
     return run->experiment;
+}
+
+const fw_observer *fw_run_observer(const fw_run *run)
+{
+    return run->observer;
 }
 
 const fw_measurement *fw_run_measurement(const fw_run *run)
@@ -281,7 +288,7 @@ const fw_measurement *fw_run_measurement(const fw_run *run)
 
 fw_status fw_run_size(const fw_run *run, fw_results_size *size, fw_error *error)
 {
-    return fw_recorder_size(run->experiment, run->measurement, size, error);
+    return fw_recorder_size(run->observer, run->measurement, size, error);
 }
 
 fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step, fw_error *error)

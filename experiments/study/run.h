@@ -49,6 +49,7 @@ void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count
 void fw_run_destroy(fw_run *run);
 
 const fw_experiment *fw_run_experiment(const fw_run *run);
+const fw_observer *fw_run_observer(const fw_run *run);
 const fw_measurement *fw_run_measurement(const fw_run *run);
 
 /* What the whole run will leave on disk, without making it. */

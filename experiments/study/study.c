@@ -7,7 +7,7 @@
 #include "core/averages.h"
 #include "experiments/storage/csv.h"
 #include "experiments/storage/folder.h"
-#include "experiments/study/summary.h"
+#include "summary.h"
 
 #include <math.h>
 #include <omp.h>
@@ -191,9 +191,9 @@ static fw_status run_all(fw_study *study, fw_error *error)
 
 /* --- the outcome --- */
 
-static const fw_experiment *experiment_of(const fw_study *study, int number)
+static const fw_observer *observer_of(const fw_study *study, int number)
 {
-    return fw_run_experiment(study->replicas[number].run);
+    return fw_run_observer(study->replicas[number].run);
 }
 
 /* Over the seeds that have a value. */
@@ -219,7 +219,7 @@ static void average_columns(fw_study *study, double *values)
             fw_outcome *o = &fw_profile_table_column(table, (fw_profile_column)c)[b];
             for (int n = 0; n < study->run_count; ++n)
                 values[n] =
-                    fw_profile_value(experiment_of(study, n)->profile, b, (fw_profile_column)c);
+                    fw_profile_value(observer_of(study, n)->profile, b, (fw_profile_column)c);
             average(values, seeds, &o->mean, &o->error);
             average(values + seeds, study->run_count - seeds, &o->control, &o->control_error);
         }
@@ -230,10 +230,10 @@ static fw_status average_layer(fw_study *study, double *values, fw_error *error)
     double(*layers)[FW_LAYER_MEASURES] = study->layers;
     const int seeds = study->seed_count;
     for (int n = 0; n < study->run_count; ++n)
-        FW_TRY(fw_layer_of(layers[n], experiment_of(study, n),
+        FW_TRY(fw_layer_of(layers[n], observer_of(study, n),
                            fw_run_measurement(study->replicas[n].run), error));
     for (int n = seeds; n < study->run_count; ++n)
-        fw_layer_compare(layers[n - seeds], layers[n], experiment_of(study, n)->profile);
+        fw_layer_compare(layers[n - seeds], layers[n], observer_of(study, n)->profile);
     for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
         fw_outcome *o = &study->table->layer[m];
         for (int n = 0; n < study->run_count; ++n) values[n] = layers[n][m];
@@ -256,7 +256,7 @@ static void compare_seeds(fw_study *study)
 
 static fw_status evaluate(fw_study *study, fw_error *error)
 {
-    const fw_profile *profile = experiment_of(study, 0)->profile;
+    const fw_profile *profile = observer_of(study, 0)->profile;
     const int bins = fw_profile_bin_count(profile);
     FW_TRY(fw_profile_table_create(&study->table, bins, study->scenario->profile.axis ? 'y' : 'x',
                                    error));

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* summary.c - verdicts over seeds as comma-separated values. Keeps no state. */
-#include "experiments/study/summary.h"
+#include "summary.h"
 
 #include "experiments/storage/csv.h"
 

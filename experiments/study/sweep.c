@@ -6,8 +6,8 @@
 #include "experiments/study/sweep.h"
 
 #include "experiments/storage/whole_file.h"
-#include "experiments/study/sweep_case.h"
-#include "experiments/study/sweep_outcome.h"
+#include "sweep_case.h"
+#include "sweep_outcome.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,14 +2,14 @@
 /* sweep_case.c - one case.
  * Invariant: a case is finished when its results file is, which is the last that its study writes.
  * Start reading at fw_sweep_case_complete(). */
-#include "experiments/study/sweep_case.h"
+#include "sweep_case.h"
 
 #include "experiments/results/playback.h"
 #include "experiments/results/provenance.h"
 #include "experiments/storage/folder.h"
 #include "experiments/study/interrupt.h"
 #include "experiments/study/study.h"
-#include "experiments/study/summary.h"
+#include "summary.h"
 
 #include <stdlib.h>
 #include <string.h>

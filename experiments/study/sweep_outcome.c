@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_outcome.c - the cases side by side: their numbers as a table, and how they change.
  * Keeps no state. */
-#include "experiments/study/sweep_outcome.h"
+#include "sweep_outcome.h"
 
 #include <math.h>
 #include <stdlib.h>

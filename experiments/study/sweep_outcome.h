@@ -3,8 +3,8 @@
 #ifndef FW_SWEEP_OUTCOME_H
 #define FW_SWEEP_OUTCOME_H
 
-#include "experiments/study/sweep_case.h"
 #include "experiments/study/sweep_table.h"
+#include "sweep_case.h"
 
 /* The measures of the layer, where there is a profile, and every expected quantity. Cleared by the
  * caller, also after a failure: FW_SYSTEM_FAILED without memory. */

@@ -5,7 +5,7 @@
  * document_reader.c. */
 #include "experiments/text/document.h"
 
-#include "experiments/text/document_reader.h"
+#include "document_reader.h"
 #include "experiments/text/text.h"
 
 #include <assert.h>

@@ -3,7 +3,7 @@
  * State: one reader per text, gone when the tree stands.
  * Invariant: a tree is never deeper than FW_DOCUMENT_DEPTH and has at most FW_DOCUMENT_NODES
  * nodes, so that whoever walks it may recurse. Start reading at read_events(). */
-#include "experiments/text/document_reader.h"
+#include "document_reader.h"
 
 #include "experiments/text/text.h"
 

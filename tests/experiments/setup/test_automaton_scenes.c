@@ -260,7 +260,7 @@ static void moving_start_has_the_velocity_and_nothing_else(void **state)
 static double measured(const fw_experiment *e, const char *name)
 {
     double out[FW_COMPONENTS_MAX];
-    fw_quantity_find(name)->measure(e, (fw_subject){0, -1, -1, -1, -1}, out);
+    fw_quantity_find(name)->measure(e, (fw_subject){.wall = -1, .grip = -1, .particle = -1}, out);
     return out[0];
 }
 
@@ -396,7 +396,7 @@ static void tables_read_back_as_they_were_computed(void **state)
     fw_run *run;
     assert_fine(fw_run_begin(&run, s, &options, &error));
     assert_fine(fw_run_to_end(run, &error));
-    const fw_experiment *e = fw_run_experiment(run);
+    const fw_observer *e = fw_run_observer(run);
     fw_playback *playback;
     assert_fine(fw_playback_open(&playback, results, &error));
     for (int a = 0; a < 2; ++a)
@@ -442,7 +442,7 @@ static void threads_do_not_change_an_analysis(void **state)
         fw_run *run;
         assert_fine(fw_run_begin(&run, s, &options, &error));
         const fw_table *growth =
-            fw_analysis_find(fw_run_experiment(run)->analyses[0], "singular-value");
+            fw_analysis_find(fw_run_observer(run)->analyses[0], "singular-value");
         memcpy(values[n], growth->values, sizeof values[n]);
         fw_run_destroy(run);
     }

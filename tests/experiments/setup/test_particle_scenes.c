@@ -390,17 +390,17 @@ static void mistakes_get_their_sentences(void **state)
     (void)state;
     for (size_t n = 0; n < sizeof refusals / sizeof *refusals; ++n) {
         fw_scenario *s = NULL;
-        fw_experiment *e = NULL;
+        fw_observer *e = NULL;
         fw_measurement *m = NULL;
         error = (fw_error){0};
         fw_status status = read_text(&s, refusals[n].text);
-        if (status == FW_OK) status = fw_experiment_create(&e, s, &error);
+        if (status == FW_OK) status = fw_observer_create(&e, s, &error);
         if (status == FW_OK) status = fw_measurement_create(&m, e, &error);
         if (status != FW_BAD_INPUT ||
             strncmp(error.sentence, refusals[n].sentence, strlen(refusals[n].sentence)) != 0)
             fail_msg("%s\n  found    %s\n  expected %s", refusals[n].text, error.sentence,
                      refusals[n].sentence);
-        fw_experiment_destroy(e);
+        fw_observer_destroy(e);
         fw_scenario_destroy(s);
     }
 }

@@ -30,65 +30,66 @@ static const char press[] =
     "      right: {force: [-20, 0], hold: y, damping: 0.5}\n"
     "run: {steps: 6000}\n";
 
-static fw_status try_with(const char *const *settings, int count, fw_experiment **experiment,
+static fw_status try_with(const char *const *settings, int count, fw_observer **observer,
                           fw_scenario **scenario, fw_measurement **measurement)
 {
-    *experiment = NULL;
+    *observer = NULL;
     *measurement = NULL;
     FW_TRY(fw_scenario_read(scenario, "press.yaml", press, strlen(press), settings, count, &error));
-    FW_TRY(fw_experiment_create(experiment, *scenario, &error));
-    return fw_measurement_create(measurement, *experiment, &error);
+    FW_TRY(fw_observer_create(observer, *scenario, &error));
+    return fw_measurement_create(measurement, *observer, &error);
 }
 
-static void release(fw_experiment *experiment, fw_scenario *scenario, fw_measurement *measurement)
+static void release(fw_observer *observer, fw_scenario *scenario, fw_measurement *measurement)
 {
     fw_measurement_destroy(measurement);
-    fw_experiment_destroy(experiment);
+    fw_observer_destroy(observer);
     fw_scenario_destroy(scenario);
 }
 
-static const fw_piston_ledger *ledger_of(const fw_experiment *experiment, int wall)
+static const fw_piston_ledger *ledger_of(const fw_observer *observer, int wall)
 {
-    return fw_piston_observe_ledger(fw_scene_observe_piston(experiment->scene, wall));
+    return fw_piston_observe_ledger(fw_scene_observe_piston(observer->experiment->scene, wall));
 }
 
 /* The bodies' energy follows the ledger to Verlet's own error, the pistons' to rounding. */
 static void pressed_crystal(const char *const *settings, int count, double deepest)
 {
-    fw_experiment *experiment;
+    fw_observer *observer;
     fw_scenario *scenario;
     fw_measurement *measurement;
-    assert_fine(try_with(settings, count, &experiment, &scenario, &measurement));
+    assert_fine(try_with(settings, count, &observer, &scenario, &measurement));
     double push = 0, depth = 0;
     for (int t = 0; t < 6000; ++t) {
-        assert_fine(fw_experiment_step(experiment, &error));
-        const fw_ledger ledger = fw_scene_ledger(experiment->scene);
-        const fw_energies e = fw_scene_energies(experiment->scene);
-        const fw_vec2 p =
-            fw_vec2_subtract(fw_scene_momentum(experiment->scene), fw_ledger_momentum(&ledger));
+        assert_fine(fw_observer_step(observer, &error));
+        const fw_ledger ledger = fw_scene_ledger(observer->experiment->scene);
+        const fw_energies e = fw_scene_energies(observer->experiment->scene);
+        const fw_vec2 p = fw_vec2_subtract(fw_scene_momentum(observer->experiment->scene),
+                                           fw_ledger_momentum(&ledger));
         /* Verlet's own error at this time step. */
         assert_close(e.kinetic + e.elastic, fw_ledger_energy(&ledger),
                      1e-4 * fabs(ledger.energy_at_start));
         assert_close(hypot(p.x, p.y), 0, 1e-10);
         for (int w = 0; w < 2; ++w) {
-            const fw_piston *piston = fw_scene_observe_piston(experiment->scene, w);
+            const fw_piston *piston = fw_scene_observe_piston(observer->experiment->scene, w);
             const fw_vec2 lost = fw_piston_momentum_error(piston);
             assert_close(fw_piston_energy_error(piston), 0, 1e-11);
             assert_close(hypot(lost.x, lost.y), 0, 1e-10);
         }
-        depth = fmax(depth, fw_scene_penetration(experiment->scene, -1));
-        if (t == 499) assert_true(ledger_of(experiment, 0)->displacement.x == 0);
-        if (t >= 4000) push += fw_scene_wall_ledger(experiment->scene, 1)->reaction.x / 2000;
+        depth = fmax(depth, fw_scene_penetration(observer->experiment->scene, -1));
+        if (t == 499) assert_true(ledger_of(observer, 0)->displacement.x == 0);
+        if (t >= 4000)
+            push += fw_scene_wall_ledger(observer->experiment->scene, 1)->reaction.x / 2000;
     }
-    assert_true(ledger_of(experiment, 0)->displacement.x > 0);
-    assert_true(ledger_of(experiment, 1)->displacement.x < 0);
+    assert_true(ledger_of(observer, 0)->displacement.x > 0);
+    assert_true(ledger_of(observer, 1)->displacement.x < 0);
     /* Over 10 units of time the piston's own acceleration is all that mean and load can differ by.
      */
-    const double change = 8 * fabs(ledger_of(experiment, 1)->velocity.x);
+    const double change = 8 * fabs(ledger_of(observer, 1)->velocity.x);
     assert_close(push, -20, 1 + change);
     assert_below(depth, deepest);
-    assert_int_equal(fw_scene_unresolved(experiment->scene), 0);
-    release(experiment, scenario, measurement);
+    assert_int_equal(fw_scene_unresolved(observer->experiment->scene), 0);
+    release(observer, scenario, measurement);
 }
 
 static void hard_pistons_press_a_crystal(void **state)
@@ -109,16 +110,16 @@ static void where_pistons_are_is_always_measured(void **state)
 {
     (void)state;
     const char *settings[] = {"measure=[energy]"};
-    fw_experiment *experiment;
+    fw_observer *observer;
     fw_scenario *scenario;
     fw_measurement *measurement;
-    assert_fine(try_with(settings, 1, &experiment, &scenario, &measurement));
+    assert_fine(try_with(settings, 1, &observer, &scenario, &measurement));
     int found = 0;
     for (int n = 0; n < measurement->probe_count; ++n)
         found += strcmp(measurement->probes[n].label, "piston-displacement.left") == 0 ||
                  strcmp(measurement->probes[n].label, "piston-displacement.right") == 0;
     assert_int_equal(found, 2);
-    release(experiment, scenario, measurement);
+    release(observer, scenario, measurement);
 }
 
 static void mistakes_are_refused(void **state)
@@ -147,16 +148,15 @@ static void mistakes_are_refused(void **state)
         {"measure=[piston-wrk]", "did you mean piston-work?"},
     };
     for (size_t n = 0; n < sizeof wrong / sizeof wrong[0]; ++n) {
-        fw_experiment *experiment = NULL;
+        fw_observer *observer = NULL;
         fw_scenario *scenario = NULL;
         fw_measurement *measurement = NULL;
         error = (fw_error){0};
-        const fw_status status =
-            try_with(&wrong[n].setting, 1, &experiment, &scenario, &measurement);
+        const fw_status status = try_with(&wrong[n].setting, 1, &observer, &scenario, &measurement);
         if (status != FW_BAD_INPUT || !strstr(error.sentence, wrong[n].words))
             fail_msg("%s: '%s' does not speak of '%s'", wrong[n].setting, error.sentence,
                      wrong[n].words);
-        release(experiment, scenario, measurement);
+        release(observer, scenario, measurement);
     }
 }
 
@@ -173,10 +173,10 @@ static void a_piston_before_an_automaton_is_refused(void **state)
 {
     (void)state;
     fw_scenario *scenario;
-    fw_experiment *experiment;
+    fw_observer *observer;
     assert_fine(fw_scenario_read(&scenario, "automaton.yaml", automaton, strlen(automaton), NULL, 0,
                                  &error));
-    assert_refused(fw_experiment_create(&experiment, scenario, &error), FW_BAD_INPUT,
+    assert_refused(fw_observer_create(&observer, scenario, &error), FW_BAD_INPUT,
                    "moves in half-steps, which pistons cannot meet");
     fw_scenario_destroy(scenario);
 }
@@ -189,14 +189,14 @@ static void quantities_of_pistons_are_asked_of_pistons(void **state)
                               "materials.foam={lattice-boltzmann: {rest-mass: 0}}",
                               "expect=[{quantity: piston-work, wall: floor, below: 1}]"};
     fw_scenario *scenario;
-    fw_experiment *experiment;
+    fw_observer *observer;
     fw_measurement *measurement;
     assert_fine(fw_scenario_read(&scenario, "block.yaml", automaton, strlen(automaton), settings, 3,
                                  &error));
-    assert_fine(fw_experiment_create(&experiment, scenario, &error));
-    assert_refused(fw_measurement_create(&measurement, experiment, &error), FW_BAD_INPUT,
+    assert_fine(fw_observer_create(&observer, scenario, &error));
+    assert_refused(fw_measurement_create(&measurement, observer, &error), FW_BAD_INPUT,
                    "piston-work is measured of pistons, and the wall floor is none");
-    release(experiment, scenario, NULL);
+    release(observer, scenario, NULL);
 }
 
 int main(void)

@@ -45,17 +45,17 @@ static fw_scenario *read_with(const char *const *settings, int count)
     return scenario;
 }
 
-static fw_experiment *make(const fw_scenario *scenario)
+static fw_observer *make(const fw_scenario *scenario)
 {
-    fw_experiment *experiment;
-    assert_fine(fw_experiment_create(&experiment, scenario, &error));
-    return experiment;
+    fw_observer *observer;
+    assert_fine(fw_observer_create(&observer, scenario, &error));
+    return observer;
 }
 
-static void step_until(fw_experiment *experiment, int64_t step)
+static void step_until(fw_observer *observer, int64_t step)
 {
-    while (fw_scene_steps(experiment->scene) < step)
-        assert_fine(fw_experiment_step(experiment, &error));
+    while (fw_scene_steps(observer->experiment->scene) < step)
+        assert_fine(fw_observer_step(observer, &error));
 }
 
 /* --- phases --- */
@@ -64,17 +64,17 @@ static void a_phase_has_its_own_bath_and_gives_it_back(void **state)
 {
     (void)state;
     fw_scenario *scenario = read_with(NULL, 0);
-    fw_experiment *experiment = make(scenario);
-    const fw_solid *particles = fw_experiment_particles(experiment);
-    step_until(experiment, 500);
+    fw_observer *observer = make(scenario);
+    const fw_solid *particles = fw_experiment_particles(observer->experiment);
+    step_until(observer, 500);
     assert_close(fw_particles_controls(particles)->damping, 1, 0);
     assert_close(fw_particles_controls(particles)->temperature, .0005, 0);
-    step_until(experiment, 501);
+    step_until(observer, 501);
     assert_close(fw_particles_controls(particles)->damping, .3, 0);
     assert_close(fw_particles_controls(particles)->temperature, .001, 0);
-    step_until(experiment, 1501);
+    step_until(observer, 1501);
     assert_close(fw_particles_controls(particles)->temperature, .0005, 0);
-    fw_experiment_destroy(experiment);
+    fw_observer_destroy(observer);
     fw_scenario_destroy(scenario);
 }
 
@@ -82,17 +82,17 @@ static void a_grip_swings_only_in_the_phases_that_say_so(void **state)
 {
     (void)state;
     fw_scenario *scenario = read_with(NULL, 0);
-    fw_experiment *experiment = make(scenario);
+    fw_observer *observer = make(scenario);
     const fw_grip_ledger *left =
-        fw_grip_observe_ledger(fw_scene_observe_grip(experiment->scene, 0));
-    step_until(experiment, 500);
+        fw_grip_observe_ledger(fw_scene_observe_grip(observer->experiment->scene, 0));
+    step_until(observer, 500);
     assert_close(left->force.x, 16, 1e-9);
     assert_close(left->force.y, -left->displacement.y, 1e-3);
     /* A quarter of a period after t = 4 the drive is at its height. */
-    step_until(experiment, 1001);
+    step_until(observer, 1001);
     assert_close(left->force.x, 16, 1e-9);
     assert_close(left->force.y, 30 * sin(2 * M_PI * 5 / 4) - left->displacement.y, .05);
-    fw_experiment_destroy(experiment);
+    fw_observer_destroy(observer);
     fw_scenario_destroy(scenario);
 }
 
@@ -100,12 +100,14 @@ static void layers_hold_what_is_near_the_outer_face(void **state)
 {
     (void)state;
     fw_scenario *scenario = read_with(NULL, 0);
-    fw_experiment *experiment = make(scenario);
+    fw_observer *observer = make(scenario);
     /* Two columns of 8; in rows of 5 the last particle, and in every other row also the one before
      * it would lie 1.5 from the face: so 1 and 2 in turn. */
-    assert_int_equal(fw_grip_particle_count(fw_scene_observe_grip(experiment->scene, 0)), 16);
-    assert_int_equal(fw_grip_particle_count(fw_scene_observe_grip(experiment->scene, 1)), 15);
-    fw_experiment_destroy(experiment);
+    assert_int_equal(fw_grip_particle_count(fw_scene_observe_grip(observer->experiment->scene, 0)),
+                     16);
+    assert_int_equal(fw_grip_particle_count(fw_scene_observe_grip(observer->experiment->scene, 1)),
+                     15);
+    fw_observer_destroy(observer);
     fw_scenario_destroy(scenario);
 }
 
@@ -117,19 +119,19 @@ static double books_open_by(const char *time_step)
     snprintf(dt, sizeof dt, "dynamics.time-step=%s", time_step);
     const char *settings[] = {dt};
     fw_scenario *scenario = read_with(settings, 1);
-    fw_experiment *experiment = make(scenario);
+    fw_observer *observer = make(scenario);
     double worst = 0;
-    while (fw_scene_time(experiment->scene) < 2500 * .0025) {
-        assert_fine(fw_experiment_step(experiment, &error));
-        const fw_ledger ledger = fw_scene_ledger(experiment->scene);
-        const fw_vec2 p =
-            fw_vec2_subtract(fw_scene_momentum(experiment->scene), fw_ledger_momentum(&ledger));
-        const fw_energies now = fw_scene_energies(experiment->scene);
+    while (fw_scene_time(observer->experiment->scene) < 2500 * .0025) {
+        assert_fine(fw_observer_step(observer, &error));
+        const fw_ledger ledger = fw_scene_ledger(observer->experiment->scene);
+        const fw_vec2 p = fw_vec2_subtract(fw_scene_momentum(observer->experiment->scene),
+                                           fw_ledger_momentum(&ledger));
+        const fw_energies now = fw_scene_energies(observer->experiment->scene);
         assert_close(p.x, 0, 1e-10);
         assert_close(p.y, 0, 1e-10);
         worst = fmax(worst, fabs(now.kinetic + now.elastic - fw_ledger_energy(&ledger)));
     }
-    fw_experiment_destroy(experiment);
+    fw_observer_destroy(observer);
     fw_scenario_destroy(scenario);
     return worst;
 }
@@ -152,26 +154,27 @@ typedef struct copy {
     void *saved[8][FW_STATE_CAPACITY];
 } copy;
 
-static void list_state(fw_experiment *experiment, copy *c)
+static void list_state(fw_observer *observer, copy *c)
 {
     memset(c, 0, sizeof *c);
-    c->sections = fw_scene_section_count(experiment->scene);
-    for (int n = 0; n < c->sections; ++n) fw_scene_section(experiment->scene, n, &c->list[n]);
-    fw_profile_state(experiment->profile, &c->list[c->sections++]);
+    c->sections = fw_scene_section_count(observer->experiment->scene);
+    for (int n = 0; n < c->sections; ++n)
+        fw_scene_section(observer->experiment->scene, n, &c->list[n]);
+    fw_profile_state(observer->profile, &c->list[c->sections++]);
 }
 
-static uint64_t hash_of(fw_experiment *experiment)
+static uint64_t hash_of(fw_observer *observer)
 {
     copy c;
     uint64_t hash = 0;
-    list_state(experiment, &c);
+    list_state(observer, &c);
     for (int n = 0; n < c.sections; ++n) hash = hash * 31 + fw_state_list_hash(&c.list[n]);
     return hash;
 }
 
-static void save(fw_experiment *experiment, copy *c)
+static void save(fw_observer *observer, copy *c)
 {
-    list_state(experiment, c);
+    list_state(observer, c);
     for (int n = 0; n < c->sections; ++n)
         for (int a = 0; a < c->list[n].count; ++a) {
             const fw_array *array = &c->list[n].array[a];
@@ -182,10 +185,10 @@ static void save(fw_experiment *experiment, copy *c)
         }
 }
 
-static void load(fw_experiment *experiment, copy *c)
+static void load(fw_observer *observer, copy *c)
 {
     copy to;
-    list_state(experiment, &to);
+    list_state(observer, &to);
     for (int n = 0; n < to.sections; ++n)
         for (int a = 0; a < to.list[n].count; ++a) {
             const fw_array *array = &to.list[n].array[a];
@@ -193,7 +196,7 @@ static void load(fw_experiment *experiment, copy *c)
                 memcpy(array->data, c->saved[n][a], array->count * fw_element_size(array->element));
             free(c->saved[n][a]);
         }
-    assert_fine(fw_scene_restored(experiment->scene, &error));
+    assert_fine(fw_scene_restored(observer->experiment->scene, &error));
 }
 
 static void a_run_goes_on_exactly_from_the_middle_of_any_phase(void **state)
@@ -201,22 +204,22 @@ static void a_run_goes_on_exactly_from_the_middle_of_any_phase(void **state)
     (void)state;
     static const int64_t stops[] = {1, 250, 499, 500, 501, 1000, 1500, 1501, 1750, 1800, 2499};
     fw_scenario *scenario = read_with(NULL, 0);
-    fw_experiment *whole = make(scenario);
+    fw_observer *whole = make(scenario);
     step_until(whole, 2500);
     const uint64_t wanted = hash_of(whole);
-    fw_experiment *runner = make(scenario);
+    fw_observer *runner = make(scenario);
     for (size_t n = 0; n < sizeof stops / sizeof stops[0]; ++n) {
         copy c;
         step_until(runner, stops[n]);
         save(runner, &c);
-        fw_experiment_destroy(runner);
+        fw_observer_destroy(runner);
         runner = make(scenario);
         load(runner, &c);
     }
     step_until(runner, 2500);
     assert_true(hash_of(runner) == wanted);
-    fw_experiment_destroy(runner);
-    fw_experiment_destroy(whole);
+    fw_observer_destroy(runner);
+    fw_observer_destroy(whole);
     fw_scenario_destroy(scenario);
 }
 
@@ -234,9 +237,9 @@ static void a_crystal_that_moves_as_one_has_a_plain_profile(void **state)
         "profile: {axis: x, every: 100, bin: 1, middle: 9.75, window: [4, 14], far: [3, 6]}\n";
     fw_scenario *scenario;
     assert_fine(fw_scenario_read(&scenario, "c.yaml", text, strlen(text), NULL, 0, &error));
-    fw_experiment *experiment = make(scenario);
-    step_until(experiment, 200);
-    const fw_profile *p = experiment->profile;
+    fw_observer *observer = make(scenario);
+    step_until(observer, 200);
+    const fw_profile *p = observer->profile;
     assert_int_equal(fw_profile_sample_count(p), 2);
     /* 4.33 to 13.86: 12 rows of the window's height of 10, and one particle per bin and row. */
     for (int bin = 6; bin < 14; ++bin) {
@@ -247,7 +250,7 @@ static void a_crystal_that_moves_as_one_has_a_plain_profile(void **state)
         assert_close(fw_profile_value(p, bin, FW_PROFILE_EXCHANGES), 0, 0);
         assert_below(fw_profile_value(p, bin, FW_PROFILE_MOBILITY), 1e-3);
     }
-    fw_experiment_destroy(experiment);
+    fw_observer_destroy(observer);
     fw_scenario_destroy(scenario);
 }
 

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* observer.c - makes an experiment and what is followed beside it, and steps both together. */
+#include "experiments/measures/observer.h"
+
+#include <stdlib.h>
+
+static fw_status add_profile(fw_observer *observer, fw_error *error)
+{
+    const fw_scenario *scenario = observer->experiment->scenario;
+    const fw_solid *particles = fw_experiment_particles(observer->experiment);
+    if (scenario->profile.every == 0) return FW_OK;
+    if (!particles)
+        return fw_scenario_fail(scenario, scenario->profile.place, error,
+                                "a profile is taken of movable particles, and no body is made of "
+                                "them");
+    FW_TRY(fw_profile_create(&observer->profile, scenario, particles, error));
+    fw_profile_follow(observer->profile, particles, 0);
+    return FW_OK;
+}
+
+static fw_status analyse(fw_observer *observer, fw_error *error)
+{
+    const fw_scenario *scenario = observer->experiment->scenario;
+    observer->analyses = calloc((size_t)scenario->analysis_count + 1, sizeof(fw_analysis *));
+    if (!observer->analyses) return fw_fail_memory(error, "the analyses of an experiment");
+    for (int n = 0; n < scenario->analysis_count; ++n) {
+        FW_TRY(fw_analysis_create(&observer->analyses[n], scenario, n, error));
+        observer->analysis_count += 1;
+    }
+    return FW_OK;
+}
+
+fw_status fw_observer_create(fw_observer **observer, const fw_scenario *scenario, fw_error *error)
+{
+    *observer = NULL;
+    fw_observer *made = calloc(1, sizeof *made);
+    if (!made) return fw_fail_memory(error, "an observer");
+    fw_status status = fw_experiment_create(&made->experiment, scenario, error);
+    if (status == FW_OK) status = add_profile(made, error);
+    if (status == FW_OK) status = analyse(made, error);
+    if (status != FW_OK) {
+        fw_observer_destroy(made);
+        return status;
+    }
+    *observer = made;
+    return FW_OK;
+}
+
+void fw_observer_destroy(fw_observer *observer)
+{
+    if (!observer) return;
+    fw_profile_destroy(observer->profile);
+    for (int n = 0; n < observer->analysis_count; ++n) fw_analysis_destroy(observer->analyses[n]);
+    free(observer->analyses);
+    fw_experiment_destroy(observer->experiment);
+    free(observer);
+}
+
+fw_status fw_observer_step(fw_observer *observer, fw_error *error)
+{
+    FW_TRY(fw_experiment_step(observer->experiment, error));
+    if (observer->profile)
+        fw_profile_follow(observer->profile, fw_experiment_particles(observer->experiment),
+                          fw_scene_steps(observer->experiment->scene));
+    return FW_OK;
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* observer.h - an experiment together with what is followed beside it: the profile across its
+ * contact, and what is computed without running. The experiment knows nothing of either. */
+#ifndef FW_OBSERVER_H
+#define FW_OBSERVER_H
+
+#include "experiments/measures/analysis.h"
+#include "experiments/measures/profile.h"
+#include "experiments/setup/experiment.h"
+
+/* Everybody may read it; all of it is owned. */
+typedef struct fw_observer {
+    fw_experiment *experiment;
+    fw_profile *profile; /* NULL where the scenario has none */
+    int analysis_count;
+    fw_analysis **analyses; /* same order as the scenario's */
+} fw_observer;
+
+/* Builds the experiment as fw_experiment_create does, then profile and analyses. FW_BAD_INPUT at
+ * the place of what is impossible. */
+fw_status fw_observer_create(fw_observer **observer, const fw_scenario *scenario, fw_error *error);
+void fw_observer_destroy(fw_observer *observer);
+
+/* One step of the experiment, followed. */
+fw_status fw_observer_step(fw_observer *observer, fw_error *error);
+
+#endif
