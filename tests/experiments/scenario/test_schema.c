@@ -114,37 +114,6 @@ static void the_reference_names_every_key_and_breaks_no_table(void **state)
     free(text);
 }
 
-static char *read_readme(void)
-{
-    FILE *in = fopen(FW_SOURCE_DIR "/README.md", "rb");
-    if (!in) return NULL;
-    enum { MOST = 1 << 20 };
-    char *text = calloc(1, MOST);
-    assert_non_null(text);
-    assert_true(fread(text, 1, MOST - 1, in) > 0);
-    fclose(in);
-    return text;
-}
-
-static void the_readme_holds_the_reference(void **state)
-{
-    (void)state;
-    static const char begin[] = "<!-- scenario reference: begin -->\n";
-    static const char end[] = "<!-- scenario reference: end -->";
-    char *readme = read_readme();
-    if (!readme) skip(); /* not every package of the sources has one */
-    char *from = strstr(readme, begin);
-    char *to = from ? strstr(from, end) : NULL;
-    char *reference = print_reference();
-    if (!to) fail_msg("README.md has no '%s' with '%s' after it", begin, end);
-    from += strlen(begin);
-    size_t length = strlen(reference);
-    if ((size_t)(to - from) != length || memcmp(from, reference, length) != 0)
-        fail_msg("README.md holds another reference than `fretwork reference` prints");
-    free(reference);
-    free(readme);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -153,7 +122,6 @@ int main(void)
         cmocka_unit_test(sections_do_not_contain_each_other),
         cmocka_unit_test(every_default_is_a_value_that_may_be_written),
         cmocka_unit_test(the_reference_names_every_key_and_breaks_no_table),
-        cmocka_unit_test(the_readme_holds_the_reference),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
