@@ -49,6 +49,17 @@ void fw_solid_head_state(fw_solid *solid, fw_state_list *list)
     fw_state_list_add(list, "ticks", FW_I64, 1, &solid->ticks);
 }
 
+fw_status fw_solid_head_restored(const fw_solid *solid, fw_error *error)
+{
+    for (int i = 0; i < solid->count; ++i)
+        if (!isfinite(solid->x[i]) || !isfinite(solid->y[i]))
+            return fw_fail(error, FW_BAD_INPUT, "particle %d lies at (%g, %g), expected numbers", i,
+                           solid->x[i], solid->y[i]);
+    if (solid->ticks >= 0) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "the solid has taken %lld ticks, expected 0 or more",
+                   (long long)solid->ticks);
+}
+
 void fw_solid_reverse(fw_solid *solid)
 {
     fw_vec2 before = fw_solid_momentum(solid);

@@ -82,7 +82,9 @@ typedef struct fw_solid_model {
     /* Appends every array that changes while the solid runs. Writing saved values back into the
      * same arrays and calling `restored` puts the solid exactly where it was. */
     void (*state)(fw_solid *solid, fw_state_list *list);
-    void (*restored)(fw_solid *solid); /* rebuilds what follows from the state; may be NULL */
+    /* Rebuilds what follows from the state. FW_BAD_INPUT: the arrays hold what no solid of this
+     * model writes, such as an index out of range; it is then of no further use. */
+    fw_status (*restored)(fw_solid *solid, fw_error *error);
     /* Turns the arrow of time: the solid runs back the way it came; NULL: it cannot. */
     void (*reverse)(fw_solid *solid);
     const fw_field *fields;
@@ -112,6 +114,8 @@ fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int
 /* Releases the arrays of the head, not the struct itself. */
 void fw_solid_head_release(fw_solid *solid);
 /* Appends the head's own state: positions, ledger, ticks. */
+/* The part of `restored` that all models share: positions are finite, counters not negative. */
+fw_status fw_solid_head_restored(const fw_solid *solid, fw_error *error);
 void fw_solid_head_state(fw_solid *solid, fw_state_list *list);
 
 static inline void fw_solid_destroy(fw_solid *solid)

@@ -106,7 +106,8 @@ long fw_scene_query_count(const fw_scene *scene);
  * pistons. */
 int fw_scene_section_count(const fw_scene *scene);
 const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list);
-/* After saved values were written back into the arrays of all sections. */
+/* After saved values were written back into the arrays of all sections. FW_BAD_INPUT: they hold
+ * what no scene writes, such as an index out of range; the scene is then of no further use. */
 fw_status fw_scene_restored(fw_scene *scene, fw_error *error);
 
 #endif

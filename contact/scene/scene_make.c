@@ -329,11 +329,37 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
     return body->name;
 }
 
+static fw_status check_clock(const fw_scene *scene, fw_error *error)
+{
+    const scene_clock *clock = &scene->clock;
+    bool sound = clock->step >= 0 && clock->unresolved >= 0 &&
+                 clock->step <= INT64_MAX / scene->ticks_per_step &&
+                 clock->ticks == clock->step * scene->ticks_per_step;
+    if (sound) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "the clock shows %lld steps of %d ticks and %lld ticks, which do not agree",
+                   (long long)clock->step, scene->ticks_per_step, (long long)clock->ticks);
+}
+
+/* A facet that a particle remembers is one of the scene. */
+static fw_status check_memory(const fw_scene *scene, const scene_body *body, fw_error *error)
+{
+    for (int i = 0; body->memory && i < body->solid->count; ++i)
+        if (body->memory[i].facet < 0 || body->memory[i].facet > scene->facet_count)
+            return fw_fail(error, FW_BAD_INPUT,
+                           "particle %d of body %s touches facet %d, expected 0 to %d", i,
+                           body->name, body->memory[i].facet, scene->facet_count);
+    return FW_OK;
+}
+
 fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
 {
+    FW_TRY(check_clock(scene, error));
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
-        if (body->solid->model->restored) body->solid->model->restored(body->solid);
+        if (body->solid->model->restored(body->solid, error) != FW_OK)
+            return fw_fail_within(error, "body %s", body->name);
+        FW_TRY(check_memory(scene, body, error));
         if (!body->boundary) continue;
         fw_boundary_destroy(body->boundary);
         body->boundary = NULL;

@@ -154,9 +154,18 @@ static void state(fw_solid *solid, fw_state_list *list)
         fw_state_list_add(list, "bonds", FW_U8, (size_t)body->colour[FW_BLACK].count, body->bonds);
 }
 
-static void restored(fw_solid *solid)
+static fw_status restored(fw_solid *solid, fw_error *error)
 {
-    fw_automaton_rebuild_bonds(fw_automaton_of(solid));
+    fw_automaton *body = fw_automaton_of(solid);
+    FW_TRY(fw_solid_head_restored(solid, error));
+    for (int n = 0; body->bonds && n < body->colour[FW_BLACK].count; ++n)
+        for (int d = 0; d < 8; ++d)
+            if ((body->bonds[n] >> d & 1) && (d >= FW_DIRECTIONS || body->built[n][d] < 0))
+                return fw_fail(error, FW_BAD_INPUT,
+                               "black cell %d has a bond in direction %d, where no cell lies", n,
+                               d);
+    fw_automaton_rebuild_bonds(body);
+    return FW_OK;
 }
 
 const fw_solid_model fw_elastic_automaton_model = {

@@ -403,9 +403,30 @@ static void state(fw_solid *solid, fw_state_list *list)
     }
 }
 
-static void restored(fw_solid *solid)
+/* A link is there for both of its ends, and only where a neighbour lies. */
+static fw_status check_links(const lb_solid *lb, fw_error *error)
 {
-    lb_rebuild((lb_solid *)solid);
+    for (int l = 0; l < lb->head.count; ++l)
+        for (int d = 0; d < 8; ++d) {
+            if (!(lb->present[l] & (1u << d))) continue;
+            const int m = d < FW_DIRECTIONS ? lb->neighbour[d][l] : -1;
+            if (m < 0 || !(lb->present[m] & (1u << fw_opposite(d))))
+                return fw_fail(error, FW_BAD_INPUT,
+                               "particle %d has a link in direction %d that leads nowhere", l, d);
+        }
+    return FW_OK;
+}
+
+static fw_status restored(fw_solid *solid, fw_error *error)
+{
+    lb_solid *lb = (lb_solid *)solid;
+    FW_TRY(fw_solid_head_restored(solid, error));
+    if (lb->parity != 0 && lb->parity != 1)
+        return fw_fail(error, FW_BAD_INPUT, "the parity of the fields is %d, expected 0 or 1",
+                       lb->parity);
+    FW_TRY(check_links(lb, error));
+    lb_rebuild(lb);
+    return FW_OK;
 }
 
 const fw_solid_model fw_lb_solid_model = {

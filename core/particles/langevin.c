@@ -82,7 +82,7 @@ void fw_langevin_start(fw_langevin *solid)
         solid->inverse_mass[i] = 1 / solid->mass[i];
         solid->root_inverse_mass[i] = sqrt(solid->inverse_mass[i]);
     }
-    fw_langevin_restored(&solid->head);
+    fw_langevin_refresh(&solid->head);
 }
 
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls)
@@ -356,7 +356,21 @@ void fw_langevin_state(fw_solid *head, fw_state_list *list)
                       &solid->controls);
 }
 
-void fw_langevin_restored(fw_solid *head)
+fw_status fw_langevin_restored(fw_solid *head, fw_error *error)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    FW_TRY(fw_solid_head_restored(head, error));
+    FW_TRY(fw_langevin_check(&solid->controls, error));
+    for (int i = 0; i < head->count; ++i)
+        if (!isfinite(solid->velocity_x[i]) || !isfinite(solid->velocity_y[i]))
+            return fw_fail(error, FW_BAD_INPUT,
+                           "particle %d has the velocity (%g, %g), expected numbers", i,
+                           solid->velocity_x[i], solid->velocity_y[i]);
+    fw_langevin_refresh(head);
+    return FW_OK;
+}
+
+void fw_langevin_refresh(fw_solid *head)
 {
     fw_langevin *solid = (fw_langevin *)head;
     head->tick = solid->controls.time_step;

@@ -78,6 +78,7 @@ void fw_langevin_velocities(const fw_solid *solid, double *x, double *y);
 void fw_langevin_masses(const fw_solid *solid, double *mass);
 void fw_langevin_state(fw_solid *solid, fw_state_list *list);
 /* Finds the forces again, for positions or controls that were written from outside. */
-void fw_langevin_restored(fw_solid *solid);
+void fw_langevin_refresh(fw_solid *solid);
+fw_status fw_langevin_restored(fw_solid *solid, fw_error *error);
 
 #endif

@@ -202,7 +202,7 @@ fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)
 void fw_linear_lattice_refresh(fw_solid *solid)
 {
     assert(fw_solid_is_linear_lattice(solid));
-    fw_langevin_restored(solid);
+    fw_langevin_refresh(solid);
 }
 
 /* --- building --- */

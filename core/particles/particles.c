@@ -68,14 +68,27 @@ static void state(fw_solid *solid, fw_state_list *list)
                       particles->amplitudes);
 }
 
-static void restored(fw_solid *solid)
+static void refresh(fw_solid *solid)
 {
     fw_particles *particles = (fw_particles *)solid;
     for (int g = 0; g < particles->group_count; ++g) {
         particles->groups[g].return_force.amplitude = particles->amplitudes[g];
         particles->groups[g].turn = (fw_turn){1, 0};
     }
-    fw_langevin_restored(solid);
+    fw_langevin_refresh(solid);
+}
+
+static fw_status restored(fw_solid *solid, fw_error *error)
+{
+    fw_particles *particles = (fw_particles *)solid;
+    for (int g = 0; g < particles->group_count; ++g) {
+        fw_return_force found = particles->groups[g].return_force;
+        found.amplitude = particles->amplitudes[g];
+        FW_TRY(fw_return_force_check(&found, error));
+    }
+    FW_TRY(fw_langevin_restored(solid, error));
+    refresh(solid);
+    return FW_OK;
 }
 
 const fw_solid_model fw_particles_model = {
@@ -270,7 +283,7 @@ fw_status fw_particles_set_amplitude(fw_solid *solid, int group, double amplitud
     FW_TRY(fw_particles_check_time_step(particles->langevin.controls.time_step,
                                         present_limit(particles, group, &changed), error));
     particles->amplitudes[group] = amplitude;
-    restored(solid);
+    refresh(solid);
     return FW_OK;
 }
 
@@ -284,7 +297,7 @@ void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature
 
 void fw_particles_refresh(fw_solid *solid)
 {
-    restored(solid);
+    refresh(solid);
 }
 
 /* --- asking --- */

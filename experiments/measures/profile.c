@@ -327,6 +327,22 @@ void fw_profile_state(fw_profile *profile, fw_state_list *list)
     fw_state_list_add(list, "last-bonds", FW_I32, count * BONDS_MAX, profile->last_bonds);
 }
 
+fw_status fw_profile_restored(const fw_profile *profile, fw_error *error)
+{
+    if (profile->samples < 0 || profile->followed < 0 || profile->followed > 1)
+        return fw_fail(error, FW_BAD_INPUT, "the profile has %lld samples, expected 0 or more",
+                       (long long)profile->samples);
+    for (int i = 0; i < profile->particle_count; ++i)
+        for (int n = 0; n < BONDS_MAX; ++n)
+            if (profile->last_bonds[i][n] < -1 ||
+                profile->last_bonds[i][n] >= profile->particle_count)
+                return fw_fail(
+                    error, FW_BAD_INPUT,
+                    "the profile follows a bond from particle %d to %d, expected 0 to %d", i,
+                    profile->last_bonds[i][n], profile->particle_count - 1);
+    return FW_OK;
+}
+
 /* --- what came out --- */
 
 double fw_profile_contact_now(fw_profile *p, const fw_solid *solid)

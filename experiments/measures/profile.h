@@ -39,6 +39,8 @@ void fw_profile_destroy(fw_profile *profile);
 /* To be called after each step, and at the start: takes a sample when one is due. */
 void fw_profile_follow(fw_profile *profile, const fw_solid *solid, int64_t step);
 void fw_profile_state(fw_profile *profile, fw_state_list *list);
+/* After saved values were written back. FW_BAD_INPUT: they hold what no profile writes. */
+fw_status fw_profile_restored(const fw_profile *profile, fw_error *error);
 
 /* Mean length of the net return forces in the contact region, now; NaN if nothing is there. */
 double fw_profile_contact_now(fw_profile *profile, const fw_solid *solid);

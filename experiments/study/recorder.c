@@ -311,6 +311,34 @@ fw_status fw_recorder_create(fw_recorder **recorder, fw_observer *observer,
     return give_up(recorder, status);
 }
 
+/* A checkpoint may come from anybody: what it says must be what this run could have written. */
+static fw_status check_restored(const fw_recorder *r, const fw_checkpoint_origin *origin,
+                                fw_error *error)
+{
+    const fw_scene *scene = r->experiment->scene;
+    const int64_t step = fw_scene_steps(scene), rows = r->written.rows, frames = r->written.frames;
+    FW_TRY(fw_scene_restored(r->experiment->scene, error));
+    if (r->observer->profile) FW_TRY(fw_profile_restored(r->observer->profile, error));
+    if (step != origin->step || step > r->experiment->scenario->run.steps)
+        return fw_fail(error, FW_BAD_INPUT, "it is of step %lld and holds step %lld of %lld",
+                       (long long)origin->step, (long long)step,
+                       (long long)r->experiment->scenario->run.steps);
+    if (rows >= 1 && rows <= r->def.sample_count && frames >= 1 && frames <= r->def.frame_count)
+        return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "it speaks of %lld measured rows and %lld frames, expected 1 to %lld and 1 to "
+                   "%lld",
+                   (long long)rows, (long long)frames, (long long)r->def.sample_count,
+                   (long long)r->def.frame_count);
+}
+
+static fw_status load(fw_recorder *r, fw_checkpoint_origin *origin, fw_error *error)
+{
+    FW_TRY(fw_checkpoint_load(r->checkpoint, r->sections, r->section_count, origin, error));
+    if (check_restored(r, origin, error) == FW_OK) return FW_OK;
+    return fw_fail_within(error, "%s/%s", r->directory, origin->name);
+}
+
 fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
                              const fw_measurement *measurement, const char *directory, int threads,
                              int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error)
@@ -325,7 +353,7 @@ fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
         snprintf(note, FW_SENTENCE_SIZE,
                  "the run ended before its first checkpoint, it begins again");
     } else if (status == FW_OK) {
-        status = fw_checkpoint_load(r->checkpoint, r->sections, r->section_count, &origin, error);
+        status = load(r, &origin, error);
         *rows = r->written.rows;
         if (status == FW_OK && origin.fallen_back)
             snprintf(note, FW_SENTENCE_SIZE,

@@ -155,7 +155,6 @@ static fw_status resume(fw_run *run, char *note, fw_error *error)
     int64_t rows = 0;
     FW_TRY(fw_recorder_reopen(&run->recorder, run->observer, run->measurement,
                               run->options.directory, run->options.threads, &rows, note, error));
-    if (rows > 0) FW_TRY(fw_scene_restored(run->experiment->scene, error));
     FW_TRY(restore_rows(run, rows, error));
     FW_TRY(fw_recorder_go_on(run->recorder, error));
     return rows > 0 ? FW_OK : record_start(run, error);

@@ -448,7 +448,7 @@ static void restored_bodies_go_on_to_the_bit(void **state)
         for (int n = 0; n < from.count; ++n)
             memcpy(to.array[n].data, from.array[n].data,
                    from.array[n].count * fw_element_size(from.array[n].element));
-        if (other->model->restored) other->model->restored(other);
+        assert_int_equal(other->model->restored(other, NULL), FW_OK);
         for (int tick = 0; tick < 51; ++tick) {
             push_at_random(one, &kinds[k], 0.02);
             push_at_random(other, &kinds[k], 0.02);

@@ -356,8 +356,8 @@ static void saved_state_goes_on_exactly(void **state)
         memcpy(other.array[n].data, saved[n], bytes);
         free(saved[n]);
     }
-    solid->model->restored(solid);
-    fresh->model->restored(fresh);
+    solid->model->restored(solid, NULL);
+    fresh->model->restored(fresh, NULL);
     assert_int_equal(fw_elastic_automaton_broken(solid), broken);
     assert_true(hash_after(solid, 400) == expected);
     assert_true(hash_after(fresh, 400) == expected);

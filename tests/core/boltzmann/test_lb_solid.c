@@ -348,7 +348,7 @@ static void restored_state_goes_on_to_the_bit(void **state)
     for (int n = 0; n < from.count; ++n)
         memcpy(to.array[n].data, from.array[n].data,
                from.array[n].count * fw_element_size(from.array[n].element));
-    two->model->restored(two);
+    two->model->restored(two, NULL);
     for (int step = 0; step < 100; ++step) {
         fw_solid_advance_free(one);
         fw_solid_advance_free(two);

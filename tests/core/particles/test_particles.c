@@ -324,7 +324,7 @@ static void resumed_is_uninterrupted(void **state)
     for (int a = 0; a < from.count; ++a)
         memcpy(to.array[a].data, from.array[a].data,
                from.array[a].count * fw_element_size(from.array[a].element));
-    second->model->restored(second);
+    second->model->restored(second, NULL);
     run(first, 15);
     run(second, 15);
     assert_true(fingerprint(first) == fingerprint(second));
