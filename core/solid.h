@@ -67,8 +67,9 @@ typedef struct fw_solid_model {
     void (*destroy)(fw_solid *solid);
     /* For each listed particle what this tick would bring; the solid is unaltered. */
     void (*predict)(const fw_solid *solid, const int *particles, int count, fw_prediction *out);
-    /* One tick. `holds` ascends by particle, each particle at most once. */
-    void (*advance)(fw_solid *solid, const fw_hold *holds, int hold_count);
+    /* One tick. `holds` ascends by particle, each particle at most once. FW_SYSTEM_FAILED without
+     * memory; the solid is then of no further use. */
+    fw_status (*advance)(fw_solid *solid, const fw_hold *holds, int hold_count, fw_error *error);
     fw_energies (*energies)(const fw_solid *solid);
     fw_vec2 (*momentum)(const fw_solid *solid);
     /* Weighted by mass, straight for a free body. */
@@ -83,7 +84,8 @@ typedef struct fw_solid_model {
      * same arrays and calling `restored` puts the solid exactly where it was. */
     void (*state)(fw_solid *solid, fw_state_list *list);
     /* Rebuilds what follows from the state. FW_BAD_INPUT: the arrays hold what no solid of this
-     * model writes, such as an index out of range; it is then of no further use. */
+     * model writes, such as an index out of range; FW_SYSTEM_FAILED without memory. The solid is
+     * then of no further use. */
     fw_status (*restored)(fw_solid *solid, fw_error *error);
     /* Turns the arrow of time: the solid runs back the way it came; NULL: it cannot. */
     void (*reverse)(fw_solid *solid);
@@ -104,8 +106,7 @@ struct fw_solid {
     int (*links)[2];       /* pairs of linked particles, for files and pictures; NULL if none */
     int link_count;
     fw_solid_ledger ledger;
-    int64_t ticks;       /* advanced since creation */
-    const char *trouble; /* NULL, or the sentence why the solid cannot go on (memory) */
+    int64_t ticks; /* advanced since creation */
 };
 
 /* Allocates the arrays of the head for `count` particles; on failure everything is released. */
@@ -113,9 +114,9 @@ fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int
                                fw_error *error);
 /* Releases the arrays of the head, not the struct itself. */
 void fw_solid_head_release(fw_solid *solid);
-/* Appends the head's own state: positions, ledger, ticks. */
 /* The part of `restored` that all models share: positions are finite, counters not negative. */
 fw_status fw_solid_head_restored(const fw_solid *solid, fw_error *error);
+/* Appends the head's own state: positions, ledger, ticks. */
 void fw_solid_head_state(fw_solid *solid, fw_state_list *list);
 
 static inline void fw_solid_destroy(fw_solid *solid)
@@ -130,14 +131,21 @@ static inline void fw_solid_predict(const fw_solid *solid, const int *particles,
 }
 
 /* One tick without contact. */
-static inline void fw_solid_advance_free(fw_solid *solid)
+static inline fw_status fw_solid_advance_free(fw_solid *solid, fw_error *error)
 {
-    solid->model->advance(solid, NULL, 0);
+    return solid->model->advance(solid, NULL, 0, error);
 }
 
-static inline void fw_solid_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
+static inline fw_status fw_solid_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
+                                         fw_error *error)
 {
-    solid->model->advance(solid, holds, hold_count);
+    return solid->model->advance(solid, holds, hold_count, error);
+}
+
+/* To be called after state was written from outside: what follows from it is made anew. */
+static inline fw_status fw_solid_restored(fw_solid *solid, fw_error *error)
+{
+    return solid->model->restored(solid, error);
 }
 
 /* Reverses a solid whose model can, and books what that does to its momentum as an impulse. */

@@ -47,14 +47,17 @@ static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
 }
 
 /* 5. advance: every solid moves, held by contacts and grips, and the pistons. */
-static void advance_solids(fw_scene *scene)
+static fw_status advance_solids(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
         scene_collect_holds(scene, b);
-        fw_solid_advance(scene->bodies[b].solid, scene->bodies[b].holds,
-                         scene->bodies[b].hold_count);
+        if (fw_solid_advance(body->solid, body->holds, body->hold_count, error) != FW_OK)
+            return fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
+                                  body->name);
     }
     scene_advance_pistons(scene);
+    return FW_OK;
 }
 
 /* 6. ledger: work, heat and impulse of each wall. */
@@ -73,9 +76,6 @@ static fw_status check_finite(const fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         const fw_solid *solid = scene->bodies[b].solid;
-        if (solid->trouble)
-            return fw_fail(error, FW_SYSTEM_FAILED, "step %lld: body %s: %s",
-                           (long long)scene->clock.step, scene->bodies[b].name, solid->trouble);
         int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
         if (lost < 0) continue;
         return fw_fail(error, FW_DIVERGED,
@@ -106,7 +106,7 @@ fw_status fw_scene_step(fw_scene *scene, fw_error *error)
         predict_boundaries(scene);
         FW_TRY(constrain_contacts(scene, error));
         scene_book_contacts(scene);
-        advance_solids(scene);
+        FW_TRY(advance_solids(scene, error));
         balance_ledger(scene);
         scene->clock.ticks += 1;
     }

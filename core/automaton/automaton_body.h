@@ -121,7 +121,8 @@ static inline fw_vec2 fw_automaton_at(const fw_automaton_colour *colour, int cel
 /* The half-step: automaton_sweep.c. */
 void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,
                           fw_prediction *out);
-void fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count);
+fw_status fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
+                               fw_error *error);
 
 /* The starting state of the definition: automaton_start.c. */
 void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def);

@@ -174,8 +174,10 @@ static void recentre(fw_automaton *body)
     }
 }
 
-void fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
+fw_status fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
+                               fw_error *error)
 {
+    (void)error;
     fw_automaton *body = fw_automaton_of(solid);
     half_step step = half_step_of(body);
     fw_automaton_colour *colour = &body->colour[step.colour];
@@ -202,4 +204,5 @@ void fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
     if (body->breaks) fw_automaton_break_stretched(body);
     solid->ticks += 1;
     recentre(body);
+    return FW_OK;
 }

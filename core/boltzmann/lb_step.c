@@ -226,8 +226,9 @@ static void relax_chunk(lb_solid *lb, int chunk, const fw_hold *holds, int hold_
     }
 }
 
-void lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
+fw_status lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count, fw_error *error)
 {
+    (void)error;
     lb_solid *lb = (lb_solid *)solid;
 #pragma omp parallel for schedule(static) if (lb->chunk_count > 4)
     for (int chunk = 0; chunk < lb->chunk_count; ++chunk) relax_chunk(lb, chunk, holds, hold_count);
@@ -241,6 +242,7 @@ void lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count)
     lb->parity = !lb->parity;
     solid->ticks += 1;
     if (lb->break_at < HUGE_VAL) lb_break_links(lb);
+    return FW_OK;
 }
 
 fw_prediction lb_predict(const lb_solid *lb, int l)

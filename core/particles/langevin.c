@@ -76,13 +76,13 @@ fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *erro
     return FW_OK;
 }
 
-void fw_langevin_start(fw_langevin *solid)
+fw_status fw_langevin_start(fw_langevin *solid, fw_error *error)
 {
     for (int i = 0; i < solid->head.count; ++i) {
         solid->inverse_mass[i] = 1 / solid->mass[i];
         solid->root_inverse_mass[i] = sqrt(solid->inverse_mass[i]);
     }
-    fw_langevin_refresh(&solid->head);
+    return fw_langevin_refresh(&solid->head, error);
 }
 
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls)
@@ -259,7 +259,7 @@ static void book(fw_langevin *solid, int blocks)
     }
 }
 
-void fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count)
+fw_status fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count, fw_error *error)
 {
     fw_langevin *solid = (fw_langevin *)head;
     const fw_baoab baoab = baoab_of(&solid->controls);
@@ -282,7 +282,7 @@ void fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count)
         head->x[i] = solid->held_at[k].x + holds[k].displacement.x;
         head->y[i] = solid->held_at[k].y + holds[k].displacement.y;
     }
-    solid->find_forces(solid);
+    FW_TRY(solid->find_forces(solid, error));
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
     for (int b = 0; b < blocks; ++b) {
         const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
@@ -292,6 +292,7 @@ void fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count)
         solid->hold_x[holds[k].particle] = solid->hold_y[holds[k].particle] = 0;
     book(solid, blocks);
     head->ticks += 1;
+    return FW_OK;
 }
 
 /* --- what the solid can be asked --- */
@@ -366,13 +367,12 @@ fw_status fw_langevin_restored(fw_solid *head, fw_error *error)
             return fw_fail(error, FW_BAD_INPUT,
                            "particle %d has the velocity (%g, %g), expected numbers", i,
                            solid->velocity_x[i], solid->velocity_y[i]);
-    fw_langevin_refresh(head);
-    return FW_OK;
+    return fw_langevin_refresh(head, error);
 }
 
-void fw_langevin_refresh(fw_solid *head)
+fw_status fw_langevin_refresh(fw_solid *head, fw_error *error)
 {
     fw_langevin *solid = (fw_langevin *)head;
     head->tick = solid->controls.time_step;
-    solid->find_forces(solid);
+    return solid->find_forces(solid, error);
 }

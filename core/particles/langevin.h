@@ -36,8 +36,9 @@ struct fw_langevin {
     double *velocity_x, *velocity_y;
     double *force_x, *force_y; /* the solid's own forces at its present positions */
     double *mass;              /* to be filled by the model before fw_langevin_start() */
-    /* Makes force_x/y for the positions of the head; the only thing that models differ in. */
-    void (*find_forces)(fw_langevin *solid);
+    /* Makes force_x/y for the positions of the head; the only thing that models differ in.
+     * FW_SYSTEM_FAILED without memory. */
+    fw_status (*find_forces)(fw_langevin *solid, fw_error *error);
 
     /* Private. */
     double *inverse_mass, *root_inverse_mass;
@@ -56,7 +57,7 @@ void fw_langevin_release(fw_langevin *solid);
  * temperature, numbers that are not finite. */
 fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *error);
 /* To be called once positions, velocities, masses and controls stand: finds the first forces. */
-void fw_langevin_start(fw_langevin *solid);
+fw_status fw_langevin_start(fw_langevin *solid, fw_error *error);
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
 
 /* Turns every velocity round: without damping the way back is the way it came. */
@@ -69,7 +70,8 @@ void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, doubl
 /* Operations of fw_solid_model, for solids that embed fw_langevin. */
 void fw_langevin_predict(const fw_solid *solid, const int *particles, int count,
                          fw_prediction *out);
-void fw_langevin_advance(fw_solid *solid, const fw_hold *holds, int hold_count);
+fw_status fw_langevin_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
+                              fw_error *error);
 double fw_langevin_kinetic_energy(const fw_langevin *solid);
 fw_vec2 fw_langevin_momentum(const fw_solid *solid);
 fw_vec2 fw_langevin_centre_of_mass(const fw_solid *solid);
@@ -78,7 +80,7 @@ void fw_langevin_velocities(const fw_solid *solid, double *x, double *y);
 void fw_langevin_masses(const fw_solid *solid, double *mass);
 void fw_langevin_state(fw_solid *solid, fw_state_list *list);
 /* Finds the forces again, for positions or controls that were written from outside. */
-void fw_langevin_refresh(fw_solid *solid);
+fw_status fw_langevin_refresh(fw_solid *solid, fw_error *error);
 fw_status fw_langevin_restored(fw_solid *solid, fw_error *error);
 
 #endif

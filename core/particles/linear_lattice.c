@@ -78,8 +78,9 @@ static inline fw_vec2 stretch_of(const fw_linear_lattice *lattice, int i, int j)
                      (head->y[j] - head->y[i]) - (lattice->home[j].y - lattice->home[i].y)};
 }
 
-static void find_forces(fw_langevin *solid)
+static fw_status find_forces(fw_langevin *solid, fw_error *error)
 {
+    (void)error;
     const fw_linear_lattice *lattice = (const fw_linear_lattice *)solid;
 #pragma omp parallel for schedule(static) if (solid->head.count > PARALLEL_FROM)
     for (int i = 0; i < solid->head.count; ++i) {
@@ -96,6 +97,7 @@ static void find_forces(fw_langevin *solid)
         solid->force_x[i] = force.x;
         solid->force_y[i] = force.y;
     }
+    return FW_OK;
 }
 
 /* Every force is linear in the displacements and has a potential, so the energy is
@@ -197,12 +199,6 @@ fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)
 {
     assert(fw_solid_is_linear_lattice(solid));
     return ((const fw_linear_lattice *)solid)->home[particle];
-}
-
-void fw_linear_lattice_refresh(fw_solid *solid)
-{
-    assert(fw_solid_is_linear_lattice(solid));
-    fw_langevin_refresh(solid);
 }
 
 /* --- building --- */
@@ -335,8 +331,7 @@ static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *
     langevin->seed = def->seed;
     langevin->find_forces = find_forces;
     fw_langevin_set_controls(langevin, &def->controls);
-    fw_langevin_start(langevin);
-    return FW_OK;
+    return fw_langevin_start(langevin, error);
 }
 
 fw_status fw_linear_lattice_create(fw_solid **solid, const fw_linear_lattice_def *def,

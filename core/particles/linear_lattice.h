@@ -57,7 +57,5 @@ fw_status fw_linear_lattice_set_controls(fw_solid *solid, const fw_langevin_cont
 bool fw_solid_is_linear_lattice(const fw_solid *solid);
 /* Where a particle lies at rest. */
 fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle);
-/* To be called after positions were written from outside. */
-void fw_linear_lattice_refresh(fw_solid *solid);
 
 #endif

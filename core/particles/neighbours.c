@@ -46,9 +46,7 @@ fw_status fw_neighbours_create(fw_neighbours **neighbours, int count, double rad
         !made->cell_begin || !made->member) {
         fw_neighbours_destroy(made);
         return fw_fail(error, FW_SYSTEM_FAILED,
-                       "not enough memory for the neighbours of %d "
-                       "particles",
-                       count);
+                       "not enough memory for the neighbours of %d particles", count);
     }
     *neighbours = made;
     return FW_OK;
@@ -243,14 +241,17 @@ static bool make_list(fw_neighbours *neighbours, const double *x, const double *
     return true;
 }
 
-bool fw_neighbours_refresh(fw_neighbours *neighbours, const double *x, const double *y)
+fw_status fw_neighbours_refresh(fw_neighbours *neighbours, const double *x, const double *y,
+                                fw_error *error)
 {
-    if (neighbours->valid && !may_have_met(neighbours, x, y)) return true;
+    if (neighbours->valid && !may_have_met(neighbours, x, y)) return FW_OK;
     neighbours->valid = make_list(neighbours, x, y);
-    if (!neighbours->valid) return false;
+    if (!neighbours->valid)
+        return fw_fail(error, FW_SYSTEM_FAILED,
+                       "not enough memory for the neighbours of %d particles", neighbours->count);
     const size_t bytes = (size_t)neighbours->count * sizeof *x;
     memcpy(neighbours->built_x, x, bytes);
     memcpy(neighbours->built_y, y, bytes);
     neighbours->generation += 1;
-    return true;
+    return FW_OK;
 }

@@ -38,9 +38,10 @@ fw_status fw_neighbours_create(fw_neighbours **neighbours, int count, double rad
                                fw_error *error);
 void fw_neighbours_destroy(fw_neighbours *neighbours);
 
-/* Makes the list anew if it must be. False if there is no memory for a longer list; the list is
- * then empty. */
-bool fw_neighbours_refresh(fw_neighbours *neighbours, const double *x, const double *y);
+/* Makes the list anew if it must be. FW_SYSTEM_FAILED if there is no memory for a longer list; the
+ * list is then empty. */
+fw_status fw_neighbours_refresh(fw_neighbours *neighbours, const double *x, const double *y,
+                                fw_error *error);
 
 /* Another radius; the list is made anew at the next refresh. */
 void fw_neighbours_set_radius(fw_neighbours *neighbours, double radius);

@@ -258,15 +258,15 @@ static void turn_together(fw_particles *particles, fw_particle_group *group)
     }
 }
 
-void fw_particles_find_forces(fw_langevin *solid)
+fw_status fw_particles_find_forces(fw_langevin *solid, fw_error *error)
 {
     fw_particles *particles = (fw_particles *)solid;
-    if (!fw_neighbours_refresh(particles->neighbours, solid->head.x, solid->head.y))
-        solid->head.trouble = "not enough memory for the neighbour lists of the particles";
+    FW_TRY(fw_neighbours_refresh(particles->neighbours, solid->head.x, solid->head.y, error));
     if (particles->generation != particles->neighbours->generation) find_own_bodies(particles);
     for (int g = 0; g < particles->group_count; ++g) {
         fw_particle_group *group = &particles->groups[g];
         find_all(particles, group);
         if (turns(group)) turn_together(particles, group);
     }
+    return FW_OK;
 }

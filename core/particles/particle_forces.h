@@ -28,7 +28,7 @@ struct fw_particles {
 };
 
 /* As fw_langevin.find_forces. */
-void fw_particles_find_forces(fw_langevin *solid);
+fw_status fw_particles_find_forces(fw_langevin *solid, fw_error *error);
 
 /* Whatever fw_particles_create refuses before it builds. */
 fw_status fw_particles_check(const fw_particles_def *def, fw_error *error);

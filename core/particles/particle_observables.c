@@ -183,9 +183,10 @@ fw_status fw_particle_pair_correlation(const fw_solid *solid, int group, double 
     fw_neighbours *near;
     FW_TRY(fw_neighbours_create(&near, count, step * bins, 0, error));
     const double *x = solid->x + of.first, *y = solid->y + of.first;
-    if (!fw_neighbours_refresh(near, x, y)) {
+    const fw_status status = fw_neighbours_refresh(near, x, y, error);
+    if (status != FW_OK) {
         fw_neighbours_destroy(near);
-        return fw_fail_memory(error, "the neighbours of a pair correlation");
+        return status;
     }
     for (int k = 0; k < bins; ++k) g[k] = 0;
     for (int i = 0; i < count; ++i)
@@ -224,6 +225,17 @@ static void link_all(const fw_solid *solid, const fw_neighbours *near, int *pare
         }
 }
 
+/* Counts the particles of each cluster into `size`, all zero before; returns the largest count. */
+static int mark_largest(const fw_solid *solid, int *parent, int *size, uint8_t *members)
+{
+    int largest = 0;
+    for (int i = 0; i < solid->count; ++i) size[root_of(parent, i)] += 1;
+    for (int i = 0; i < solid->count; ++i)
+        if (size[i] > size[largest]) largest = i;
+    for (int i = 0; i < solid->count; ++i) members[i] = root_of(parent, i) == largest;
+    return size[largest];
+}
+
 fw_status fw_particle_largest_cluster(const fw_solid *solid, double link, uint8_t *members,
                                       int *count, fw_error *error)
 {
@@ -231,21 +243,14 @@ fw_status fw_particle_largest_cluster(const fw_solid *solid, double link, uint8_
     FW_TRY(fw_neighbours_create(&near, solid->count, link, 0, error));
     int *parent = malloc((size_t)solid->count * sizeof *parent);
     int *size = calloc((size_t)solid->count, sizeof *size);
-    if (!parent || !size || !fw_neighbours_refresh(near, solid->x, solid->y)) {
-        free(parent);
-        free(size);
-        fw_neighbours_destroy(near);
-        return fw_fail_memory(error, "the clusters of particles");
+    const fw_status status = parent && size ? fw_neighbours_refresh(near, solid->x, solid->y, error)
+                                            : fw_fail_memory(error, "the clusters of particles");
+    if (status == FW_OK) {
+        link_all(solid, near, parent);
+        *count = mark_largest(solid, parent, size, members);
     }
-    link_all(solid, near, parent);
-    int largest = 0;
-    for (int i = 0; i < solid->count; ++i) size[root_of(parent, i)] += 1;
-    for (int i = 0; i < solid->count; ++i)
-        if (size[i] > size[largest]) largest = i;
-    for (int i = 0; i < solid->count; ++i) members[i] = root_of(parent, i) == largest;
-    *count = size[largest];
     free(parent);
     free(size);
     fw_neighbours_destroy(near);
-    return FW_OK;
+    return status;
 }

@@ -68,14 +68,14 @@ static void state(fw_solid *solid, fw_state_list *list)
                       particles->amplitudes);
 }
 
-static void refresh(fw_solid *solid)
+static fw_status refresh(fw_solid *solid, fw_error *error)
 {
     fw_particles *particles = (fw_particles *)solid;
     for (int g = 0; g < particles->group_count; ++g) {
         particles->groups[g].return_force.amplitude = particles->amplitudes[g];
         particles->groups[g].turn = (fw_turn){1, 0};
     }
-    fw_langevin_refresh(solid);
+    return fw_langevin_refresh(solid, error);
 }
 
 static fw_status restored(fw_solid *solid, fw_error *error)
@@ -87,8 +87,7 @@ static fw_status restored(fw_solid *solid, fw_error *error)
         FW_TRY(fw_return_force_check(&found, error));
     }
     FW_TRY(fw_langevin_restored(solid, error));
-    refresh(solid);
-    return FW_OK;
+    return refresh(solid, error);
 }
 
 const fw_solid_model fw_particles_model = {
@@ -212,9 +211,7 @@ static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_
     langevin->seed = def->seed;
     langevin->find_forces = fw_particles_find_forces;
     fw_langevin_set_controls(langevin, &def->controls);
-    fw_langevin_start(langevin);
-    if (langevin->head.trouble)
-        return fw_fail(error, FW_SYSTEM_FAILED, "%s", langevin->head.trouble);
+    FW_TRY(fw_langevin_start(langevin, error));
     return fw_particles_check_overlaps(particles, def->overlap_energy, error);
 }
 
@@ -283,8 +280,7 @@ fw_status fw_particles_set_amplitude(fw_solid *solid, int group, double amplitud
     FW_TRY(fw_particles_check_time_step(particles->langevin.controls.time_step,
                                         present_limit(particles, group, &changed), error));
     particles->amplitudes[group] = amplitude;
-    refresh(solid);
-    return FW_OK;
+    return refresh(solid, error);
 }
 
 void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature)
@@ -293,11 +289,6 @@ void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature
     const int first = group < 0 ? 0 : particles->groups[group].first;
     const int count = group < 0 ? solid->count : particles->groups[group].count;
     fw_langevin_draw_velocities(&particles->langevin, first, count, temperature);
-}
-
-void fw_particles_refresh(fw_solid *solid)
-{
-    refresh(solid);
 }
 
 /* --- asking --- */

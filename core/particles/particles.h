@@ -74,8 +74,6 @@ fw_status fw_particles_set_amplitude(fw_solid *solid, int group, double amplitud
 /* Maxwell's distribution at that temperature for a body, or for all with group < 0; total momentum
  * zero. */
 void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature);
-/* To be called after positions were written from outside. */
-void fw_particles_refresh(fw_solid *solid);
 
 /* --- what can be asked --- */
 

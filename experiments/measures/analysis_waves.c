@@ -143,8 +143,9 @@ static fw_status run_wave(carrier *c, const fw_elastic_automaton_def *def,
     if (status == FW_OK) {
         double complex before = amplitude_of(c, mode);
         double turns = 0;
-        for (int step = 0; step < steps; ++step) {
-            for (int n = 0; n < 4; ++n) fw_solid_advance_free(c->part[n / 2]);
+        for (int step = 0; step < steps && status == FW_OK; ++step) {
+            for (int n = 0; n < 4 && status == FW_OK; ++n)
+                status = fw_solid_advance_free(c->part[n / 2], error);
             const double complex now = amplitude_of(c, mode);
             turns += fabs(carg(now * conj(before)));
             before = now;

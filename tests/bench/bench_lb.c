@@ -3,6 +3,7 @@
  * plain memory streams of as many bytes in the same run. The ratio carries over between machines,
  * the rates do not. Usage: bench_lb [SIDE [STEPS]] */
 #include "core/boltzmann/lb_solid.h"
+#include "tests/support/steps.h"
 
 #include <omp.h>
 #include <stdio.h>
@@ -52,9 +53,9 @@ int main(int count, char **words)
            (int)BYTES, stream * 1e-9);
     for (int threads = 1; threads <= 2; ++threads) {
         omp_set_num_threads(threads);
-        fw_solid_advance_free(solid);
+        advance_free(solid);
         double start = clock_now();
-        for (int n = 0; n < steps; ++n) fw_solid_advance_free(solid);
+        for (int n = 0; n < steps; ++n) advance_free(solid);
         double rate = (double)steps * side * side / (clock_now() - start);
         printf("%d thread%s: %.4g million particle steps/s, %.2f of the stream\n", threads,
                threads > 1 ? "s" : " ", rate * 1e-6, rate * BYTES / stream);

@@ -6,6 +6,7 @@
 #include "tests/support/laws.h"
 
 #include "tests/support/crowd.h"
+#include "tests/support/steps.h"
 
 #include <stdlib.h>
 #include <time.h>
@@ -34,10 +35,10 @@ static void measure(int columns, int steps, double cut, bool thermostat, double 
     fw_solid *solid;
     if (fw_particles_create(&solid, &def, NULL) != FW_OK) abort();
     fw_particles_draw_velocities(solid, -1, 0.1);
-    for (int step = 0; step < steps / 5; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < steps / 5; ++step) advance_free(solid);
     const int64_t lists = fw_particles_neighbours(solid)->generation;
     const double begin = seconds();
-    for (int step = 0; step < steps; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < steps; ++step) advance_free(solid);
     const double taken = seconds() - begin;
     static const char *const axes_names[] = {"lab", "corotating", "surface"};
     printf("cut %.2f  %-8s  return force %-10s  %7.2f M/s   a list every %.0f steps\n", cut,

@@ -2,6 +2,7 @@
 /* bench_solids.c - what a step costs per particle, for every model: processor time of free bodies
  * of 200 x 200 particles in motion, on one thread; the best of several trials. */
 #include "experiments/setup/experiment.h"
+#include "tests/support/steps.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -53,8 +54,7 @@ static double cost_of(const char *material, const char *lattice)
     double best = 1e9;
     for (int trial = 0; trial < TRIALS; ++trial) {
         const double begun = seconds();
-        for (int tick = 0; tick < STEPS * solid->model->ticks_per_step; ++tick)
-            fw_solid_advance_free(solid);
+        for (int tick = 0; tick < STEPS * solid->model->ticks_per_step; ++tick) advance_free(solid);
         const double taken = seconds() - begun;
         if (taken < best) best = taken;
     }

@@ -11,6 +11,7 @@
 #include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"
 #include "tests/support/standing_wave.h"
+#include "tests/support/steps.h"
 
 #include <omp.h>
 #include <stdlib.h>
@@ -232,7 +233,7 @@ static void free_bodies_keep_momentum(void **state)
         const fw_vec2 before = fw_solid_momentum(solid);
         const double scale = solid->model->mass(solid).xx * kinds[k].transverse;
         const int ticks = ticks_for(&kinds[k], solid, 300);
-        for (int tick = 0; tick < ticks; ++tick) fw_solid_advance_free(solid);
+        for (int tick = 0; tick < ticks; ++tick) advance_free(solid);
         const fw_vec2 after = fw_solid_momentum(solid);
         if (!(hypot(after.x - before.x, after.y - before.y) < 1e-13 * scale))
             fail_msg("%s: momentum off by %g of %g", kinds[k].name,
@@ -255,7 +256,7 @@ static void free_bodies_keep_energy(void **state)
         double worst = 0;
         const int ticks = ticks_for(&kinds[k], solid, 300);
         for (int tick = 0; tick < ticks; ++tick) {
-            fw_solid_advance_free(solid);
+            advance_free(solid);
             if (tick % solid->model->ticks_per_step == solid->model->ticks_per_step - 1)
                 worst = fmax(worst, fabs(energy_of(solid) - before) / ringing);
         }
@@ -279,7 +280,7 @@ static void rigid_motion_does_not_ring(void **state)
         const double elastic = fw_solid_energies(solid).elastic;
         const double kinetic = fw_solid_energies(solid).kinetic;
         const int ticks = ticks_for(&kinds[k], solid, 200);
-        for (int tick = 0; tick < ticks; ++tick) fw_solid_advance_free(solid);
+        for (int tick = 0; tick < ticks; ++tick) advance_free(solid);
         const fw_vec2 end = solid->model->centre_of_mass(solid);
         const double way = kinds[k].make == make_trapezoid || kinds[k].make == make_automaton
                                ? 0.9 * ticks * solid->tick
@@ -305,7 +306,7 @@ static void books_balance_under_loads_and_damping(void **state)
             for (int tick = 0; tick < ticks; ++tick) {
                 if (tick % solid->model->ticks_per_step == 0)
                     push_at_random(solid, &kinds[k], 0.02);
-                fw_solid_advance_free(solid);
+                advance_free(solid);
                 moved = fmax(moved, fabs(solid->ledger.work) + solid->ledger.dissipated);
             }
             const fw_solid_ledger *a = &solid->ledger;
@@ -336,13 +337,13 @@ static double stretch(const solid_kind *kind, double force, double loss)
                                                             : 0;
     const double length = solid->x[COLUMNS - 1] - solid->x[0];
     const int ticks = ticks_for(kind, solid, 40 / loss * 20);
-    for (int tick = 0; tick < ticks; ++tick) fw_solid_advance_free(solid);
+    for (int tick = 0; tick < ticks; ++tick) advance_free(solid);
     const double here = solid->x[0];
     /* A load that has acted on black but not yet on white shows in the momentum between ticks. */
     fw_vec2 momentum = {0, 0};
     for (int tick = 0; tick < 10; ++tick) {
         momentum = fw_vec2_add(momentum, fw_solid_momentum(solid));
-        fw_solid_advance_free(solid);
+        advance_free(solid);
     }
     assert_below(hypot(momentum.x, momentum.y), 1e-11);
     assert_below(fabs(solid->x[0] - here), 1e-11);
@@ -440,7 +441,7 @@ static void restored_bodies_go_on_to_the_bit(void **state)
         fw_state_list from = {0}, to = {0};
         for (int tick = 0; tick < 101; ++tick) {
             push_at_random(one, &kinds[k], 0.02);
-            fw_solid_advance_free(one);
+            advance_free(one);
         }
         one->model->state(one, &from);
         other->model->state(other, &to);
@@ -448,12 +449,12 @@ static void restored_bodies_go_on_to_the_bit(void **state)
         for (int n = 0; n < from.count; ++n)
             memcpy(to.array[n].data, from.array[n].data,
                    from.array[n].count * fw_element_size(from.array[n].element));
-        assert_int_equal(other->model->restored(other, NULL), FW_OK);
+        restore(other);
         for (int tick = 0; tick < 51; ++tick) {
             push_at_random(one, &kinds[k], 0.02);
             push_at_random(other, &kinds[k], 0.02);
-            fw_solid_advance_free(one);
-            fw_solid_advance_free(other);
+            advance_free(one);
+            advance_free(other);
         }
         if (fw_state_list_hash(&from) != fw_state_list_hash(&to))
             fail_msg("%s: goes on otherwise", kinds[k].name);
@@ -470,7 +471,7 @@ static uint64_t hash_with(const solid_kind *kind, int threads)
     fw_solid *solid = shaken(kind, half ? 186 : 90, half ? 180 : 80, 0.02);
     for (int tick = 0; tick < 12; ++tick) {
         push_at_random(solid, kind, 0.02);
-        fw_solid_advance_free(solid);
+        advance_free(solid);
     }
     fw_state_list list = {0};
     solid->model->state(solid, &list);

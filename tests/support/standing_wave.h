@@ -8,6 +8,7 @@
 
 #include "core/lattice.h"
 #include "core/solid.h"
+#include "tests/support/steps.h"
 
 /* For longitudinal waves up to 1.75 times as fast as transverse ones. */
 enum { STANDING_LENGTH = 30, STANDING_COLUMNS = 85, STANDING_ROWS = 96 };
@@ -44,8 +45,7 @@ static inline double standing_wave_speed(const standing_wave *wave, fw_solid *so
     const double step = solid->tick * solid->model->ticks_per_step;
     double before = 1, now = 1, time = 0, zeros[2];
     for (int found = 0; found < 2;) {
-        for (int tick = 0; tick < solid->model->ticks_per_step; ++tick)
-            fw_solid_advance_free(solid);
+        for (int tick = 0; tick < solid->model->ticks_per_step; ++tick) advance_free(solid);
         before = now;
         now = wave->longitudinal ? solid->x[particle] - home.x : solid->y[particle] - home.y;
         time += step;

@@ -2,6 +2,7 @@
 /* test_automaton.c - bodies of the elastic automaton: what they keep, how they start, what holds
  * and loads do to them, and that Chopard's automaton is the LB solid. */
 #include "tests/support/laws.h"
+#include "tests/support/steps.h"
 
 #include "core/automaton/elastic_automaton.h"
 #include "core/boltzmann/lb_solid.h"
@@ -105,7 +106,7 @@ static void free_bodies_keep_energy_and_momentum(void **state)
             fw_solid *solid = stirred(def, (fw_vec2){0.05, -0.03});
             const double e = energy(solid);
             const fw_vec2 p = fw_solid_momentum(solid);
-            for (int tick = 0; tick < 20000; ++tick) fw_solid_advance_free(solid);
+            for (int tick = 0; tick < 20000; ++tick) advance_free(solid);
             assert_close(energy(solid) / e, 1, 1e-12);
             assert_below(length(fw_vec2_subtract(fw_solid_momentum(solid), p)) / length(p), 1e-12);
             fw_solid_destroy(solid);
@@ -125,7 +126,7 @@ static void rigid_motion_does_not_ring(void **state)
     fw_solid *solid = made(&def);
     const fw_vec2 last = fw_solid_position(solid, solid->count - 1);
     const fw_vec2 centre = solid->model->centre_of_mass(solid);
-    for (int tick = 0; tick < 2000; ++tick) fw_solid_advance_free(solid);
+    for (int tick = 0; tick < 2000; ++tick) advance_free(solid);
     assert_close(solid->x[solid->count - 1] - last.x, 50, 1e-11);
     assert_close(solid->y[solid->count - 1] - last.y, -31, 1e-11);
     /* The centre of mass with the weights m is straight; white was half a step ahead. */
@@ -186,7 +187,7 @@ static void one_displaced_site_makes_the_body_drift(void **state)
         double highest = 0;
         const int steps = 10000;
         for (int tick = 0; tick < 2 * steps; ++tick) {
-            fw_solid_advance_free(solid);
+            advance_free(solid);
             for (int p = 0; p < solid->count; ++p)
                 highest = fmax(highest, fabs(fw_elastic_automaton_displacement(solid, p).y));
         }
@@ -238,7 +239,7 @@ static void frictionless_hold_keeps_energy_and_tangential_momentum(void **state)
                 impulse = fw_vec2_add(impulse, fw_vec2_scale(force, n));
             }
             held += count;
-            fw_solid_advance(solid, holds, count);
+            advance_held(solid, holds, count);
         }
         assert_true(held > 10);
         assert_close(energy(solid) / e, 1, 1e-13);
@@ -260,7 +261,7 @@ static void held_particle_stays_where_it_is_to_the_last_bit(void **state)
     fw_solid *solid = stirred(def, (fw_vec2){0.3, 0.01});
     const fw_hold holds[] = {{27, {0, 0}, {0, 0}}, {28, {0, 0}, {0, 0}}, {63, {0, 0}, {0, 0}}};
     const double x = solid->x[27], y = solid->y[28], corner = solid->x[63];
-    for (int tick = 0; tick < 500; ++tick) fw_solid_advance(solid, holds, 3);
+    for (int tick = 0; tick < 500; ++tick) advance_held(solid, holds, 3);
     assert_true(solid->x[27] == x && solid->y[28] == y && solid->x[63] == corner);
     fw_solid_destroy(solid);
     fw_sites_clear(&sites);
@@ -283,7 +284,7 @@ static void ledger_of_loads_and_damping_closes(void **state)
                 solid->external_x[n] = 0.01 * random_number(&seed);
                 solid->external_y[n] = 0.01 * random_number(&seed);
             }
-            fw_solid_advance_free(solid);
+            advance_free(solid);
         }
         const fw_solid_ledger *ledger = &solid->ledger;
         assert_true(ledger->work > 0.1);
@@ -307,7 +308,7 @@ static void constant_force_obeys_newton(void **state)
     solid->loaded = true;
     for (int p = 0; p < solid->count; ++p) solid->external_x[p] = 1e-3;
     const int steps = 500;
-    for (int tick = 0; tick < 2 * steps; ++tick) fw_solid_advance_free(solid);
+    for (int tick = 0; tick < 2 * steps; ++tick) advance_free(solid);
     assert_close(fw_solid_momentum(solid).x, 1e-3 * solid->count * steps, 1e-11);
     assert_close(fw_solid_momentum(solid).y, 0, 1e-11);
     fw_solid_destroy(solid);
@@ -359,7 +360,7 @@ static void chopards_automaton_is_the_lb_solid(void **state)
                                 (fw_hold){p, {0, prediction[p].displacement.y}, {0, 0}};
                 }
                 held += hold_count;
-                fw_solid_advance(pair[which], holds, hold_count);
+                advance_held(pair[which], holds, hold_count);
             }
             for (int p = 0; p < sites.count; ++p)
                 worst = fmax(worst, fmax(fabs(ca->x[p] - lb->x[p]), fabs(ca->y[p] - lb->y[p])));

@@ -2,6 +2,7 @@
 /* test_automaton_bodies.c - which bodies of the elastic automaton are accepted, how they break, and
  * that threads and restarts change no bit. */
 #include "tests/support/laws.h"
+#include "tests/support/steps.h"
 
 #include "core/automaton/elastic_automaton.h"
 
@@ -226,7 +227,7 @@ static void breaking_takes_energy_and_books_it(void **state)
     double before = begin;
     const int revision = solid->boundary_revision, links = solid->link_count;
     for (int tick = 0; tick < 4000; ++tick) {
-        fw_solid_advance_free(solid);
+        advance_free(solid);
         const double now = energy(solid);
         assert_true(now <= before * (1 + 1e-13));
         before = now;
@@ -257,7 +258,7 @@ static void rigid_motion_breaks_nothing(void **state)
     def.velocity = v;
     fw_solid *solid;
     assert_int_equal(fw_elastic_automaton_create(&solid, &def, NULL), FW_OK);
-    for (int tick = 0; tick < 400; ++tick) fw_solid_advance_free(solid);
+    for (int tick = 0; tick < 400; ++tick) advance_free(solid);
     assert_int_equal(fw_elastic_automaton_broken(solid), 0);
     fw_solid_destroy(solid);
     fw_sites_clear(&sites);
@@ -270,7 +271,7 @@ static void cell_without_bonds_freezes(void **state)
     fw_elastic_automaton_def def = def_of(&sites, 1, 0.5);
     def.break_at = 100;
     fw_solid *solid = stirred(def, 0.1);
-    for (int tick = 0; tick < 7; ++tick) fw_solid_advance_free(solid);
+    for (int tick = 0; tick < 7; ++tick) advance_free(solid);
     const int corner = 24;
     assert_int_equal(fw_elastic_automaton_frozen(solid), 0);
     assert_true(fw_elastic_automaton_break(solid, corner, FW_WEST));
@@ -281,7 +282,7 @@ static void cell_without_bonds_freezes(void **state)
     const fw_vec2 at = fw_solid_position(solid, corner);
     solid->loaded = true;
     solid->external_x[corner] = 1;
-    for (int tick = 0; tick < 50; ++tick) fw_solid_advance_free(solid);
+    for (int tick = 0; tick < 50; ++tick) advance_free(solid);
     assert_true(solid->x[corner] == at.x && solid->y[corner] == at.y);
     assert_true(solid->ledger.work == 0);
     fw_prediction prediction;
@@ -308,7 +309,7 @@ static void threads_change_no_bit(void **state)
             solid->external_x[p] = 0.01 * random_number(&seed);
             solid->external_y[p] = 0.01 * random_number(&seed);
         }
-        for (int tick = 0; tick < 21; ++tick) fw_solid_advance_free(solid);
+        for (int tick = 0; tick < 21; ++tick) advance_free(solid);
         fw_state_list list = {0};
         solid->model->state(solid, &list);
         hash[threads - 1] = fw_state_list_hash(&list);
@@ -322,7 +323,7 @@ static void threads_change_no_bit(void **state)
 static uint64_t hash_after(fw_solid *solid, int ticks)
 {
     const fw_hold holds[] = {{3, {0, 0.01}, {0, 0}}, {17, {0, 0}, {0, 0}}};
-    for (int tick = 0; tick < ticks; ++tick) fw_solid_advance(solid, holds, 2);
+    for (int tick = 0; tick < ticks; ++tick) advance_held(solid, holds, 2);
     fw_state_list list = {0};
     solid->model->state(solid, &list);
     return fw_state_list_hash(&list);
@@ -356,8 +357,8 @@ static void saved_state_goes_on_exactly(void **state)
         memcpy(other.array[n].data, saved[n], bytes);
         free(saved[n]);
     }
-    solid->model->restored(solid, NULL);
-    fresh->model->restored(fresh, NULL);
+    restore(solid);
+    restore(fresh);
     assert_int_equal(fw_elastic_automaton_broken(solid), broken);
     assert_true(hash_after(solid, 400) == expected);
     assert_true(hash_after(fresh, 400) == expected);
@@ -384,7 +385,7 @@ static void periodic_strip_has_no_seam(void **state)
         def.period_columns = COLUMNS;
         def.displacement = u[s];
         assert_int_equal(fw_elastic_automaton_create(&solid[s], &def, NULL), FW_OK);
-        for (int tick = 0; tick < 301; ++tick) fw_solid_advance_free(solid[s]);
+        for (int tick = 0; tick < 301; ++tick) advance_free(solid[s]);
     }
     for (int p = 0; p < COLUMNS * ROWS; ++p) {
         const int shifted = p / COLUMNS * COLUMNS + (p % COLUMNS + 2) % COLUMNS;

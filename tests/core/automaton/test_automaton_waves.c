@@ -2,6 +2,7 @@
 /* test_automaton_waves.c - matrices, dispersion and waves of the elastic automaton against the
  * closed form and the paper's single mode. */
 #include "tests/support/laws.h"
+#include "tests/support/steps.h"
 
 #include "core/automaton/automaton_dispersion.h"
 #include "core/automaton/elastic_automaton.h"
@@ -169,8 +170,8 @@ static void paper_mode_runs_exactly(void **state)
     fw_solid *solid = carrier(8, 8, (fw_automaton_speeds){0.5, 1}, wave, black, white, 1);
     double worst = 0;
     for (int t = 1; t <= 1000; ++t) {
-        fw_solid_advance_free(solid);
-        fw_solid_advance_free(solid);
+        advance_free(solid);
+        advance_free(solid);
         const double complex turn = cexp(I * carg(lambda) * t);
         for (int p = 0; p < solid->count; ++p) {
             const double complex phase = turn * cexp(I * (wave.x * (p % 8) + wave.y * (p / 8)));
@@ -226,7 +227,7 @@ static void long_waves_run_at_the_speeds_of_navier(void **state)
                 const fw_vec2 look = speeds[s].coupling > 0 ? along : (fw_vec2){1, 0.5};
                 const double complex begin = amplitude_of(solid, columns, wave, look);
                 enum { STEPS = 60 };
-                for (int tick = 0; tick < 2 * STEPS; ++tick) fw_solid_advance_free(solid);
+                for (int tick = 0; tick < 2 * STEPS; ++tick) advance_free(solid);
                 const double complex end = amplitude_of(solid, columns, wave, look);
                 const double measured = carg(end / begin) / STEPS / size;
                 const double c = m == FW_SLOW ? speeds[s].transverse
@@ -289,8 +290,8 @@ static void damped_wave_shrinks_by_a(void **state)
     double complex a[4];
     for (int t = 0; t < 4; ++t) {
         a[t] = amplitude_of(solid, 8, wave, (fw_vec2){1, -1});
-        fw_solid_advance_free(solid);
-        fw_solid_advance_free(solid);
+        advance_free(solid);
+        advance_free(solid);
     }
     const double complex determinant = (a[2] * a[2] - a[1] * a[3]) / (a[1] * a[1] - a[0] * a[2]);
     assert_close(sqrt(cabs(determinant)), 0.98, 1e-9);
@@ -319,7 +320,7 @@ static void turned_lattice_moves_as_the_straight_one(void **state)
         assert_int_equal(fw_elastic_automaton_create(&solid[turned], &def, NULL), FW_OK);
     }
     for (int tick = 0; tick < 400; ++tick)
-        for (int turned = 0; turned < 2; ++turned) fw_solid_advance_free(solid[turned]);
+        for (int turned = 0; turned < 2; ++turned) advance_free(solid[turned]);
     for (int p = 0; p < 54; ++p) {
         const fw_vec2 r = fw_solid_position(solid[0], p), q = fw_solid_position(solid[1], p);
         /* The turned matrices are rounded to 1e-15, which 200 steps of drift multiply by t^2. */

@@ -2,6 +2,7 @@
 /* test_lb_solid.c - the LB solid against its master identity, its conservation laws and the closed
  * forms of Chopard & Marconi. */
 #include "tests/support/laws.h"
+#include "tests/support/steps.h"
 
 #include "core/boltzmann/lb_solid.h"
 
@@ -100,7 +101,7 @@ static double distance_from_oracle(int kind, double damping, uint64_t seed)
     const double a = 1 / damping - 1;
     for (int step = 0; step < 300; ++step) {
         if (step == 0) {
-            fw_solid_advance_free(solid);
+            advance_free(solid);
             for (int l = 0; l < count; ++l)
                 now[l] = fw_vec2_subtract(fw_solid_position(solid, l), start[l]);
             memset(before, 0, (size_t)count * sizeof *before);
@@ -122,7 +123,7 @@ static double distance_from_oracle(int kind, double damping, uint64_t seed)
                 next[l].x = (2 * now[l].x - (1 - a) * before[l].x + push.x) / (1 + a);
                 next[l].y = (2 * now[l].y - (1 - a) * before[l].y + push.y) / (1 + a);
             }
-            fw_solid_advance_free(solid);
+            advance_free(solid);
             memcpy(before, now, (size_t)count * sizeof *before);
             memcpy(now, next, (size_t)count * sizeof *now);
             free(next);
@@ -165,7 +166,7 @@ static void books_balance_under_random_forces(void **state)
             fw_vec2 p0 = fw_solid_momentum(solid);
             for (int step = 0; step < 2000; ++step) {
                 push_at_random(solid, &seed);
-                fw_solid_advance_free(solid);
+                advance_free(solid);
             }
             fw_energies e = fw_solid_energies(solid);
             fw_vec2 p = fw_solid_momentum(solid);
@@ -194,7 +195,7 @@ static void rigid_motion_does_not_ring(void **state)
     fw_solid *solid;
     assert_int_equal(fw_lb_solid_create(&solid, &def, NULL), FW_OK);
     fw_vec2 start = solid->model->centre_of_mass(solid);
-    for (int step = 0; step < 1000; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < 1000; ++step) advance_free(solid);
     fw_vec2 end = solid->model->centre_of_mass(solid);
     assert_close(end.x, start.x + 50, 1e-11);
     assert_close(end.y, start.y + 31, 1e-11);
@@ -211,9 +212,9 @@ static void runs_back_the_way_it_came(void **state)
     double *x = malloc(157 * sizeof *x), *y = malloc(157 * sizeof *y);
     memcpy(x, solid->x, 157 * sizeof *x);
     memcpy(y, solid->y, 157 * sizeof *y);
-    for (int step = 0; step < 1001; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < 1001; ++step) advance_free(solid);
     fw_lb_solid_reverse(solid);
-    for (int step = 0; step < 1001; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < 1001; ++step) advance_free(solid);
     for (int l = 0; l < 157; ++l) {
         assert_close(solid->x[l], x[l], 1e-11);
         assert_close(solid->y[l], y[l], 1e-11);
@@ -234,7 +235,7 @@ static uint64_t hash_after(int threads, const fw_hold *holds, int hold_count)
     fw_solid *solid = solid_of(&sites, REST_PER_SITE, 0.97, INFINITY);
     uint64_t seed = 4;
     push_at_random(solid, &seed);
-    for (int step = 0; step < 50; ++step) fw_solid_advance(solid, holds, hold_count);
+    for (int step = 0; step < 50; ++step) advance_held(solid, holds, hold_count);
     fw_state_list list = {0};
     solid->model->state(solid, &list);
     uint64_t hash = fw_state_list_hash(&list);
@@ -266,7 +267,7 @@ static void held_particle_stays_to_the_bit(void **state)
     double x = solid->x[33], y = solid->y[33];
     fw_energies e0 = fw_solid_energies(solid);
     const fw_hold hold = {33, {0, 0}, {0, 0}};
-    for (int step = 0; step < 500; ++step) fw_solid_advance(solid, &hold, 1);
+    for (int step = 0; step < 500; ++step) advance_held(solid, &hold, 1);
     fw_energies e = fw_solid_energies(solid);
     assert_true(solid->x[33] == x && solid->y[33] == y);
     assert_close((e.kinetic + e.elastic) / (e0.kinetic + e0.elastic), 1, 1e-12);
@@ -285,7 +286,7 @@ static void breaking_keeps_momentum_and_takes_energy(void **state)
         double energy = e.kinetic + e.elastic, start = energy;
         for (int step = 0; step < 300; ++step) {
             int broken = fw_lb_solid_broken(solid);
-            fw_solid_advance_free(solid);
+            advance_free(solid);
             e = fw_solid_energies(solid);
             double after = e.kinetic + e.elastic;
             double least = 0.5 * 0.22 * 0.22 * (fw_lb_solid_broken(solid) - broken);
@@ -323,7 +324,7 @@ static void weighted_links_keep_all_laws(void **state)
     assert_int_equal(fw_lb_solid_create(&solid, &def, NULL), FW_OK);
     fw_vec2 p0 = fw_solid_momentum(solid);
     fw_energies e0 = fw_solid_energies(solid);
-    for (int step = 0; step < 2000; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < 2000; ++step) advance_free(solid);
     fw_vec2 p = fw_solid_momentum(solid);
     fw_energies e = fw_solid_energies(solid);
     assert_close((e.kinetic + e.elastic) / (e0.kinetic + e0.elastic), 1, 1e-12);
@@ -340,7 +341,7 @@ static void restored_state_goes_on_to_the_bit(void **state)
     fw_sites sites = blob(157, 21);
     fw_solid *one = solid_of(&sites, REST_MATRIX, 0.98, 0.22);
     fw_solid *two = solid_of(&sites, REST_MATRIX, 0.98, 0.22);
-    for (int step = 0; step < 101; ++step) fw_solid_advance_free(one);
+    for (int step = 0; step < 101; ++step) advance_free(one);
     fw_state_list from = {0}, to = {0};
     one->model->state(one, &from);
     two->model->state(two, &to);
@@ -348,10 +349,10 @@ static void restored_state_goes_on_to_the_bit(void **state)
     for (int n = 0; n < from.count; ++n)
         memcpy(to.array[n].data, from.array[n].data,
                from.array[n].count * fw_element_size(from.array[n].element));
-    two->model->restored(two, NULL);
+    restore(two);
     for (int step = 0; step < 100; ++step) {
-        fw_solid_advance_free(one);
-        fw_solid_advance_free(two);
+        advance_free(one);
+        advance_free(two);
     }
     assert_true(fw_state_list_hash(&from) == fw_state_list_hash(&to));
     assert_int_equal(one->boundary_count, two->boundary_count);

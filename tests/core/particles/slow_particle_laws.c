@@ -4,6 +4,7 @@
 #include "tests/support/laws.h"
 
 #include "tests/support/crowd.h"
+#include "tests/support/steps.h"
 
 #include "core/averages.h"
 #include "core/particles/particle_observables.h"
@@ -55,7 +56,7 @@ static void step_in_box(fw_solid *solid, fw_box_walls *box)
             hold.displacement.y = 0, hold.force.y = -free.y / mobility;
         if (hold.force.x != 0 || hold.force.y != 0) box->holds[held++] = hold;
     }
-    fw_solid_advance(solid, box->holds, held);
+    advance_held(solid, box->holds, held);
 }
 
 static fw_solid *fluid(double temperature, double time_step, fw_return_variant variant,
@@ -177,7 +178,7 @@ static double contraction(double amplitude)
             solid->external_x[row * COLUMNS] = pulled ? -0.05 : 0;
             solid->external_x[row * COLUMNS + COLUMNS - 1] = pulled ? 0.05 : 0;
         }
-        for (int step = 0; step < 6000; ++step) fw_solid_advance_free(solid);
+        for (int step = 0; step < 6000; ++step) advance_free(solid);
         length[pulled] = solid->x[middle + 6] - solid->x[middle - 6];
         height[pulled] = solid->y[middle + 4 * COLUMNS] - solid->y[middle - 4 * COLUMNS];
     }
@@ -208,10 +209,10 @@ static void disorder_turns_into_order(void **state)
             crowd, return_force_of(folds[f], f ? 2 : 1, FW_AXES_LAB, FW_RETURN_CONSERVATIVE),
             (fw_langevin_controls){0.001, 5, 0.05}, 1);
         assert_below(fw_particle_order_of(solid, 0).lab, 0.2);
-        for (int step = 0; step < 5000; ++step) fw_solid_advance_free(solid);
+        for (int step = 0; step < 5000; ++step) advance_free(solid);
         assert_int_equal(
             fw_particles_set_controls(solid, &(fw_langevin_controls){0.005, 1, 0.05}, NULL), FW_OK);
-        for (int step = 0; step < 60000; ++step) fw_solid_advance_free(solid);
+        for (int step = 0; step < 60000; ++step) advance_free(solid);
         const double lab = fw_particle_order_of(solid, 0).lab;
         print_message("fold %d: lab order %.3f\n", folds[f], lab);
         assert_below(0.95, lab);

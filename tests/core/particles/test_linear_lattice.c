@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_linear_lattice.c - the linear lattice is an isotropic elastic medium, and turns freely. */
 #include "tests/support/laws.h"
+#include "tests/support/steps.h"
 
 #include "core/noise.h"
 #include "core/particles/linear_lattice.h"
@@ -88,7 +89,7 @@ static void forces_are_gradients(void **state)
             solid->x[i] += 0.1 * moved.x;
             solid->y[i] += 0.1 * moved.y;
         }
-        fw_linear_lattice_refresh(solid);
+        restore(solid);
         for (int i = 0; i < solid->count; ++i)
             for (int axis = 0; axis < 2; ++axis) {
                 double *at = axis ? &solid->y[i] : &solid->x[i];
@@ -133,7 +134,7 @@ static void waves_run_alike_in_all_directions(void **state)
                 solid->x[i] += phase * u.x;
                 solid->y[i] += phase * u.y;
             }
-            fw_linear_lattice_refresh(solid);
+            restore(solid);
             const fw_vec2 force = force_on(solid, middle);
             const fw_sym2 matrix = fw_linear_lattice_dynamical_matrix(&def, wave);
             const fw_vec2 expected = fw_vec2_scale(-def.mass, fw_sym2_apply(matrix, u));
@@ -158,7 +159,7 @@ static void rows_shear_with_the_corrected_modulus(void **state)
     fw_solid *solid = made(&def);
     for (int i = 0; i < solid->count; ++i)
         solid->x[i] += shear * fw_linear_lattice_home(solid, i).y;
-    fw_linear_lattice_refresh(solid);
+    restore(solid);
     const int inner = fw_sites_find(&sites, (fw_site){6, 5});
     assert_close(-force_on(solid, inner).x / (shear * def.lattice.spacing), 38.97114317, 1e-8);
     double k1, k2;
@@ -184,7 +185,7 @@ static double poisson_ratio(bool compensated)
         if (sites.site[i].i == 0) solid->external_x[i] = -0.1;
         if (sites.site[i].i == COLUMNS - 1) solid->external_x[i] = 0.1;
     }
-    for (int step = 0; step < 3000; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < 3000; ++step) advance_free(solid);
     const int left = fw_sites_find(&sites, (fw_site){COLUMNS / 2 - 8, ROWS / 2});
     const int right = fw_sites_find(&sites, (fw_site){COLUMNS / 2 + 8, ROWS / 2});
     const int low = fw_sites_find(&sites, (fw_site){COLUMNS / 2, ROWS / 2 - 6});

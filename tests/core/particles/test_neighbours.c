@@ -46,7 +46,7 @@ static void flowing_particles_miss_nobody(void **state)
         assert_int_equal(fw_neighbours_create(&neighbours, COUNT, 1.7, 0.4, NULL), FW_OK);
         const int steps = 400;
         for (int step = 0; step < steps; ++step) {
-            assert_true(fw_neighbours_refresh(neighbours, x, y));
+            assert_int_equal(fw_neighbours_refresh(neighbours, x, y, NULL), FW_OK);
             assert_complete(neighbours, x, y);
             for (int i = 0; i < COUNT; ++i) {
                 const fw_vec2 kick = fw_noise_uniform(2, (uint32_t)i, (uint64_t)step, 1);
@@ -69,14 +69,14 @@ static void sliding_solid_keeps_its_list(void **state)
     assert_int_equal(fw_neighbours_create(&neighbours, COUNT, 1.7, 0.25, NULL), FW_OK);
     for (int step = 0; step < 100; ++step) {
         for (int i = 0; i < COUNT; ++i) x[i] += 1, y[i] -= 0.5;
-        assert_true(fw_neighbours_refresh(neighbours, x, y));
+        assert_int_equal(fw_neighbours_refresh(neighbours, x, y, NULL), FW_OK);
     }
     assert_int_equal(neighbours->generation, 1);
     x[17] += 0.24;
-    assert_true(fw_neighbours_refresh(neighbours, x, y));
+    assert_int_equal(fw_neighbours_refresh(neighbours, x, y, NULL), FW_OK);
     assert_int_equal(neighbours->generation, 1);
     x[17] += 0.02;
-    assert_true(fw_neighbours_refresh(neighbours, x, y));
+    assert_int_equal(fw_neighbours_refresh(neighbours, x, y, NULL), FW_OK);
     assert_int_equal(neighbours->generation, 2);
     assert_complete(neighbours, x, y);
     fw_neighbours_destroy(neighbours);
@@ -94,11 +94,11 @@ static void strange_places_are_survived(void **state)
     for (int i = 100; i < 160; ++i) x[i] = 4, y[i] = 4 + 1e-3 * i;
     fw_neighbours *neighbours;
     assert_int_equal(fw_neighbours_create(&neighbours, COUNT, 1.7, 0.25, NULL), FW_OK);
-    assert_true(fw_neighbours_refresh(neighbours, x, y));
+    assert_int_equal(fw_neighbours_refresh(neighbours, x, y, NULL), FW_OK);
     assert_complete(neighbours, x, y);
     assert_int_equal(neighbours->begin[101] - neighbours->begin[100], 59);
     for (int i = 0; i < COUNT; ++i) x[i] = 1e-6 * i, y[i] = 0;
-    assert_true(fw_neighbours_refresh(neighbours, x, y));
+    assert_int_equal(fw_neighbours_refresh(neighbours, x, y, NULL), FW_OK);
     assert_int_equal(neighbours->begin[COUNT], COUNT * (COUNT - 1));
     fw_neighbours_destroy(neighbours);
 }

@@ -3,6 +3,7 @@
 #include "tests/support/laws.h"
 
 #include "tests/support/crowd.h"
+#include "tests/support/steps.h"
 
 #include "core/particles/particle_observables.h"
 #include "core/placement.h"
@@ -22,11 +23,11 @@ static double energy_strained(fw_solid *solid, int which, double e)
         if (which < 2) solid->x[i] += e * (which == 0 ? x[i] : y[i]);
         if (which >= 2) solid->y[i] += e * (which == 2 ? x[i] : y[i]);
     }
-    fw_particles_refresh(solid);
+    restore(solid);
     const double energy = fw_solid_energies(solid).elastic;
     memcpy(solid->x, x, bytes);
     memcpy(solid->y, y, bytes);
-    fw_particles_refresh(solid);
+    restore(solid);
     free(x);
     free(y);
     return energy;

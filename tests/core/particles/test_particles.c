@@ -3,6 +3,7 @@
 #include "tests/support/laws.h"
 
 #include "tests/support/crowd.h"
+#include "tests/support/steps.h"
 
 #include <omp.h>
 #include <string.h>
@@ -14,7 +15,7 @@ static fw_langevin *motion(fw_solid *solid)
 
 static void run(fw_solid *solid, int steps)
 {
-    for (int step = 0; step < steps; ++step) fw_solid_advance_free(solid);
+    for (int step = 0; step < steps; ++step) advance_free(solid);
 }
 
 /* A pair 8 degrees off its axis comes to rest on the axis (section 7, sign). */
@@ -75,7 +76,7 @@ static void disc_spins_freely(void **state)
             solid->external_x[i] = rate * rate * solid->x[i];
             solid->external_y[i] = rate * rate * solid->y[i];
         }
-        fw_solid_advance_free(solid);
+        advance_free(solid);
     }
     solid->loaded = false;
     assert_int_equal(fw_particles_set_damping(solid, 0, NULL), FW_OK);
@@ -89,7 +90,7 @@ static void disc_spins_freely(void **state)
     double worst_energy = 0, worst_spin = 0;
     const int steps = (int)(duration / 0.005);
     for (int step = 0; step < steps; ++step) {
-        fw_solid_advance_free(solid);
+        advance_free(solid);
         if (step % 100) continue;
         worst_energy = fmax(worst_energy, fabs(total_energy(solid) - energy) / solid->count);
         worst_spin = fmax(worst_spin, fabs(angular_momentum(solid) / spin - 1));
@@ -118,7 +119,7 @@ static void energy_error_falls_as_the_square_of_the_step(void **state)
         const double energy = total_energy(solid);
         worst[fine] = 0;
         for (int step = 0; step < (fine ? 2000 : 1000); ++step) {
-            fw_solid_advance_free(solid);
+            advance_free(solid);
             worst[fine] = fmax(worst[fine], fabs(total_energy(solid) - energy));
         }
         fw_solid_destroy(solid);
@@ -146,7 +147,7 @@ static void ledger_closes(void **state)
         const double energy = total_energy(solid);
         open[fine] = 0;
         for (int step = 0; step < (fine ? 4000 : 2000); ++step) {
-            fw_solid_advance_free(solid);
+            advance_free(solid);
             const fw_solid_ledger *ledger = &solid->ledger;
             const double gained = total_energy(solid) - energy;
             const double gap = gained - (ledger->work - ledger->dissipated + ledger->heat);
@@ -193,7 +194,7 @@ static void prediction_is_what_happens(void **state)
              {0, -predicted[8].displacement.y / predicted[8].mobility.yy}}};
         const double before = motion(solid)->velocity_y[8];
         const double force_before = motion(solid)->force_y[8];
-        fw_solid_advance(solid, holds, 3);
+        advance_held(solid, holds, 3);
         for (int i = 0; i < COUNT; ++i) {
             fw_vec2 expected = predicted[i].displacement;
             for (int h = 0; h < 3; ++h)
@@ -324,7 +325,7 @@ static void resumed_is_uninterrupted(void **state)
     for (int a = 0; a < from.count; ++a)
         memcpy(to.array[a].data, from.array[a].data,
                from.array[a].count * fw_element_size(from.array[a].element));
-    second->model->restored(second, NULL);
+    restore(second);
     run(first, 15);
     run(second, 15);
     assert_true(fingerprint(first) == fingerprint(second));

@@ -3,6 +3,7 @@
 #include "tests/support/laws.h"
 
 #include "tests/support/crowd.h"
+#include "tests/support/steps.h"
 
 #include <string.h>
 
@@ -16,11 +17,11 @@ static double minus_slope(fw_solid *solid, double *coordinate)
     double energy[5];
     for (int k = -2; k <= 2; ++k) {
         *coordinate = at + k * h;
-        fw_particles_refresh(solid);
+        restore(solid);
         energy[k + 2] = fw_solid_energies(solid).elastic;
     }
     *coordinate = at;
-    fw_particles_refresh(solid);
+    restore(solid);
     return -(energy[0] - 8 * energy[1] + 8 * energy[3] - energy[4]) / (12 * h);
 }
 
