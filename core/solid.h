@@ -30,13 +30,14 @@ typedef struct fw_prediction {
     fw_vec2 inertial;     /* displacement by momentum alone, without elastic and external force */
 } fw_prediction;
 
-/* A particle that contact holds. The solid moves it by exactly `displacement` (zero stays zero,
- * which no force could promise after rounding); `force` is the constraint force that does it. */
-typedef struct fw_hold {
+/* What contact decides for a particle. The solid moves it by exactly `displacement` (zero stays
+ * zero, which no force could promise after rounding); `force` is the constraint force that does it.
+ */
+typedef struct fw_constraint {
     int particle;
     fw_vec2 displacement;
     fw_vec2 force;
-} fw_hold;
+} fw_constraint;
 
 typedef struct fw_energies {
     double kinetic;
@@ -44,7 +45,7 @@ typedef struct fw_energies {
 } fw_energies;
 
 /* What has passed through the solid's bounds since it was created, added up in a fixed order. The
- * holds' share is not in here: contact books it per wall. */
+ * constraints' share is not in here: contact books it per wall. */
 typedef struct fw_solid_ledger {
     double work;       /* of the external forces, sum F . w */
     double dissipated; /* energy taken by damping and by the material's own failure, >= 0 */
@@ -67,9 +68,10 @@ typedef struct fw_solid_model {
     void (*destroy)(fw_solid *solid);
     /* For each listed particle what this tick would bring; the solid is unaltered. */
     void (*predict)(const fw_solid *solid, const int *particles, int count, fw_prediction *out);
-    /* One tick. `holds` ascends by particle, each particle at most once. FW_SYSTEM_FAILED without
-     * memory; the solid is then of no further use. */
-    fw_status (*advance)(fw_solid *solid, const fw_hold *holds, int hold_count, fw_error *error);
+    /* One tick. `constraints` ascends by particle, each particle at most once. FW_SYSTEM_FAILED
+     * without memory; the solid is then of no further use. */
+    fw_status (*advance)(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
+                         fw_error *error);
     fw_energies (*energies)(const fw_solid *solid);
     fw_vec2 (*momentum)(const fw_solid *solid);
     /* Weighted by mass, straight for a free body. */
@@ -136,10 +138,10 @@ static inline fw_status fw_solid_advance_free(fw_solid *solid, fw_error *error)
     return solid->model->advance(solid, NULL, 0, error);
 }
 
-static inline fw_status fw_solid_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
-                                         fw_error *error)
+static inline fw_status fw_solid_advance(fw_solid *solid, const fw_constraint *constraints,
+                                         int constraint_count, fw_error *error)
 {
-    return solid->model->advance(solid, holds, hold_count, error);
+    return solid->model->advance(solid, constraints, constraint_count, error);
 }
 
 /* To be called after state was written from outside: what follows from it is made anew. */

@@ -336,9 +336,9 @@ static fw_row_list rows_of(const constrain_problem *p)
     return rows;
 }
 
-static fw_constraint report(const constrain_problem *p, const double *tension)
+static fw_contact_solution report(const constrain_problem *p, const double *tension)
 {
-    fw_constraint c = {.displacement = p->w, .rows = rows_of(p)};
+    fw_contact_solution c = {.displacement = p->w, .rows = rows_of(p)};
     for (int k = 0; k < p->count; ++k) {
         const constrain_row *r = &p->rows[k];
         if (!r->fast && r->lambda == 0 && tension[k] == 0) continue;
@@ -386,8 +386,9 @@ static bool find_rows(constrain_problem *p, const fw_barrier *near, int near_cou
 
 /* The step after a release, in which the wall still rubs, unless that would turn the path through
  * a wall. (A mobility that is a matrix turns it away from the tangent.) */
-static fw_constraint rub_once_more(constrain_problem *p, const fw_barrier *near, int near_count,
-                                   const fw_barrier *all, fw_contact_memory *memory)
+static fw_contact_solution rub_once_more(constrain_problem *p, const fw_barrier *near,
+                                         int near_count, const fw_barrier *all,
+                                         fw_contact_memory *memory)
 {
     const fw_barrier *barrier = &all[memory->facet - 1];
     double tension[FW_TOUCH_MAX] = {0};
@@ -401,7 +402,7 @@ static fw_constraint rub_once_more(constrain_problem *p, const fw_barrier *near,
                         find_passed(p, near, near_count);
     if (!turned) return report(p, tension);
     *memory = (fw_contact_memory){0};
-    return (fw_constraint){0};
+    return (fw_contact_solution){0};
 }
 
 /* Begins with the rows of an earlier try, of which none may be needed any more. False where no
@@ -425,17 +426,17 @@ static bool is_free(const constrain_problem *p)
     return true;
 }
 
-fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_row_list *kept,
-                           const fw_barrier *near, int near_count, const fw_barrier *all,
-                           fw_contact_memory *memory)
+fw_contact_solution fw_constrain(fw_vec2 position, const fw_prediction *free,
+                                 const fw_row_list *kept, const fw_barrier *near, int near_count,
+                                 const fw_barrier *all, fw_contact_memory *memory)
 {
     constrain_problem p = {.position = position, .free = free, .w = free->displacement};
     double tension[FW_TOUCH_MAX] = {0};
-    if (free->mobility.xx == 0) return (fw_constraint){0}; /* a resting colour */
+    if (free->mobility.xx == 0) return (fw_contact_solution){0}; /* a resting colour */
     bool resolved = keep_rows(&p, kept, all) && find_rows(&p, near, near_count);
     if (resolved && is_free(&p)) {
         fw_row_list rows = rows_of(&p);
-        fw_constraint c = {0};
+        fw_contact_solution c = {0};
         rows.let_go = kept && kept->let_go;
         if (memory && memory->reaction > 0 && !rows.let_go) {
             c = rub_once_more(&p, near, near_count, all, memory);
@@ -458,7 +459,7 @@ fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw
         tension[k] = 0;
     }
     if (memory && !(rubs && resolved)) *memory = (fw_contact_memory){0};
-    fw_constraint c = report(&p, tension);
+    fw_contact_solution c = report(&p, tension);
     c.unresolved = !resolved;
     return c;
 }

@@ -61,7 +61,7 @@ typedef struct fw_row_list {
     bool let_go; /* friction after the release turned out to lead through a wall */
 } fw_row_list;
 
-typedef struct fw_constraint {
+typedef struct fw_contact_solution {
     bool held; /* false: the free displacement stands, the rest is empty */
     fw_vec2 displacement;
     fw_vec2 force; /* sum over the touches */
@@ -69,14 +69,14 @@ typedef struct fw_constraint {
     fw_touch touch[FW_TOUCH_MAX];
     fw_row_list rows;
     bool unresolved; /* no consistent set of rows was found and the particle was held fast */
-} fw_constraint;
+} fw_contact_solution;
 
 /* `near` are the candidates, `all` the scene's barriers by number (a particle rubs on in the step
  * after its release, however far its candidates were looked for). `kept` are its rows from the
  * start, from earlier tries of the same step; NULL in scenes without pistons, where there is one
  * try. `memory` is updated; it may be NULL where no wall has Coulomb friction. */
-fw_constraint fw_constrain(fw_vec2 position, const fw_prediction *free, const fw_row_list *kept,
-                           const fw_barrier *near, int near_count, const fw_barrier *all,
-                           fw_contact_memory *memory);
+fw_contact_solution fw_constrain(fw_vec2 position, const fw_prediction *free,
+                                 const fw_row_list *kept, const fw_barrier *near, int near_count,
+                                 const fw_barrier *all, fw_contact_memory *memory);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* grip.c - rigid blocks of particles.
- * State: the ledger. Start reading at fw_grip_hold(). */
+ * State: the ledger. Start reading at fw_grip_constrain(). */
 #include "contact/scene/grip.h"
 
 #include <stdlib.h>
@@ -110,7 +110,8 @@ static fw_vec2 centre_of(const fw_grip *grip, const fw_solid *solid)
     return fw_vec2_scale(1.0 / grip->count, sum);
 }
 
-void fw_grip_hold(fw_grip *grip, const fw_solid *solid, double time, fw_hold *holds)
+void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
+                       fw_constraint *constraints)
 {
     fw_solid_predict(solid, grip->particles, grip->count, grip->predictions);
     const block sum = add_up(grip);
@@ -123,7 +124,7 @@ void fw_grip_hold(fw_grip *grip, const fw_solid *solid, double time, fw_hold *ho
     for (int n = 0; n < grip->count; ++n) {
         fw_vec2 force = fw_sym2_apply(fw_sym2_invert(grip->predictions[n].mobility),
                                       fw_vec2_subtract(w, grip->predictions[n].displacement));
-        holds[n] = (fw_hold){grip->particles[n], w, force};
+        constraints[n] = (fw_constraint){grip->particles[n], w, force};
         fw_vec2 arm = fw_vec2_subtract(fw_solid_position(solid, grip->particles[n]), centre);
         ledger->torque += fw_vec2_cross(arm, force);
         total = fw_vec2_add(total, force);

@@ -51,8 +51,9 @@ const fw_grip_ledger *fw_grip_observe_ledger(const fw_grip *grip);
  * tethers refer, is kept. Paths are counted from their own time 0. FW_BAD_INPUT as for create. */
 fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *error);
 
-/* One tick beginning at `time`: fills `holds` (particle_count of them, ascending) from the solid's
- * predictions, and books the tick. */
-void fw_grip_hold(fw_grip *grip, const fw_solid *solid, double time, fw_hold *holds);
+/* One tick beginning at `time`: fills `constraints` (particle_count of them, ascending) from the
+ * solid's predictions, and books the tick. */
+void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
+                       fw_constraint *constraints);
 
 #endif

@@ -51,8 +51,9 @@ static fw_status advance_solids(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         const scene_body *body = &scene->bodies[b];
-        scene_collect_holds(scene, b);
-        if (fw_solid_advance(body->solid, body->holds, body->hold_count, error) != FW_OK)
+        scene_collect_constraints(scene, b);
+        if (fw_solid_advance(body->solid, body->constraints, body->constraint_count, error) !=
+            FW_OK)
             return fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
                                   body->name);
     }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_contact.c - the contact phase of a step: from runs of candidates to holds. */
+/* scene_contact.c - the contact phase of a step: from runs of candidates to constraints. */
 #include "scene_parts.h"
 
 #include <math.h>
@@ -82,7 +82,7 @@ static void list_near(fw_scene *scene, fw_boundary_run run)
 /* One particle of a run against hard walls. Where they push it further than its free path, the list
  * is extended and the particle solved again, from the same memory. */
 static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_number, int entry,
-                                const fw_prediction *free, fw_constraint *constraint,
+                                const fw_prediction *free, fw_contact_solution *solution,
                                 fw_error *error)
 {
     const int particle = fw_boundary_particles(body->boundary)[entry];
@@ -91,14 +91,14 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
     const fw_contact_memory before = memory ? *memory : (fw_contact_memory){0};
     for (;;) {
         fw_boundary_run run = fw_boundary_observe_run(body->boundary, run_number);
-        *constraint = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
-                                   scene->near, run.facet_count, scene->barriers, memory);
-        if (!constraint->held) {
-            constraint->displacement = free->displacement;
+        *solution = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
+                                 scene->near, run.facet_count, scene->barriers, memory);
+        if (!solution->held) {
+            solution->displacement = free->displacement;
             return FW_OK;
         }
         FW_TRY(fw_boundary_extend(body->boundary, scene->broadphase, run_number,
-                                  fw_vec2_add(position, constraint->displacement), error));
+                                  fw_vec2_add(position, solution->displacement), error));
         fw_boundary_run extended = fw_boundary_observe_run(body->boundary, run_number);
         if (extended.facet_count == run.facet_count) return FW_OK;
         list_near(scene, extended);
@@ -110,7 +110,7 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
 static bool stops_piston(const scene_body *body, const scene_contact *contact)
 {
     return body->rows &&
-           (contact->constraint.rows.stop.piston > 0 || body->rows[contact->entry].stop.piston > 0);
+           (contact->solution.rows.stop.piston > 0 || body->rows[contact->entry].stop.piston > 0);
 }
 
 /* Soft walls push as the path asks, and the path follows the push: w = hard(w_p + A F(w)). F falls
@@ -134,14 +134,14 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
         contact.soft_path = w;
         free.displacement = fw_vec2_add(alone, fw_sym2_apply(free.mobility, contact.soft));
         if (round > 0 && body->memory) body->memory[particle] = before;
-        FW_TRY(constrain_hard(scene, body, run_number, entry, &free, &contact.constraint, error));
-        const fw_vec2 change = fw_vec2_subtract(contact.constraint.displacement, w);
+        FW_TRY(constrain_hard(scene, body, run_number, entry, &free, &contact.solution, error));
+        const fw_vec2 change = fw_vec2_subtract(contact.solution.displacement, w);
         if (scene->soft_count == 0 ||
             fabs(change.x) + fabs(change.y) <= 4e-16 * (fabs(w.x) + fabs(w.y)))
             break;
         w = fw_vec2_add(w, fw_vec2_scale(1 / (1 + yielding), change));
     }
-    if (contact.constraint.held || contact.soft.x != 0 || contact.soft.y != 0 ||
+    if (contact.solution.held || contact.soft.x != 0 || contact.soft.y != 0 ||
         stops_piston(body, &contact))
         body->contacts[body->contact_count++] = contact;
     return FW_OK;
@@ -150,21 +150,21 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
 /* A force acts on its particle for `ticks`, from one move to the next. */
 static void book(fw_scene *scene, const scene_body *body, const scene_contact *contact)
 {
-    const fw_constraint *constraint = &contact->constraint;
+    const fw_contact_solution *solution = &contact->solution;
     const int ticks = body->solid->model->ticks_per_step;
     if (contact->soft.x != 0 || contact->soft.y != 0)
         scene_book_soft(scene, contact, fw_solid_position(body->solid, contact->particle), ticks);
-    for (int n = 0; n < constraint->touch_count; ++n) {
-        const fw_touch *touch = &constraint->touch[n];
+    for (int n = 0; n < solution->touch_count; ++n) {
+        const fw_touch *touch = &solution->touch[n];
         fw_wall_ledger *ledger = &scene->ledgers[touch->wall];
         ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(ticks, touch->force));
         ledger->work += touch->work;
         ledger->dissipated += touch->dissipated;
         bool counted = false;
-        for (int m = 0; m < n; ++m) counted |= constraint->touch[m].wall == touch->wall;
+        for (int m = 0; m < n; ++m) counted |= solution->touch[m].wall == touch->wall;
         ledger->contacts += !counted;
     }
-    scene->clock.unresolved += constraint->unresolved;
+    scene->clock.unresolved += solution->unresolved;
 }
 
 void scene_book_contacts(fw_scene *scene)
@@ -219,27 +219,29 @@ fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error)
     return FW_OK;
 }
 
-static int compare_holds(const void *left, const void *right)
+static int compare_constraints(const void *left, const void *right)
 {
-    const fw_hold *a = left, *b = right;
+    const fw_constraint *a = left, *b = right;
     return (a->particle > b->particle) - (a->particle < b->particle);
 }
 
-void scene_collect_holds(fw_scene *scene, int number)
+void scene_collect_constraints(fw_scene *scene, int number)
 {
     scene_body *body = &scene->bodies[number];
-    body->hold_count = body->contact_count;
+    body->constraint_count = body->contact_count;
     for (int n = 0; n < body->contact_count; ++n) {
         const scene_contact *contact = &body->contacts[n];
-        body->holds[n] = (fw_hold){contact->particle, contact->constraint.displacement,
-                                   fw_vec2_add(contact->constraint.force, contact->soft)};
+        body->constraints[n] = (fw_constraint){contact->particle, contact->solution.displacement,
+                                               fw_vec2_add(contact->solution.force, contact->soft)};
     }
     if (!body->gripped) return;
     for (int n = 0; n < scene->grip_count; ++n) {
         if (scene->grips[n].body != number) continue;
         fw_grip *grip = scene->grips[n].grip;
-        fw_grip_hold(grip, body->solid, fw_scene_time(scene), body->holds + body->hold_count);
-        body->hold_count += fw_grip_particle_count(grip);
+        fw_grip_constrain(grip, body->solid, fw_scene_time(scene),
+                          body->constraints + body->constraint_count);
+        body->constraint_count += fw_grip_particle_count(grip);
     }
-    qsort(body->holds, (size_t)body->hold_count, sizeof *body->holds, compare_holds);
+    qsort(body->constraints, (size_t)body->constraint_count, sizeof *body->constraints,
+          compare_constraints);
 }

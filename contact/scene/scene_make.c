@@ -34,7 +34,7 @@ void fw_scene_destroy(fw_scene *scene)
         free(body->rows);
         free(body->memory_before);
         free(body->gripped);
-        free(body->holds);
+        free(body->constraints);
     }
     fw_broadphase_destroy(scene->broadphase);
     for (int w = 0; w < scene->wall_count; ++w) {
@@ -280,8 +280,8 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
     }
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
-        body->holds = calloc((size_t)body->solid->count, sizeof *body->holds);
-        if (!body->holds) return fw_fail_memory(error, "the holds of a body");
+        body->constraints = calloc((size_t)body->solid->count, sizeof *body->constraints);
+        if (!body->constraints) return fw_fail_memory(error, "the constraints of a body");
     }
     fw_energies energies = fw_scene_energies(scene);
     scene->energy_at_start = energies.kinetic + energies.elastic;

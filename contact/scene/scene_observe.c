@@ -150,9 +150,9 @@ double fw_scene_penetration(const fw_scene *scene, int body)
 void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y)
 {
     const scene_body *b = &scene->bodies[body];
-    for (int n = 0; n < b->hold_count; ++n) {
-        x[b->holds[n].particle] += b->holds[n].force.x;
-        y[b->holds[n].particle] += b->holds[n].force.y;
+    for (int n = 0; n < b->constraint_count; ++n) {
+        x[b->constraints[n].particle] += b->constraints[n].force.x;
+        y[b->constraints[n].particle] += b->constraints[n].force.y;
     }
 }
 

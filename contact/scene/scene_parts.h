@@ -9,11 +9,11 @@
 #include "contact/search/boundary.h"
 
 typedef struct scene_contact {
-    int particle, entry;      /* of the solid, of the boundary */
-    fw_constraint constraint; /* of hard walls; with where the particle goes in any case */
-    fw_vec2 soft;             /* force of penalty walls ... */
-    fw_vec2 soft_path;        /* ... for this displacement: that of the constraint, to rounding */
-    double mobility;          /* of the particle, the larger of x and y */
+    int particle, entry;          /* of the solid, of the boundary */
+    fw_contact_solution solution; /* of hard walls; with where the particle goes in any case */
+    fw_vec2 soft;                 /* force of penalty walls ... */
+    fw_vec2 soft_path; /* ... for this displacement: that of the constraint, to rounding */
+    double mobility;   /* of the particle, the larger of x and y */
 } scene_contact;
 
 typedef struct scene_body {
@@ -27,8 +27,8 @@ typedef struct scene_body {
     fw_row_list *rows; /* known in this tick, per entry of the boundary; NULL without pistons */
     fw_contact_memory *memory_before; /* at the beginning of the tick, per entry of the boundary */
     uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
-    fw_hold *holds;                   /* of contacts and grips, ascending; room for all particles */
-    int hold_count;
+    fw_constraint *constraints;       /* of contacts and grips, ascending; room for all particles */
+    int constraint_count;
 } scene_body;
 
 /* A number lies between these. */
@@ -130,7 +130,7 @@ fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);
 /* FW_BAD_INPUT for a penalty wall that is too stiff for the time step. */
 fw_status scene_check_soft(fw_scene *scene, fw_error *error);
-/* All holds of the body in this tick: contacts and grips. */
-void scene_collect_holds(fw_scene *scene, int body);
+/* All constraints of the body in this tick: contacts and grips. */
+void scene_collect_constraints(fw_scene *scene, int body);
 
 #endif

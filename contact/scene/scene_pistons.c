@@ -125,7 +125,7 @@ static double excess_of(const fw_scene *scene, const scene_body *body, const sce
 static int look_at_rows(fw_scene *scene, scene_body *body, const scene_contact *contact, bool take)
 {
     fw_row_list *known = &body->rows[contact->entry];
-    const fw_row_list *found = &contact->constraint.rows;
+    const fw_row_list *found = &contact->solution.rows;
     int left = 0;
     for (int k = 0; k < found->count; ++k) {
         const int facet = found->facet[k];
@@ -196,8 +196,8 @@ static fw_sym2 soft_stiffness(const fw_scene *scene, const scene_wall *wall, dou
 static void push_by(fw_scene *scene, const scene_body *body, const scene_contact *contact)
 {
     const fw_vec2 position = fw_solid_position(body->solid, contact->particle);
-    for (int t = 0; t < contact->constraint.touch_count; ++t) {
-        const fw_touch *touch = &contact->constraint.touch[t];
+    for (int t = 0; t < contact->solution.touch_count; ++t) {
+        const fw_touch *touch = &contact->solution.touch[t];
         scene_push_piston(&scene->walls[touch->wall], position, touch->force, touch->stiffness);
     }
     for (int w = 0; w < scene->wall_count && scene->soft_count > 0; ++w) {
@@ -223,7 +223,7 @@ static void add_up_pushes(fw_scene *scene, bool stands)
         for (int n = 0; n < body->contact_count; ++n) {
             const scene_contact *contact = &body->contacts[n];
             push_by(scene, body, contact);
-            body->rows[contact->entry].let_go |= contact->constraint.rows.let_go;
+            body->rows[contact->entry].let_go |= contact->solution.rows.let_go;
             if (stands) scene_look_at_stop(scene, body, contact);
         }
     }

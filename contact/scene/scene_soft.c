@@ -40,7 +40,7 @@ fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w)
  * from the energies themselves: a force that could not follow them shows as work of the wall. */
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks)
 {
-    const fw_vec2 w = contact->constraint.displacement;
+    const fw_vec2 w = contact->solution.displacement;
     for (int n = 0; n < scene->wall_count; ++n) {
         if (!is_soft(scene, n)) continue;
         const scene_wall *wall = &scene->walls[n];

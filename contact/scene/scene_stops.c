@@ -9,7 +9,7 @@
 /* Is the particle still where it stopped the piston? */
 static bool still_stops(const scene_contact *contact, const fw_stop *stop)
 {
-    const fw_vec2 w = contact->constraint.displacement;
+    const fw_vec2 w = contact->solution.displacement;
     const double along = fw_vec2_dot(stop->normal, w);
     return fabs(along - stop->limit) <=
            1e-12 * (fabs(stop->limit) + fabs(w.x) + fabs(w.y)) + 1e-300;
@@ -19,8 +19,8 @@ static bool still_stops(const scene_contact *contact, const fw_stop *stop)
 void scene_look_at_stop(fw_scene *scene, scene_body *body, const scene_contact *contact)
 {
     fw_row_list *known = &body->rows[contact->entry];
-    if (contact->constraint.rows.stop.piston > 0)
-        known->stop = contact->constraint.rows.stop;
+    if (contact->solution.rows.stop.piston > 0)
+        known->stop = contact->solution.rows.stop;
     else if (known->stop.piston > 0 && !still_stops(contact, &known->stop))
         known->stop = (fw_stop){0};
     if (known->stop.piston == 0) return;
@@ -47,18 +47,17 @@ static bool bears(const scene_body *body, const scene_contact *contact, int wall
 {
     const fw_stop *own = &body->rows[contact->entry].stop;
     return own->piston == wall + 1 && own->limit <= stop->limit &&
-           contact->constraint.touch_count + 2 <= FW_TOUCH_MAX;
+           contact->solution.touch_count + 2 <= FW_TOUCH_MAX;
 }
 
 /* What a force does beside the work of its wall's own motion is lost. */
-static void add_touch(fw_constraint *constraint, int wall, fw_vec2 force, fw_vec2 motion)
+static void add_touch(fw_contact_solution *solution, int wall, fw_vec2 force, fw_vec2 motion)
 {
-    const fw_vec2 slip = fw_vec2_subtract(constraint->displacement, motion);
-    constraint->touch[constraint->touch_count++] =
-        (fw_touch){.wall = wall,
-                   .force = force,
-                   .work = fw_vec2_dot(force, motion),
-                   .dissipated = -fw_vec2_dot(force, slip)};
+    const fw_vec2 slip = fw_vec2_subtract(solution->displacement, motion);
+    solution->touch[solution->touch_count++] = (fw_touch){.wall = wall,
+                                                          .force = force,
+                                                          .work = fw_vec2_dot(force, motion),
+                                                          .dissipated = -fw_vec2_dot(force, slip)};
 }
 
 /* The particles that stop a piston share its force and pass it on to the walls behind them. */
@@ -78,8 +77,8 @@ void scene_pass_on_stop(fw_scene *scene, int w)
             scene_contact *contact = &body->contacts[n];
             if (!bears(body, contact, w, &stop)) continue;
             const int against = body->rows[contact->entry].stop.against;
-            add_touch(&contact->constraint, w, share, wall->motion);
-            add_touch(&contact->constraint, against, fw_vec2_scale(-1, share),
+            add_touch(&contact->solution, w, share, wall->motion);
+            add_touch(&contact->solution, against, fw_vec2_scale(-1, share),
                       scene->walls[against].motion);
             scene_push_piston(wall, fw_solid_position(body->solid, contact->particle), share,
                               (fw_sym2){0, 0, 0});

@@ -38,7 +38,7 @@ typedef struct fw_automaton_colour {
     double *x, *y; /* displacements from the lattice, less the body's drift */
     int *particle; /* of each cell */
     int *place;    /* of each cell: number of its rim entry, or ~number of its span */
-    int *held;     /* of each cell: index of its hold in this tick, else -1 */
+    int *held;     /* of each cell: index of its constraint in this tick, else -1 */
     int span_count, rim_count;
     fw_automaton_span *span;
     fw_automaton_rim *rim;
@@ -121,8 +121,8 @@ static inline fw_vec2 fw_automaton_at(const fw_automaton_colour *colour, int cel
 /* The half-step: automaton_sweep.c. */
 void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,
                           fw_prediction *out);
-fw_status fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
-                               fw_error *error);
+fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints,
+                               int constraint_count, fw_error *error);
 
 /* The starting state of the definition: automaton_start.c. */
 void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def);

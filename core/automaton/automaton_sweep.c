@@ -19,9 +19,9 @@ enum { RIM_BLOCK = 64, THREADS_FROM = 16384 };
 typedef struct half_step {
     const fw_automaton *body;
     int colour;
-    const fw_hold *holds; /* NULL: nothing is held */
-    double share_of_pull; /* (1 + a)/2 */
-    double loss;          /* (1 - a)/(1 + a) */
+    const fw_constraint *constraints; /* NULL: nothing is held */
+    double share_of_pull;             /* (1 + a)/2 */
+    double loss;                      /* (1 - a)/(1 + a) */
 } half_step;
 
 static half_step half_step_of(const fw_automaton *body)
@@ -78,7 +78,7 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
     }
 }
 
-/* Moves one cell by d, or by what its hold says, and books what went through its bounds. */
+/* Moves one cell by d, or by what its constraint says, and books what went through its bounds. */
 static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw_sym2 inverse_mass,
                  fw_vec2 d, fw_automaton_share *share)
 {
@@ -89,7 +89,8 @@ static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw
         force = (fw_vec2){head->external_x[particle], head->external_y[particle]};
         d = fw_vec2_add(d, fw_sym2_apply(mobility(step, inverse_mass), force));
     }
-    if (step->holds && colour->held[cell] >= 0) d = step->holds[colour->held[cell]].displacement;
+    if (step->constraints && colour->held[cell] >= 0)
+        d = step->constraints[colour->held[cell]].displacement;
     colour->x[cell] += d.x;
     colour->y[cell] += d.y;
     head->x[particle] += d.x;
@@ -113,7 +114,7 @@ static void move_span(const half_step *step, const fw_automaton_span *span,
     double dx[FW_SPAN_MAX], dy[FW_SPAN_MAX];
     fw_automaton_span_pull(step->body, step->colour, span, dx, dy);
     const fw_solid *head = &step->body->head;
-    if (step->holds || head->loaded || step->loss > 0) {
+    if (step->constraints || head->loaded || step->loss > 0) {
         for (int k = 0; k < span->count; ++k) {
             const fw_vec2 d = {step->share_of_pull * dx[k], step->share_of_pull * dy[k]};
             move(step, span->begin + k, span->particle + 2 * k, fw_sym2_scalar(1),
@@ -174,17 +175,17 @@ static void recentre(fw_automaton *body)
     }
 }
 
-fw_status fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
-                               fw_error *error)
+fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints,
+                               int constraint_count, fw_error *error)
 {
     (void)error;
     fw_automaton *body = fw_automaton_of(solid);
     half_step step = half_step_of(body);
     fw_automaton_colour *colour = &body->colour[step.colour];
-    for (int h = 0; h < hold_count; ++h) {
-        if (body->white[holds[h].particle] != step.colour) continue;
-        colour->held[body->cell[holds[h].particle]] = h;
-        step.holds = holds;
+    for (int h = 0; h < constraint_count; ++h) {
+        if (body->white[constraints[h].particle] != step.colour) continue;
+        colour->held[body->cell[constraints[h].particle]] = h;
+        step.constraints = constraints;
     }
     const int spans = colour->span_count;
     const int pieces = spans + (colour->rim_count + RIM_BLOCK - 1) / RIM_BLOCK;
@@ -198,9 +199,9 @@ fw_status fw_automaton_advance(fw_solid *solid, const fw_hold *holds, int hold_c
     }
     if (solid->loaded || step.loss > 0)
         for (int piece = 0; piece < pieces; ++piece) add_share(&solid->ledger, &body->share[piece]);
-    for (int h = 0; h < hold_count; ++h)
-        if (body->white[holds[h].particle] == step.colour)
-            colour->held[body->cell[holds[h].particle]] = -1;
+    for (int h = 0; h < constraint_count; ++h)
+        if (body->white[constraints[h].particle] == step.colour)
+            colour->held[body->cell[constraints[h].particle]] = -1;
     if (body->breaks) fw_automaton_break_stretched(body);
     solid->ticks += 1;
     recentre(body);

@@ -114,7 +114,8 @@ static inline fw_vec2 lb_psi(const lb_solid *lb, int l)
 }
 
 fw_prediction lb_predict(const lb_solid *lb, int l);
-fw_status lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count, fw_error *error);
+fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
+                     fw_error *error);
 void lb_cut_into_spans(lb_solid *lb);
 /* Links, boundary and spans as they follow from `present`. */
 void lb_rebuild(lb_solid *lb);

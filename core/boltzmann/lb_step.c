@@ -195,13 +195,13 @@ static void relax_span(lb_solid *lb, const span *s, int begin, int end, fw_solid
         for (int l = begin; l < end; ++l) relax_one(lb, l, free_displacement(lb, l), ledger);
 }
 
-/* First hold at or after a particle. */
-static int find_hold(const fw_hold *holds, int count, int particle)
+/* First constraint at or after a particle. */
+static int find_constraint(const fw_constraint *constraints, int count, int particle)
 {
     int low = 0, high = count;
     while (low < high) {
         int middle = low + (high - low) / 2;
-        if (holds[middle].particle < particle)
+        if (constraints[middle].particle < particle)
             low = middle + 1;
         else
             high = middle;
@@ -209,29 +209,32 @@ static int find_hold(const fw_hold *holds, int count, int particle)
     return low;
 }
 
-static void relax_chunk(lb_solid *lb, int chunk, const fw_hold *holds, int hold_count)
+static void relax_chunk(lb_solid *lb, int chunk, const fw_constraint *constraints,
+                        int constraint_count)
 {
     fw_solid_ledger *ledger = &lb->chunk_ledger[chunk];
     *ledger = (fw_solid_ledger){0};
-    int hold = find_hold(holds, hold_count, chunk * LB_CHUNK);
+    int next = find_constraint(constraints, constraint_count, chunk * LB_CHUNK);
     for (int n = lb->chunk_span[chunk]; n < lb->chunk_span[chunk + 1]; ++n) {
         const span *s = &lb->spans[n];
         int begin = s->begin;
-        for (; hold < hold_count && holds[hold].particle < s->end; ++hold) {
-            relax_span(lb, s, begin, holds[hold].particle, ledger);
-            relax_one(lb, holds[hold].particle, holds[hold].displacement, ledger);
-            begin = holds[hold].particle + 1;
+        for (; next < constraint_count && constraints[next].particle < s->end; ++next) {
+            relax_span(lb, s, begin, constraints[next].particle, ledger);
+            relax_one(lb, constraints[next].particle, constraints[next].displacement, ledger);
+            begin = constraints[next].particle + 1;
         }
         relax_span(lb, s, begin, s->end, ledger);
     }
 }
 
-fw_status lb_advance(fw_solid *solid, const fw_hold *holds, int hold_count, fw_error *error)
+fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
+                     fw_error *error)
 {
     (void)error;
     lb_solid *lb = (lb_solid *)solid;
 #pragma omp parallel for schedule(static) if (lb->chunk_count > 4)
-    for (int chunk = 0; chunk < lb->chunk_count; ++chunk) relax_chunk(lb, chunk, holds, hold_count);
+    for (int chunk = 0; chunk < lb->chunk_count; ++chunk)
+        relax_chunk(lb, chunk, constraints, constraint_count);
     for (int chunk = 0; chunk < lb->chunk_count; ++chunk) {
         const fw_solid_ledger *part = &lb->chunk_ledger[chunk];
         solid->ledger.work += part->work;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* langevin.c - the BAOAB step over blocks of particles.
  * State: positions (head), velocities, controls; forces follow from them. Invariant between steps:
- * force_x/y belong to the present positions, hold_x/y are zero. Particles are cut into blocks of
- * fixed size, each summed by itself and the blocks in order: the ledger does not depend on how many
- * threads there are. Start reading at fw_langevin_advance(). */
+ * force_x/y belong to the present positions, constraint_x/y are zero. Particles are cut into blocks
+ * of fixed size, each summed by itself and the blocks in order: the ledger does not depend on how
+ * many threads there are. Start reading at fw_langevin_advance(). */
 #include "core/particles/langevin.h"
 
 #include "core/noise.h"
@@ -28,9 +28,9 @@ fw_status fw_langevin_create(fw_langevin *solid, const fw_solid_model *model, in
     FW_TRY(fw_solid_head_create(&solid->head, model, count, error));
     const size_t size = (size_t)count;
     double **arrays[] = {
-        &solid->velocity_x, &solid->velocity_y,   &solid->force_x,           &solid->force_y,
-        &solid->mass,       &solid->inverse_mass, &solid->root_inverse_mass, &solid->hold_x,
-        &solid->hold_y,     &solid->scratch};
+        &solid->velocity_x,   &solid->velocity_y,   &solid->force_x,           &solid->force_y,
+        &solid->mass,         &solid->inverse_mass, &solid->root_inverse_mass, &solid->constraint_x,
+        &solid->constraint_y, &solid->scratch};
     bool complete = true;
     for (size_t a = 0; a < sizeof arrays / sizeof *arrays; ++a) {
         *arrays[a] = fw_array_of_doubles(size);
@@ -55,8 +55,8 @@ void fw_langevin_release(fw_langevin *solid)
     free(solid->mass);
     free(solid->inverse_mass);
     free(solid->root_inverse_mass);
-    free(solid->hold_x);
-    free(solid->hold_y);
+    free(solid->constraint_x);
+    free(solid->constraint_y);
     free(solid->scratch);
     free(solid->held_at);
     free(solid->sums);
@@ -203,7 +203,8 @@ static fw_langevin_sums move_block(fw_langevin *solid, const fw_baoab *baoab, bo
             external = (fw_vec2){head->external_x[i], head->external_y[i]};
             force = fw_vec2_add(force, external);
         }
-        if (held) force = fw_vec2_add(force, (fw_vec2){solid->hold_x[i], solid->hold_y[i]});
+        if (held)
+            force = fw_vec2_add(force, (fw_vec2){solid->constraint_x[i], solid->constraint_y[i]});
         const fw_vec2 kicked = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
                                     baoab->half * solid->inverse_mass[i], force);
         fw_vec2 mixed = kicked;
@@ -237,7 +238,8 @@ static void kick_block(fw_langevin *solid, const fw_baoab *baoab, bool held, int
         fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
         if (head->loaded)
             force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
-        if (held) force = fw_vec2_add(force, (fw_vec2){solid->hold_x[i], solid->hold_y[i]});
+        if (held)
+            force = fw_vec2_add(force, (fw_vec2){solid->constraint_x[i], solid->constraint_y[i]});
         const fw_vec2 velocity = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
                                       baoab->half * solid->inverse_mass[i], force);
         solid->velocity_x[i] = velocity.x;
@@ -259,16 +261,17 @@ static void book(fw_langevin *solid, int blocks)
     }
 }
 
-fw_status fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_count, fw_error *error)
+fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
+                              int constraint_count, fw_error *error)
 {
     fw_langevin *solid = (fw_langevin *)head;
     const fw_baoab baoab = baoab_of(&solid->controls);
     const int blocks = block_count(solid), count = head->count;
-    const bool held = hold_count > 0;
-    for (int k = 0; k < hold_count; ++k) {
-        const int i = holds[k].particle;
-        solid->hold_x[i] = holds[k].force.x;
-        solid->hold_y[i] = holds[k].force.y;
+    const bool held = constraint_count > 0;
+    for (int k = 0; k < constraint_count; ++k) {
+        const int i = constraints[k].particle;
+        solid->constraint_x[i] = constraints[k].force.x;
+        solid->constraint_y[i] = constraints[k].force.y;
         solid->held_at[k] = (fw_vec2){head->x[i], head->y[i]};
     }
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
@@ -277,10 +280,10 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_cou
         solid->sums[b] = move_block(solid, &baoab, held, begin, end);
     }
     /* The force brings a held particle where it belongs up to rounding; here it is put there. */
-    for (int k = 0; k < hold_count; ++k) {
-        const int i = holds[k].particle;
-        head->x[i] = solid->held_at[k].x + holds[k].displacement.x;
-        head->y[i] = solid->held_at[k].y + holds[k].displacement.y;
+    for (int k = 0; k < constraint_count; ++k) {
+        const int i = constraints[k].particle;
+        head->x[i] = solid->held_at[k].x + constraints[k].displacement.x;
+        head->y[i] = solid->held_at[k].y + constraints[k].displacement.y;
     }
     FW_TRY(solid->find_forces(solid, error));
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
@@ -288,8 +291,9 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_hold *holds, int hold_cou
         const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
         kick_block(solid, &baoab, held, begin, end);
     }
-    for (int k = 0; k < hold_count; ++k)
-        solid->hold_x[holds[k].particle] = solid->hold_y[holds[k].particle] = 0;
+    for (int k = 0; k < constraint_count; ++k)
+        solid->constraint_x[constraints[k].particle] =
+            solid->constraint_y[constraints[k].particle] = 0;
     book(solid, blocks);
     head->ticks += 1;
     return FW_OK;

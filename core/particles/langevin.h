@@ -42,10 +42,10 @@ struct fw_langevin {
 
     /* Private. */
     double *inverse_mass, *root_inverse_mass;
-    double *hold_x, *hold_y; /* forces that hold; zero between steps */
-    fw_vec2 *held_at;        /* where held particles were; as many as particles */
-    double *scratch;         /* one number per particle, for whoever sums */
-    fw_langevin_sums *sums;  /* of each block of particles */
+    double *constraint_x, *constraint_y; /* constraint forces; zero between steps */
+    fw_vec2 *held_at;                    /* where held particles were; as many as particles */
+    double *scratch;                     /* one number per particle, for whoever sums */
+    fw_langevin_sums *sums;              /* of each block of particles */
 };
 
 /* Allocates head and arrays; on failure everything is released. */
@@ -70,8 +70,8 @@ void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, doubl
 /* Operations of fw_solid_model, for solids that embed fw_langevin. */
 void fw_langevin_predict(const fw_solid *solid, const int *particles, int count,
                          fw_prediction *out);
-fw_status fw_langevin_advance(fw_solid *solid, const fw_hold *holds, int hold_count,
-                              fw_error *error);
+fw_status fw_langevin_advance(fw_solid *solid, const fw_constraint *constraints,
+                              int constraint_count, fw_error *error);
 double fw_langevin_kinetic_energy(const fw_langevin *solid);
 fw_vec2 fw_langevin_momentum(const fw_solid *solid);
 fw_vec2 fw_langevin_centre_of_mass(const fw_solid *solid);

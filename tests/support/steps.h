@@ -17,10 +17,11 @@ static inline void advance_free(fw_solid *solid)
     assert_moved(fw_solid_advance_free(solid, &error), &error);
 }
 
-static inline void advance_held(fw_solid *solid, const fw_hold *holds, int hold_count)
+static inline void advance_held(fw_solid *solid, const fw_constraint *constraints,
+                                int constraint_count)
 {
     fw_error error = {0};
-    assert_moved(fw_solid_advance(solid, holds, hold_count, &error), &error);
+    assert_moved(fw_solid_advance(solid, constraints, constraint_count, &error), &error);
 }
 
 /* After state was written from outside. */

@@ -60,7 +60,7 @@ static fw_vec2 random_vector(uint64_t *seed, double size)
 /* Two walls that are nearly parallel, or a nearly singular mobility, make forces and displacements
  * large: 1e-11 of their size is rounding. */
 static void assert_lawful(const kind *k, const fw_prediction *free, const fw_barrier *barriers,
-                          int count, const fw_constraint *c)
+                          int count, const fw_contact_solution *c)
 {
     fw_vec2 moved = fw_vec2_add(free->displacement, fw_sym2_apply(free->mobility, c->force));
     double size = 1 + hypot(c->force.x, c->force.y) + hypot(c->displacement.x, c->displacement.y);
@@ -106,8 +106,8 @@ static void try_once(const kind *k, uint64_t *seed, tally *sum)
     fw_row_list kept = {0};
     if (random_between(seed, 0, 1) < 0.3)
         kept = (fw_row_list){.count = 1, .facet = {(int)random_between(seed, 0, count)}};
-    fw_constraint c = fw_constrain((fw_vec2){0, 0}, &free, &kept, barriers, count, barriers,
-                                   k->law == FW_COULOMB ? &memory : NULL);
+    fw_contact_solution c = fw_constrain((fw_vec2){0, 0}, &free, &kept, barriers, count, barriers,
+                                         k->law == FW_COULOMB ? &memory : NULL);
     if (!c.held) return;
     sum->held += 1;
     sum->unresolved += c.unresolved;

@@ -202,7 +202,7 @@ static void one_displaced_site_makes_the_body_drift(void **state)
     }
 }
 
-static void frictionless_hold_keeps_energy_and_tangential_momentum(void **state)
+static void frictionless_constraint_keeps_energy_and_tangential_momentum(void **state)
 {
     (void)state;
     /* A wall of any direction: particles that move towards it beyond a line stay on their
@@ -224,7 +224,7 @@ static void frictionless_hold_keeps_energy_and_tangential_momentum(void **state)
         fw_vec2 impulse = {0, 0};
         const fw_vec2 before = fw_solid_momentum(solid);
         for (int tick = 0; tick < 3000; ++tick) {
-            fw_hold holds[84];
+            fw_constraint constraints[84];
             int count = 0;
             fw_solid_predict(solid, particles, 84, prediction);
             for (int p = 0; p < 84; ++p) {
@@ -233,18 +233,18 @@ static void frictionless_hold_keeps_energy_and_tangential_momentum(void **state)
                 if (prediction[p].mobility.xx == 0) continue;
                 const fw_sym2 a = prediction[p].mobility;
                 const double force = -fw_vec2_dot(d, n) / fw_sym2_form(n, a, n);
-                holds[count++] =
-                    (fw_hold){p, fw_vec2_add(d, fw_sym2_apply(a, fw_vec2_scale(force, n))),
-                              fw_vec2_scale(force, n)};
+                constraints[count++] =
+                    (fw_constraint){p, fw_vec2_add(d, fw_sym2_apply(a, fw_vec2_scale(force, n))),
+                                    fw_vec2_scale(force, n)};
                 impulse = fw_vec2_add(impulse, fw_vec2_scale(force, n));
             }
             held += count;
-            advance_held(solid, holds, count);
+            advance_held(solid, constraints, count);
         }
         assert_true(held > 10);
         assert_close(energy(solid) / e, 1, 1e-13);
         assert_close(fw_vec2_dot(fw_solid_momentum(solid), t), tangential, 1e-13);
-        /* A hold's force gives exactly itself as momentum: its particle's time is one unit. */
+        /* A constraint force gives exactly itself as momentum: its particle's time is one unit. */
         const fw_vec2 gained = fw_vec2_subtract(fw_solid_momentum(solid), before);
         assert_below(length(fw_vec2_subtract(gained, impulse)), 1e-12);
         fw_solid_destroy(solid);
@@ -259,9 +259,10 @@ static void held_particle_stays_where_it_is_to_the_last_bit(void **state)
     fw_elastic_automaton_def def = def_of(&sites, 0.4, 0.5);
     def.lattice.origin = (fw_vec2){1e4 + 0.1, -0.3};
     fw_solid *solid = stirred(def, (fw_vec2){0.3, 0.01});
-    const fw_hold holds[] = {{27, {0, 0}, {0, 0}}, {28, {0, 0}, {0, 0}}, {63, {0, 0}, {0, 0}}};
+    const fw_constraint constraints[] = {
+        {27, {0, 0}, {0, 0}}, {28, {0, 0}, {0, 0}}, {63, {0, 0}, {0, 0}}};
     const double x = solid->x[27], y = solid->y[28], corner = solid->x[63];
-    for (int tick = 0; tick < 500; ++tick) advance_held(solid, holds, 3);
+    for (int tick = 0; tick < 500; ++tick) advance_held(solid, constraints, 3);
     assert_true(solid->x[27] == x && solid->y[28] == y && solid->x[63] == corner);
     fw_solid_destroy(solid);
     fw_sites_clear(&sites);
@@ -346,21 +347,21 @@ static void chopards_automaton_is_the_lb_solid(void **state)
         fw_solid *pair[2] = {ca, lb};
         int *all = malloc(count * sizeof *all), held = 0;
         fw_prediction *prediction = malloc(count * sizeof *prediction);
-        fw_hold *holds = malloc(count * sizeof *holds);
+        fw_constraint *constraints = malloc(count * sizeof *constraints);
         for (int p = 0; p < sites.count; ++p) all[p] = p;
         double worst = 0;
         for (int tick = 0; tick < 1000; ++tick) {
             for (int which = 0; which < 2; ++which) {
-                int hold_count = 0;
+                int constraint_count = 0;
                 if (c == 2) {
                     fw_solid_predict(pair[which], all, sites.count, prediction);
                     for (int p = 0; p < sites.count; ++p)
                         if (pair[which]->x[p] + prediction[p].displacement.x < 0)
-                            holds[hold_count++] =
-                                (fw_hold){p, {0, prediction[p].displacement.y}, {0, 0}};
+                            constraints[constraint_count++] =
+                                (fw_constraint){p, {0, prediction[p].displacement.y}, {0, 0}};
                 }
-                held += hold_count;
-                advance_held(pair[which], holds, hold_count);
+                held += constraint_count;
+                advance_held(pair[which], constraints, constraint_count);
             }
             for (int p = 0; p < sites.count; ++p)
                 worst = fmax(worst, fmax(fabs(ca->x[p] - lb->x[p]), fabs(ca->y[p] - lb->y[p])));
@@ -371,7 +372,7 @@ static void chopards_automaton_is_the_lb_solid(void **state)
         free(v);
         free(all);
         free(prediction);
-        free(holds);
+        free(constraints);
         fw_solid_destroy(ca);
         fw_solid_destroy(lb);
         fw_sites_clear(&sites);
@@ -384,7 +385,7 @@ int main(void)
         cmocka_unit_test(free_bodies_keep_energy_and_momentum),
         cmocka_unit_test(rigid_motion_does_not_ring),
         cmocka_unit_test(one_displaced_site_makes_the_body_drift),
-        cmocka_unit_test(frictionless_hold_keeps_energy_and_tangential_momentum),
+        cmocka_unit_test(frictionless_constraint_keeps_energy_and_tangential_momentum),
         cmocka_unit_test(held_particle_stays_where_it_is_to_the_last_bit),
         cmocka_unit_test(ledger_of_loads_and_damping_closes),
         cmocka_unit_test(constant_force_obeys_newton),

@@ -322,8 +322,8 @@ static void threads_change_no_bit(void **state)
 
 static uint64_t hash_after(fw_solid *solid, int ticks)
 {
-    const fw_hold holds[] = {{3, {0, 0.01}, {0, 0}}, {17, {0, 0}, {0, 0}}};
-    for (int tick = 0; tick < ticks; ++tick) advance_held(solid, holds, 2);
+    const fw_constraint constraints[] = {{3, {0, 0.01}, {0, 0}}, {17, {0, 0}, {0, 0}}};
+    for (int tick = 0; tick < ticks; ++tick) advance_held(solid, constraints, 2);
     fw_state_list list = {0};
     solid->model->state(solid, &list);
     return fw_state_list_hash(&list);

@@ -225,9 +225,10 @@ static void runs_back_the_way_it_came(void **state)
     fw_sites_clear(&sites);
 }
 
-/* Two threads and holds in the middle of spans change nothing but time. A body of several chunks.
+/* Two threads and constraints in the middle of spans change nothing but time. A body of several
+ * chunks.
  */
-static uint64_t hash_after(int threads, const fw_hold *holds, int hold_count)
+static uint64_t hash_after(int threads, const fw_constraint *constraints, int constraint_count)
 {
     omp_set_num_threads(threads);
     fw_sites sites;
@@ -235,7 +236,7 @@ static uint64_t hash_after(int threads, const fw_hold *holds, int hold_count)
     fw_solid *solid = solid_of(&sites, REST_PER_SITE, 0.97, INFINITY);
     uint64_t seed = 4;
     push_at_random(solid, &seed);
-    for (int step = 0; step < 50; ++step) advance_held(solid, holds, hold_count);
+    for (int step = 0; step < 50; ++step) advance_held(solid, constraints, constraint_count);
     fw_state_list list = {0};
     solid->model->state(solid, &list);
     uint64_t hash = fw_state_list_hash(&list);
@@ -248,14 +249,14 @@ static uint64_t hash_after(int threads, const fw_hold *holds, int hold_count)
 static void bytes_do_not_depend_on_threads(void **state)
 {
     (void)state;
-    const fw_hold holds[] = {{0, {0, 0}, {0, 0}},
-                             {4095, {0, 0.01}, {0, 0}},
-                             {4096, {0, 0}, {0, 0}},
-                             {17001, {0.02, 0}, {0, 0}},
-                             {29999, {0, 0}, {0, 0}}};
-    uint64_t once = hash_after(1, holds, 5);
-    assert_true(once == hash_after(2, holds, 5));
-    assert_true(once == hash_after(3, holds, 5));
+    const fw_constraint constraints[] = {{0, {0, 0}, {0, 0}},
+                                         {4095, {0, 0.01}, {0, 0}},
+                                         {4096, {0, 0}, {0, 0}},
+                                         {17001, {0.02, 0}, {0, 0}},
+                                         {29999, {0, 0}, {0, 0}}};
+    uint64_t once = hash_after(1, constraints, 5);
+    assert_true(once == hash_after(2, constraints, 5));
+    assert_true(once == hash_after(3, constraints, 5));
     assert_false(once == hash_after(1, NULL, 0));
 }
 
@@ -266,8 +267,8 @@ static void held_particle_stays_to_the_bit(void **state)
     fw_solid *solid = solid_of(&sites, REST_SCALAR, 1, INFINITY);
     double x = solid->x[33], y = solid->y[33];
     fw_energies e0 = fw_solid_energies(solid);
-    const fw_hold hold = {33, {0, 0}, {0, 0}};
-    for (int step = 0; step < 500; ++step) advance_held(solid, &hold, 1);
+    const fw_constraint resting = {33, {0, 0}, {0, 0}};
+    for (int step = 0; step < 500; ++step) advance_held(solid, &resting, 1);
     fw_energies e = fw_solid_energies(solid);
     assert_true(solid->x[33] == x && solid->y[33] == y);
     assert_close((e.kinetic + e.elastic) / (e0.kinetic + e0.elastic), 1, 1e-12);

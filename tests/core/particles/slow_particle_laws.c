@@ -17,14 +17,15 @@ typedef struct fw_box_walls {
     fw_vec2 low, high;
     int *all;
     fw_prediction *predicted;
-    fw_hold *holds;
+    fw_constraint *constraints;
 } fw_box_walls;
 
 static fw_box_walls box_for(const fw_solid *solid, fw_vec2 low, fw_vec2 high)
 {
     const size_t count = (size_t)solid->count;
     fw_box_walls box = {low, high, malloc(count * sizeof(int)),
-                        malloc(count * sizeof(fw_prediction)), malloc(count * sizeof(fw_hold))};
+                        malloc(count * sizeof(fw_prediction)),
+                        malloc(count * sizeof(fw_constraint))};
     for (int i = 0; i < solid->count; ++i) box.all[i] = i;
     return box;
 }
@@ -33,7 +34,7 @@ static void free_box(fw_box_walls *box)
 {
     free(box->all);
     free(box->predicted);
-    free(box->holds);
+    free(box->constraints);
 }
 
 static bool passes(double at, double displacement, double low, double high)
@@ -49,14 +50,14 @@ static void step_in_box(fw_solid *solid, fw_box_walls *box)
     for (int i = 0; i < solid->count; ++i) {
         const fw_vec2 free = box->predicted[i].displacement;
         const double mobility = box->predicted[i].mobility.xx;
-        fw_hold hold = {i, free, {0, 0}};
+        fw_constraint kept = {i, free, {0, 0}};
         if (passes(solid->x[i], free.x, box->low.x, box->high.x))
-            hold.displacement.x = 0, hold.force.x = -free.x / mobility;
+            kept.displacement.x = 0, kept.force.x = -free.x / mobility;
         if (passes(solid->y[i], free.y, box->low.y, box->high.y))
-            hold.displacement.y = 0, hold.force.y = -free.y / mobility;
-        if (hold.force.x != 0 || hold.force.y != 0) box->holds[held++] = hold;
+            kept.displacement.y = 0, kept.force.y = -free.y / mobility;
+        if (kept.force.x != 0 || kept.force.y != 0) box->constraints[held++] = kept;
     }
-    advance_held(solid, box->holds, held);
+    advance_held(solid, box->constraints, held);
 }
 
 static fw_solid *fluid(double temperature, double time_step, fw_return_variant variant,
@@ -136,9 +137,9 @@ static void hold_rule_keeps_detailed_balance(void **state)
     free(crowd.at);
 }
 
-/* Section 7, drift: a liquid at T = 1 without bath. The walls' holds let Verlet's energy wander by
- * some 1e-4 per particle at this time step (each adds an error of order dt^2 of either sign); the
- * constant force heats at 1e-2 per time. */
+/* Section 7, drift: a liquid at T = 1 without bath. The walls' constraints let Verlet's energy
+ * wander by some 1e-4 per particle at this time step (each adds an error of order dt^2 of either
+ * sign); the constant force heats at 1e-2 per time. */
 static void only_the_constant_force_heats(void **state)
 {
     (void)state;

@@ -185,7 +185,7 @@ static void prediction_is_what_happens(void **state)
         memcpy(y, solid->y, sizeof y);
         /* Particle 3 is pushed, particle 7 is held, particle 8 held in y only. */
         const fw_vec2 push = {2, -3};
-        fw_hold holds[3] = {
+        fw_constraint constraints[3] = {
             {3, fw_vec2_add(predicted[3].displacement, fw_sym2_apply(predicted[3].mobility, push)),
              push},
             {7, {0, 0}, fw_vec2_scale(-1 / predicted[7].mobility.xx, predicted[7].displacement)},
@@ -194,11 +194,11 @@ static void prediction_is_what_happens(void **state)
              {0, -predicted[8].displacement.y / predicted[8].mobility.yy}}};
         const double before = motion(solid)->velocity_y[8];
         const double force_before = motion(solid)->force_y[8];
-        advance_held(solid, holds, 3);
+        advance_held(solid, constraints, 3);
         for (int i = 0; i < COUNT; ++i) {
             fw_vec2 expected = predicted[i].displacement;
             for (int h = 0; h < 3; ++h)
-                if (holds[h].particle == i) expected = holds[h].displacement;
+                if (constraints[h].particle == i) expected = constraints[h].displacement;
             assert_close(solid->x[i] - x[i], expected.x, 1e-15 * 8);
             assert_close(solid->y[i] - y[i], expected.y, 1e-15 * 8);
         }
