@@ -2,7 +2,9 @@
 /* lb_fracture.c - links that break. A broken link's mass and momentum go into the rest fields of
  * its two ends, so that M and Psi of each particle stay what they were; only energy is lost, at
  * least half kappa times the squared stretch: the fracture energy. */
-#include "lb_state.h"
+#include "lb_fracture.h"
+
+#include "lb_layout.h"
 
 #include <math.h>
 
@@ -57,5 +59,5 @@ void lb_break_links(lb_solid *lb)
             fw_vec2 stretch = fw_lb_solid_deformation(&lb->head, l, d);
             if (fw_vec2_dot(stretch, stretch) > limit) break_link(lb, l, d);
         }
-    if (lb->broken != broken) lb_rebuild(lb);
+    if (lb->broken != broken) lb_layout_rebuild(lb);
 }

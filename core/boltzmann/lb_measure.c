@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lb_measure.c - what can be asked of an LB solid: fields, deformations, strain, rest, reversal. */
-#include "lb_state.h"
+#include "lb_measure.h"
 
 #include <math.h>
 

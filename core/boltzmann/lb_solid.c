@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lb_solid.c - making, asking and breaking an LB solid; the step itself is in lb_step.c.
+/* lb_solid.c - making an LB solid, its sums, and its table of operations; see lb_state.h.
  * State: a field per link end (`slot`), rest fields, positions; links and rest masses where links
  * break. Invariant: Eq 30 on every existing link. Start reading at fw_lb_solid_create(). */
 #include "core/boltzmann/lb_solid.h"
 
-#include "lb_state.h"
+#include "lb_layout.h"
+#include "lb_measure.h"
+#include "lb_step.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -163,20 +165,6 @@ static void destroy(fw_solid *solid)
     free(lb);
 }
 
-/* Neighbours, links and the eight-neighbour edge of the shape. */
-static void connect(lb_solid *lb, const fw_sites *sites)
-{
-    for (int l = 0; l < sites->count; ++l) {
-        for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            fw_site beside = fw_site_neighbour(sites->site[l], d);
-            lb->neighbour[d][l] = fw_sites_find(sites, beside);
-            if (lb->neighbour[d][l] >= 0) lb->present[l] |= (uint8_t)(1u << d);
-            fw_site corner = fw_site_neighbour(beside, (d + 1) % FW_DIRECTIONS);
-            lb->edge[l] |= fw_sites_find(sites, corner) < 0;
-        }
-    }
-}
-
 static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error)
 {
     for (int l = 0; l < lb->head.count; ++l) {
@@ -209,27 +197,8 @@ static fw_status list_links(lb_solid *lb, fw_error *error)
     lb->head.link_count = count;
     lb->head.links = fw_array_allocate((size_t)count, sizeof *lb->head.links);
     if (!lb->head.links) return fw_fail_memory(error, "the links of an LB solid");
-    lb_rebuild(lb);
+    lb_layout_rebuild(lb);
     return FW_OK;
-}
-
-void lb_rebuild(lb_solid *lb)
-{
-    fw_solid *head = &lb->head;
-    head->link_count = 0;
-    head->boundary_count = 0;
-    for (int l = 0; l < head->count; ++l) {
-        for (int d = FW_EAST; d <= FW_NORTH; ++d)
-            if (lb->present[l] & (1u << d)) {
-                head->links[head->link_count][0] = l;
-                head->links[head->link_count][1] = lb->neighbour[d][l];
-                head->link_count += 1;
-            }
-        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS)
-            head->boundary[head->boundary_count++] = l;
-    }
-    head->boundary_revision += 1;
-    lb_cut_into_spans(lb);
 }
 
 /* Starting fields for displacements u and velocities V: half the stretch, a quarter of the summed
@@ -278,7 +247,7 @@ fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_er
         return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for an LB solid of %d particles",
                        def->sites->count);
     }
-    connect(lb, def->sites);
+    lb_layout_connect(lb, def->sites);
     status = weigh(lb, def, error);
     if (status == FW_OK) status = list_links(lb, error);
     if (status != FW_OK) {
@@ -291,12 +260,6 @@ fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_er
 }
 
 /* The table of operations. */
-
-static void predict(const fw_solid *solid, const int *particles, int count, fw_prediction *out)
-{
-    const lb_solid *lb = (const lb_solid *)solid;
-    for (int n = 0; n < count; ++n) out[n] = lb_predict(lb, particles[n]);
-}
 
 static fw_energies energies(const fw_solid *solid)
 {
@@ -403,20 +366,6 @@ static void state(fw_solid *solid, fw_state_list *list)
     }
 }
 
-/* A link is there for both of its ends, and only where a neighbour lies. */
-static fw_status check_links(const lb_solid *lb, fw_error *error)
-{
-    for (int l = 0; l < lb->head.count; ++l)
-        for (int d = 0; d < 8; ++d) {
-            if (!(lb->present[l] & (1u << d))) continue;
-            const int m = d < FW_DIRECTIONS ? lb->neighbour[d][l] : -1;
-            if (m < 0 || !(lb->present[m] & (1u << fw_opposite(d))))
-                return fw_fail(error, FW_BAD_INPUT,
-                               "particle %d has a link in direction %d that leads nowhere", l, d);
-        }
-    return FW_OK;
-}
-
 static fw_status restored(fw_solid *solid, fw_error *error)
 {
     lb_solid *lb = (lb_solid *)solid;
@@ -424,8 +373,8 @@ static fw_status restored(fw_solid *solid, fw_error *error)
     if (lb->parity != 0 && lb->parity != 1)
         return fw_fail(error, FW_BAD_INPUT, "the parity of the fields is %d, expected 0 or 1",
                        lb->parity);
-    FW_TRY(check_links(lb, error));
-    lb_rebuild(lb);
+    FW_TRY(lb_layout_check(lb, error));
+    lb_layout_rebuild(lb);
     return FW_OK;
 }
 
@@ -433,7 +382,7 @@ const fw_solid_model fw_lb_solid_model = {
     .name = "lattice-boltzmann",
     .ticks_per_step = 1,
     .destroy = destroy,
-    .predict = predict,
+    .predict = lb_predict,
     .advance = lb_advance,
     .energies = energies,
     .momentum = momentum,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lb_state.h - the inside of an LB solid, shared by lb_solid.c (making), lb_step.c (moving),
- * lb_fracture.c (breaking) and lb_measure.c (asking) and by nobody else.
+/* lb_state.h - the inside of an LB solid, shared by lb_layout.c (links and spans), lb_measure.c
+ * (quantities), lb_fracture.c (breaking links), lb_step.c (motion) and lb_solid.c (making), each of
+ * which may use those before it, and by nobody else.
  *
  * Slots. The field that arrives at particle l from its neighbour in direction d lives in one slot
  * per link end. A step replaces each slot by `w - slot` in place: the value is then the field that
@@ -112,15 +113,5 @@ static inline fw_vec2 lb_psi(const lb_solid *lb, int l)
         psi = fw_vec2_add(psi, fw_sym2_apply(lb_get(&lb->rest_mass, l), lb_rest(lb, l)));
     return psi;
 }
-
-fw_prediction lb_predict(const lb_solid *lb, int l);
-fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
-                     fw_error *error);
-void lb_cut_into_spans(lb_solid *lb);
-/* Links, boundary and spans as they follow from `present`. */
-void lb_rebuild(lb_solid *lb);
-/* Breaks every link stretched beyond break_at; books the energy. */
-void lb_break_links(lb_solid *lb);
-extern const fw_field lb_fields[];
 
 #endif

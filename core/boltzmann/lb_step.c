@@ -2,7 +2,9 @@
 /* lb_step.c - one step of the LB solid (Chopard & Marconi Eqs 18-20, corrected).
  * State: see lb_state.h. Work is cut into chunks of fixed size whose sums are added in order, so
  * that the result does not depend on the number of threads. Start reading at lb_advance(). */
-#include "lb_state.h"
+#include "lb_step.h"
+
+#include "lb_fracture.h"
 
 #include <math.h>
 
@@ -248,7 +250,7 @@ fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int cons
     return FW_OK;
 }
 
-fw_prediction lb_predict(const lb_solid *lb, int l)
+static fw_prediction predict_one(const lb_solid *lb, int l)
 {
     fw_sym2 inverse = fw_sym2_scale(lb->damping, lb_get(&lb->inverse, l));
     /* The elastic part of Psi is half the pull of the links; what is left of it, kappa times the
@@ -268,29 +270,8 @@ fw_prediction lb_predict(const lb_solid *lb, int l)
                            .inertial = fw_sym2_apply(inverse, momentum)};
 }
 
-/* Greedy: a span grows while the next particle is of the same kind and its neighbours lie at the
- * same distances. */
-static bool continues(const lb_solid *lb, const span *s, int l, bool full)
+void lb_predict(const fw_solid *solid, const int *particles, int count, fw_prediction *out)
 {
-    if (s->full != full || l % LB_CHUNK == 0) return false;
-    for (int d = 0; full && d < FW_DIRECTIONS; ++d)
-        if (lb->neighbour[d][l] - l != s->offset[d]) return false;
-    return true;
-}
-
-void lb_cut_into_spans(lb_solid *lb)
-{
-    int count = 0;
-    for (int l = 0; l < lb->head.count; ++l) {
-        bool full = lb->present[l] == LB_ALL_LINKS && !lb->weighted;
-        if (l % LB_CHUNK == 0) lb->chunk_span[l / LB_CHUNK] = count;
-        if (count > 0 && continues(lb, &lb->spans[count - 1], l, full)) {
-            lb->spans[count - 1].end = l + 1;
-            continue;
-        }
-        span *s = &lb->spans[count++];
-        *s = (span){.begin = l, .end = l + 1, .full = full};
-        for (int d = 0; full && d < FW_DIRECTIONS; ++d) s->offset[d] = lb->neighbour[d][l] - l;
-    }
-    lb->chunk_span[lb->chunk_count] = count;
+    const lb_solid *lb = (const lb_solid *)solid;
+    for (int n = 0; n < count; ++n) out[n] = predict_one(lb, particles[n]);
 }
