@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BLOCKS_LEAST = 8 }; /* fewer tell nothing about their spread */
+enum { BLOCKS_LEAST = 8 }; /* fewer say nothing about their spread */
 
 fw_average fw_average_of_replicas(const double *values, size_t count)
 {

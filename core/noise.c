@@ -44,7 +44,7 @@ static inline double logarithm(double u)
 static inline fw_vec2 unit_vector(double u)
 {
     const double quarters = floor(fma(u, 4, 0.5));
-    const double angle = (u - quarters * 0.25) * 6.28318530717958647693;
+    const double angle = (u - quarters * 0.25) * FW_TWO_PI;
     const double z = angle * angle;
     double sine = -1. / 1307674368000;
     sine = fma(sine, z, 1. / 6227020800);

@@ -101,6 +101,6 @@ fw_status fw_placement_random(fw_vec2 *positions, int count, fw_vec2 low, fw_vec
                        "only %d of %d particles found a place at least %g from each other in %g x "
                        "%g after %d drops each: expected a coverage well below 0.547, found %.3f",
                        placed, count, distance, size.x, size.y, DROPS_EACH,
-                       count * acos(-1) * distance * distance / (4 * size.x * size.y));
+                       count * FW_PI * distance * distance / (4 * size.x * size.y));
     return FW_OK;
 }

@@ -3,8 +3,8 @@
  *
  * A solid is a const table of few whole-lattice operations (never an indirect call inside a loop
  * over particles) and a head of data that all models share. A model embeds fw_solid as its first
- * member. Contact knows nothing else of a solid: it asks where boundary particles would go
- * (predict), decides where they do go, and hands that back (advance).
+ * member. Contact knows nothing else of a solid: the solid says where boundary particles
+ * would go (predict), contact decides where they do go and hands that back (advance).
  *
  * Units are reduced: lattice spacing and particle masses of the model; time in the model's own
  * unit, of which one tick takes `tick`. */
@@ -45,7 +45,7 @@ typedef struct fw_energies {
 } fw_energies;
 
 /* What has passed through the solid's bounds since it was created, added up in a fixed order. The
- * constraints' share is not in here: contact books it per wall. */
+ * constraints' share is not in here: it stands in the ledger of each wall. */
 typedef struct fw_solid_ledger {
     double work;       /* of the external forces, sum F . w */
     double dissipated; /* energy taken by damping and by the material's own failure, >= 0 */
@@ -150,7 +150,7 @@ static inline fw_status fw_solid_restored(fw_solid *solid, fw_error *error)
     return solid->model->restored(solid, error);
 }
 
-/* Reverses a solid whose model can, and books what that does to its momentum as an impulse. */
+/* Reverses a solid whose model can, and adds what that does to its momentum to the impulse. */
 void fw_solid_reverse(fw_solid *solid);
 
 static inline fw_energies fw_solid_energies(const fw_solid *solid)

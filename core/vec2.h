@@ -5,6 +5,9 @@
 
 #include <math.h>
 
+#define FW_PI     3.14159265358979323846
+#define FW_TWO_PI 6.28318530717958647693
+
 typedef struct fw_vec2 {
     double x, y;
 } fw_vec2;

@@ -2,15 +2,13 @@
 /* path.c - prescribed motion. Keeps no state. */
 #include "contact/geometry/path.h"
 
-#define TWO_PI 6.28318530717958647693
-
 fw_vec2 fw_path_displacement(const fw_path *path, double time)
 {
     double elapsed = fmin(fmax(time, path->from), path->until) - path->from;
     fw_vec2 displacement = fw_vec2_scale(elapsed, path->velocity);
     if (path->period > 0) {
         /* Whole periods are taken off first: the phase stays exact however late it is. */
-        double angle = TWO_PI * fmod(time, path->period) / path->period + path->phase;
+        double angle = FW_TWO_PI * fmod(time, path->period) / path->period + path->phase;
         displacement = fw_vec2_add(displacement, fw_vec2_scale(sin(angle), path->amplitude));
     }
     return displacement;

@@ -138,7 +138,7 @@ static fw_status check_polygon(const fw_wall_def *def, fw_error *error)
         return fw_fail(error, FW_BAD_INPUT,
                        "wall '%s': the polygon of %d corners winds around itself %.0f times, "
                        "expected once",
-                       name_of(def), count, turned / 6.283185307179586);
+                       name_of(def), count, turned / FW_TWO_PI);
     return FW_OK;
 }
 

@@ -2,8 +2,6 @@
 /* drive.c - what moves grips and pistons. Keeps no state. Start reading at fw_drive_solve(). */
 #include "contact/scene/drive.h"
 
-#define TWO_PI 6.28318530717958647693
-
 static bool is_finite(fw_vec2 v)
 {
     return isfinite(v.x) && isfinite(v.y);
@@ -30,7 +28,7 @@ fw_status fw_drive_check(const fw_drive *drive, const char *kind, const char *na
 /* D without the tether. */
 static fw_vec2 free_force(const fw_drive *d, double time)
 {
-    const double swing = d->period > 0 ? sin(TWO_PI * time / d->period + d->phase) : 0;
+    const double swing = d->period > 0 ? sin(FW_TWO_PI * time / d->period + d->phase) : 0;
     return fw_vec2_add(d->force, fw_vec2_scale(swing, d->amplitude));
 }
 

@@ -9,8 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define TWO_PI 6.28318530717958647693
-
 struct fw_load {
     fw_load_def def;
     int *particles;
@@ -61,7 +59,7 @@ static double strength(const fw_load_def *def, int64_t step)
     double factor = 1;
     if (def->ramp > 0 && step - def->from < def->ramp)
         factor = (double)(step - def->from + 1) / (double)def->ramp;
-    if (def->period > 0) factor *= sin(TWO_PI * (double)step / def->period + def->phase);
+    if (def->period > 0) factor *= sin(FW_TWO_PI * (double)step / def->period + def->phase);
     return factor;
 }
 

@@ -57,7 +57,7 @@ const fw_piston_ledger *fw_piston_observe_ledger(const fw_piston *piston);
 double fw_piston_kinetic_energy(const fw_piston *piston);
 fw_vec2 fw_piston_momentum(const fw_piston *piston);
 /* Both minus what they were at the start and what the ledger says of work, heat and impulses, all
- * but what is unmatched: the piston's books, closed to rounding. */
+ * but what is unmatched: the piston's ledger closes to rounding. */
 double fw_piston_energy_error(const fw_piston *piston);
 fw_vec2 fw_piston_momentum_error(const fw_piston *piston);
 

@@ -165,7 +165,7 @@ fw_status fw_automaton_growth_map(fw_automaton_speeds speeds, int grid, fw_autom
     *growth = (fw_automaton_growth){0, 0, {0, 0}};
     for (int row = 0; row < grid; ++row)
         for (int column = 0; column < grid; ++column) {
-            const fw_vec2 wave = {2 * M_PI * column / grid, 2 * M_PI * row / grid};
+            const fw_vec2 wave = {FW_TWO_PI * column / grid, FW_TWO_PI * row / grid};
             double factor = 1, h = 0;
             if (inside) {
                 const hermitian z = product_of(symbol_of(&matrices, wave));

@@ -2,7 +2,7 @@
 /* automaton_fracture.c - bonds that break ("via breaking the neighbouring relations of particles",
  * Dong, closing section). What remains of a cell is renormalised as at a free boundary of kind
  * `bond`: its mass is that of the bonds it still has. The energy and the momentum that the bond
- * carried go with it, and are booked.
+ * carried go with it, into the ledger.
  * State: one bit per bond, kept at its black end. Start reading at fw_automaton_break_stretched().
  */
 #include "automaton_body.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* automaton_measure.c - what can be asked of an elastic automaton: energy, momentum, masses,
+/* automaton_measure.c - quantities of an elastic automaton: energy, momentum, masses,
  * velocities, fields for pictures. Keeps no state; sums run in fixed blocks.
  * Start reading at fw_automaton_energies(). */
 #include "automaton_body.h"

@@ -17,8 +17,9 @@
 enum { LANCZOS_STEPS = 400, TRIAL_STEPS = 400, THREADS_FROM = 16384 };
 #define TRIAL_GROWTH 1.02
 
-/* out = K in: fields of one colour from fields of the other, interleaved x, y. */
-static void ask(const fw_automaton *body, int colour, const double *in, double *out)
+/* out = K in: the place that each cell of a colour is reflected about, from fields of the other
+ * colour; interleaved x, y. */
+static void weighted_means(const fw_automaton *body, int colour, const double *in, double *out)
 {
 #pragma omp parallel for schedule(static) if (body->head.count >= THREADS_FROM)
     for (int n = 0; n < body->colour[colour].count; ++n) {
@@ -50,8 +51,8 @@ static void fill_dense(const fw_automaton *body, gsl_matrix *dense, double *unit
     const size_t size = dense->size1;
     for (size_t column = 0; column < size; ++column) {
         for (size_t n = 0; n < size; ++n) unit[n] = n == column;
-        ask(body, FW_BLACK, unit, black);
-        ask(body, FW_WHITE, black, white);
+        weighted_means(body, FW_BLACK, unit, black);
+        weighted_means(body, FW_WHITE, black, white);
         for (size_t n = 0; n < size / 2; ++n) {
             fw_vec2 value = {white[2 * n], white[2 * n + 1]};
             if (weighted)
@@ -147,7 +148,7 @@ static void subtract(const lanczos *l, double *from, double factor, const double
     for (size_t n = 0; n < l->size; ++n) from[n] -= factor * other[n];
 }
 
-/* Rigid shifts have z = 1 and are not asked about. */
+/* Rigid shifts have z = 1 and do not count. */
 static void take_out_shifts(const lanczos *l, double *values)
 {
     fw_sym2 mass = {0, 0, 0};
@@ -176,7 +177,7 @@ static bool reaches(const lanczos *l, int steps, double x)
     return false;
 }
 
-/* The largest z that the iteration sees from the start in l->now; stops once it is above 1. */
+/* The largest z that the iteration finds from the start in l->now; stops once it is above 1. */
 static double iterate(lanczos *l)
 {
     int steps = 0;
@@ -184,8 +185,8 @@ static double iterate(lanczos *l)
     for (size_t n = 0; n < l->size; ++n) l->before[n] = 0;
     for (; steps < LANCZOS_STEPS && norm > 1e-8; ++steps) {
         for (size_t n = 0; n < l->size; ++n) l->now[n] /= norm;
-        ask(l->body, FW_BLACK, l->now, l->black);
-        ask(l->body, FW_WHITE, l->black, l->next);
+        weighted_means(l->body, FW_BLACK, l->now, l->black);
+        weighted_means(l->body, FW_WHITE, l->black, l->next);
         take_out_shifts(l, l->next);
         if (steps > 0) subtract(l, l->next, norm, l->before);
         l->diagonal[steps] = product(l, l->now, l->next);
@@ -250,7 +251,7 @@ static fw_status trial_growth(const fw_automaton *body, double *growth, fw_error
     const size_t black = 2 * (size_t)body->colour[FW_BLACK].count;
     double *room = fw_array_of_doubles(2 * (white + black));
     if (!room) return fw_fail_memory(error, "the stability test of an automaton");
-    double *b = room, *w = b + black, *asked = w + white;
+    double *b = room, *w = b + black, *means = w + white;
     uint64_t noise = 1;
     for (size_t n = 0; n < white; ++n) {
         noise = noise * 6364136223846793005u + 1442695040888963407u;
@@ -258,10 +259,10 @@ static fw_status trial_growth(const fw_automaton *body, double *growth, fw_error
     }
     double middle = 0, end = 0;
     for (int step = 1; step <= TRIAL_STEPS; ++step) {
-        ask(body, FW_BLACK, w, asked);
-        for (size_t n = 0; n < black; ++n) b[n] = 2 * asked[n] - b[n];
-        ask(body, FW_WHITE, b, asked);
-        for (size_t n = 0; n < white; ++n) w[n] = 2 * asked[n] - w[n];
+        weighted_means(body, FW_BLACK, w, means);
+        for (size_t n = 0; n < black; ++n) b[n] = 2 * means[n] - b[n];
+        weighted_means(body, FW_WHITE, b, means);
+        for (size_t n = 0; n < white; ++n) w[n] = 2 * means[n] - w[n];
         if (step != TRIAL_STEPS / 2 && step != TRIAL_STEPS) continue;
         end = 0;
         for (size_t n = 0; n < white; ++n) end += w[n] * w[n];

@@ -36,10 +36,10 @@ static fw_vec2 white_advance(const fw_automaton *body, const fw_vec2 *velocity, 
 }
 
 /* A body rests if it would run back the way it came: white, which moved last, has then not moved.
- * It lies where its black neighbours ask for, w = m^-1 1/2 sum B b, and the body has neither
- * kinetic energy nor momentum, whatever its shape and its displacement. In a uniform strain that is
- * the offset -(P d/dx + Q d/dy) b / 2 of Eq 21. */
-static fw_vec2 asked_place(const fw_automaton *body, int cell)
+ * It lies at the weighted mean of its black neighbours, w = m^-1 1/2 sum B b, and the body has
+ * neither kinetic energy nor momentum, whatever its shape and its displacement. In a uniform strain
+ * that is the offset -(P d/dx + Q d/dy) b / 2 of Eq 21. */
+static fw_vec2 mean_place(const fw_automaton *body, int cell)
 {
     const fw_vec2 pull = fw_automaton_cell_pull(body, FW_WHITE, cell);
     const fw_sym2 inverse = fw_automaton_cell_inverse_mass(body, FW_WHITE, cell);
@@ -58,7 +58,7 @@ void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def)
     }
     for (int n = 0; n < white->count; ++n) {
         fw_vec2 u = fw_automaton_at(white, n);
-        if (def->displacement && !def->displaced_as_given) u = asked_place(body, n);
+        if (def->displacement && !def->displaced_as_given) u = mean_place(body, n);
         if (def->velocity)
             u = fw_vec2_add(u, white_advance(body, def->velocity, white->particle[n]));
         white->x[n] = u.x;

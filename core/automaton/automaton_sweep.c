@@ -65,7 +65,7 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
         const int cell = body->cell[particle];
         const fw_vec2 pull = fw_automaton_cell_pull(body, step.colour, cell);
         out[n].mobility = mobility(&step, fw_automaton_cell_inverse_mass(body, step.colour, cell));
-        /* The reflection is all momentum: nothing of it could be told apart as elastic force. */
+        /* The reflection is all momentum: no part of it is an elastic force. */
         const fw_automaton_colour *colour = &body->colour[step.colour];
         out[n].inertial = colour->place[cell] >= 0
                               ? rim_displacement(&step, &colour->rim[colour->place[cell]], pull)
@@ -78,7 +78,8 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
     }
 }
 
-/* Moves one cell by d, or by what its constraint says, and books what went through its bounds. */
+/* Moves one cell by d, or by what its constraint says, and adds what went through its bounds to the
+ * share. */
 static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw_sym2 inverse_mass,
                  fw_vec2 d, fw_automaton_share *share)
 {
@@ -122,7 +123,7 @@ static void move_span(const half_step *step, const fw_automaton_span *span,
         }
         return;
     }
-    /* Nothing to book: the same moves as a stream. */
+    /* The ledger does not change: the same moves as a stream. */
     const fw_automaton_colour *colour = &step->body->colour[step->colour];
     double *restrict own_x = colour->x + span->begin, *restrict own_y = colour->y + span->begin;
     double *restrict position_x = head->x + span->particle;

@@ -2,8 +2,8 @@
 /* elastic_automaton.c - a solid of black and white cells that move in turn: making it, and what can
  * be observed of it.
  * State: displacements of both colours, positions, which bonds are whole, the tick, whose parity
- * says which colour moves next. Invariant: E and p of the header change only by what is booked.
- * Start reading at fw_elastic_automaton_create(); the half-step is in automaton_sweep.c. */
+ * says which colour moves next. Invariant: E and p of the header change only by what the ledger
+ * says. Start reading at fw_elastic_automaton_create(); the half-step is in automaton_sweep.c. */
 #include "automaton_body.h"
 #include "automaton_stability.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* elastic_automaton.h - the elastic automaton (Dong, Zhang, Xu & Gan): black and white cells of the
- * square lattice move in turn, each reflected about the place that its neighbours ask for.
+ * square lattice move in turn, each reflected about the weighted mean of its neighbours.
  *
  * One unit of time is a black and a white half-step; one tick of the solid is one half-step, black
  * first. With B the matrix of a bond, m = 1/2 sum B of a cell's bonds and b, w the displacements:
@@ -46,7 +46,7 @@ typedef struct fw_elastic_automaton_def {
     double break_at;
     /* The start, per site or NULL for zero: displaced by u and moving at V. */
     const fw_vec2 *displacement, *velocity;
-    /* false: black is displaced by u, and white lies where its black neighbours ask for,
+    /* false: black is displaced by u, and white lies at the weighted mean of its black neighbours,
      *     w = m^-1 1/2 sum B b + V/2    (V half its own velocity, half that of its neighbours),
      * so that a body without V is exactly at rest and one with V has the momentum sum m V / 4. (In
      * a smooth field that is w = b + V/2 - (P d/dx + Q d/dy) b / 2.) u of white cells is not looked
@@ -74,7 +74,7 @@ fw_status fw_elastic_automaton_spectral_radius(const fw_elastic_automaton_def *d
 fw_vec2 fw_elastic_automaton_displacement(const fw_solid *solid, int particle);
 bool fw_elastic_automaton_is_black(const fw_solid *solid, int particle);
 /* Breaks the bond of a particle in a direction of the lattice, if there is one; the body must be
- * breakable. Its energy and momentum are booked. Returns whether a bond was there. */
+ * breakable. Its energy and momentum go into the ledger. Returns whether a bond was there. */
 bool fw_elastic_automaton_break(fw_solid *solid, int particle, int direction);
 /* Particles that have lost their last bond: they have neither mass nor velocity left and stay
  * where they are. */

@@ -168,7 +168,6 @@ fw_status fw_lb_spectrum_at(fw_sym2 rest_mass, fw_vec2 wave_vector, fw_lb_spectr
 fw_status fw_lb_spectrum_over_grid(fw_sym2 rest_mass, int side, fw_lb_spectrum *worst,
                                    fw_error *error)
 {
-    const double pi = 3.14159265358979323846;
     workspace w = {0};
     *worst = (fw_lb_spectrum){0, 0};
     if (!allocate(&w)) {
@@ -177,7 +176,7 @@ fw_status fw_lb_spectrum_over_grid(fw_sym2 rest_mass, int side, fw_lb_spectrum *
     }
     for (int i = 0; i < side; ++i)
         for (int j = 0; j < side; ++j) {
-            fw_vec2 k = {pi * (2.0 * i / (side - 1) - 1), pi * (2.0 * j / (side - 1) - 1)};
+            fw_vec2 k = {FW_PI * (2.0 * i / (side - 1) - 1), FW_PI * (2.0 * j / (side - 1) - 1)};
             fw_lb_spectrum at;
             measure(&w, rest_mass, k, &at);
             worst->frequency_error = fmax(worst->frequency_error, at.frequency_error);

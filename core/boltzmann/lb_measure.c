@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lb_measure.c - what can be asked of an LB solid: fields, deformations, strain, rest, reversal. */
+/* lb_measure.c - quantities of an LB solid: fields, deformations, strain, residual; and reversal.
+ */
 #include "lb_measure.h"
 
 #include <math.h>
@@ -100,7 +101,7 @@ double fw_lb_solid_link_error(const fw_solid *solid)
     return worst;
 }
 
-double fw_lb_solid_unrest(const fw_solid *solid)
+double fw_lb_solid_rest_residual(const fw_solid *solid)
 {
     const lb_solid *lb = of(solid);
     double worst = 0;

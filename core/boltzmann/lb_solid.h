@@ -79,7 +79,7 @@ double fw_lb_solid_energy(const fw_solid *solid, int particle);
 double fw_lb_solid_link_error(const fw_solid *solid);
 
 /* Largest of |Psi + F/2|, |f_0| and |f_i(l+c_i) + f_{i+2}(l)|: zero at rest (Eqs 22-24). */
-double fw_lb_solid_unrest(const fw_solid *solid);
+double fw_lb_solid_rest_residual(const fw_solid *solid);
 
 /* Turns the arrow of time: the body runs back the way it came (exactly so at mu = 1). */
 void fw_lb_solid_reverse(fw_solid *solid);

@@ -247,7 +247,7 @@ static void kick_block(fw_langevin *solid, const fw_baoab *baoab, bool held, int
     }
 }
 
-static void book(fw_langevin *solid, int blocks)
+static void add_to_ledger(fw_langevin *solid, int blocks)
 {
     fw_solid_ledger *ledger = &solid->head.ledger;
     const double dt = solid->controls.time_step;
@@ -294,12 +294,12 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
     for (int k = 0; k < constraint_count; ++k)
         solid->constraint_x[constraints[k].particle] =
             solid->constraint_y[constraints[k].particle] = 0;
-    book(solid, blocks);
+    add_to_ledger(solid, blocks);
     head->ticks += 1;
     return FW_OK;
 }
 
-/* --- what the solid can be asked --- */
+/* --- sums --- */
 
 double fw_langevin_kinetic_energy(const fw_langevin *solid)
 {

@@ -210,7 +210,7 @@ static void sort_ascending(int *values, size_t count)
 static bool make_room(fw_neighbours *neighbours, size_t needed)
 {
     if (needed <= neighbours->capacity) return true;
-    /* A quarter more, so that a body that slowly thickens does not ask again and again. */
+    /* A quarter more, so that a body that slowly thickens does not allocate again and again. */
     const size_t wanted = needed + needed / 4;
     int *longer = fw_array_allocate(wanted, sizeof *longer);
     if (!longer) return false;

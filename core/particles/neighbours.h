@@ -5,7 +5,7 @@
  * particles may have come closer to each other by more than `skin`. Whoever sums over a list must
  * let what lies beyond `radius` contribute exact zeros: then no result depends on when the list
  * was made. Space is cut into cells that are wrapped onto a torus of bounded size: particles that
- * fly far away cost nothing, and share a cell with others only to be told apart by distance. */
+ * fly far away cost nothing, and whom they share a cell with, the distance rules out. */
 #ifndef FW_NEIGHBOURS_H
 #define FW_NEIGHBOURS_H
 

@@ -155,13 +155,12 @@ double fw_particle_bragg_peak(const fw_solid *solid, int group, int fold, double
                               double spacing, double tolerance)
 {
     enum { LENGTHS = 81 };
-    const double pi = acos(-1);
     /* Rows of bonds lie `spacing` apart on the square lattice, sqrt(3)/2 of it on the hexagonal
      * one; the shortest reciprocal vectors stand upright on them. */
-    const double length = 2 * pi / (fold == 6 ? spacing * sqrt(3) / 2 : spacing);
+    const double length = 2 * FW_PI / (fold == 6 ? spacing * sqrt(3) / 2 : spacing);
     double total = 0;
     for (int d = 0; d < fold / 2; ++d) {
-        const double direction = angle + pi / 2 + 2 * pi * d / fold;
+        const double direction = angle + FW_PI / 2 + 2 * FW_PI * d / fold;
         double highest = 0;
         for (int k = 0; k < LENGTHS; ++k) {
             const double q = length * (1 + tolerance * (2. * k / (LENGTHS - 1) - 1));
@@ -195,16 +194,15 @@ fw_status fw_particle_pair_correlation(const fw_solid *solid, int group, double 
             const int bin = (int)(hypot(x[i] - x[j], y[i] - y[j]) / step);
             if (bin < bins) g[bin] += 1;
         }
-    const double pi = acos(-1);
     for (int k = 0; k < bins; ++k) {
-        const double ring = pi * step * step * (2. * k + 1);
+        const double ring = FW_PI * step * step * (2. * k + 1);
         g[k] /= count * density * ring;
     }
     fw_neighbours_destroy(near);
     return FW_OK;
 }
 
-/* The lowest particle that i is known to be linked to; shortens the way for later askers. */
+/* The lowest particle that i is known to be linked to; shortens the chain for later calls. */
 static int root_of(int *parent, int i)
 {
     while (parent[i] != i) {

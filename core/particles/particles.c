@@ -291,7 +291,7 @@ void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature
     fw_langevin_draw_velocities(&particles->langevin, first, count, temperature);
 }
 
-/* --- asking --- */
+/* --- reading --- */
 
 static const fw_particles *read_only(const fw_solid *solid)
 {

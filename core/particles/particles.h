@@ -75,7 +75,7 @@ fw_status fw_particles_set_amplitude(fw_solid *solid, int group, double amplitud
  * zero. */
 void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature);
 
-/* --- what can be asked --- */
+/* --- what can be read --- */
 
 typedef struct fw_particle_group {
     const char *name;

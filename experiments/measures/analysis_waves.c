@@ -186,7 +186,7 @@ static fw_status follow_way(fw_analysis *analysis, const fw_scenario *scenario, 
     fw_vec2 before = {0, 0};
     for (int n = 0; n < count; ++n) {
         const fw_site at = way_point(n, half);
-        const double unit = 2 * M_PI / (double)what->size;
+        const double unit = FW_TWO_PI / (double)what->size;
         const fw_vec2 wave = {unit * at.i, unit * at.j};
         length += hypot(wave.x - before.x, wave.y - before.y);
         before = wave;

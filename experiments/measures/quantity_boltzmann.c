@@ -40,9 +40,9 @@ static void link_error(const fw_experiment *experiment, fw_subject subject, doub
     out[0] = fw_lb_solid_link_error(body_of(experiment, subject));
 }
 
-static void unrest(const fw_experiment *experiment, fw_subject subject, double *out)
+static void rest_residual(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = fw_lb_solid_unrest(body_of(experiment, subject));
+    out[0] = fw_lb_solid_rest_residual(body_of(experiment, subject));
 }
 
 static void broken_links(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -134,7 +134,7 @@ static void stress_over_strain(const fw_experiment *experiment, fw_subject subje
 const fw_quantity fw_boltzmann_quantities[] = {
     {"wave-front", FW_SCOPE_BODY, "", "length", "mean distance of the energy from the middle of the body, along x", LB, wave_front},
     {"link-error", FW_SCOPE_BODY, "", "length", "largest violation of Eq 30 of Chopard and Marconi", LB, link_error},
-    {"unrest", FW_SCOPE_BODY, "", "momentum", "largest of what must vanish at rest (Eqs 22-24): Psi + F/2, f_0, f_i + f_{i+2}", LB, unrest},
+    {"rest-residual", FW_SCOPE_BODY, "", "momentum", "largest of what must vanish at rest (Eqs 22-24): Psi + F/2, f_0, f_i + f_{i+2}", LB, rest_residual},
     {"broken-links", FW_SCOPE_BODY, "", "1", "links broken since the start", LB, broken_links},
     {"deformation-east", FW_SCOPE_SITE, "x y", "length", "of the link to the neighbour in the east (Eq 31)", LB, deformation_east},
     {"deformation-north", FW_SCOPE_SITE, "x y", "length", "of the link to the neighbour in the north (Eq 31)", LB, deformation_north},

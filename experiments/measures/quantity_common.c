@@ -291,7 +291,7 @@ static void rotation(const fw_experiment *experiment, fw_subject subject, double
         cosine += fw_vec2_dot(from, to);
         sine += fw_vec2_cross(from, to);
     }
-    out[0] = atan2(sine, cosine) * 180 / acos(-1);
+    out[0] = atan2(sine, cosine) * 180 / FW_PI;
 }
 
 /* --- walls --- */

@@ -108,7 +108,7 @@ static double left_after(double omega, double damping, double time)
  * frequency fits. */
 static double frequency_of(double left, double damping, double time)
 {
-    const double most = acos(-1) / time;
+    const double most = FW_PI / time;
     double low = 0.5 * damping, high = sqrt(most * most + low * low);
     if (damping == 0) return acos(left) / time;
     if (!(left < left_after(low, damping, time) && left > left_after(high, damping, time)))

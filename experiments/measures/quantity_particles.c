@@ -169,7 +169,7 @@ static void bond_angle(const fw_experiment *experiment, fw_subject subject, doub
     const fw_vec2 bond =
         fw_vec2_subtract(fw_solid_position(solid, member->first + (member->count > 1 ? 1 : 0)),
                          fw_solid_position(solid, member->first));
-    out[0] = atan2(bond.y, bond.x) * 180 / acos(-1);
+    out[0] = atan2(bond.y, bond.x) * 180 / FW_PI;
 }
 
 /* Mean square displacement over that of a free Brownian particle, 4 T/(m eta) [t - tau (1 -

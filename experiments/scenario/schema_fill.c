@@ -9,7 +9,7 @@
 #include <limits.h>
 #include <string.h>
 
-static const double degree = 3.14159265358979323846 / 180;
+static const double degree = FW_PI / 180;
 
 double fw_node_number(const fw_node *node)
 {

@@ -292,7 +292,7 @@ static void rigid_motion_does_not_ring(void **state)
     }
 }
 
-static void books_balance_under_loads_and_damping(void **state)
+static void ledger_balances_under_loads_and_damping(void **state)
 {
     (void)state;
     for (int k = 0; k < KINDS; ++k)
@@ -310,8 +310,8 @@ static void books_balance_under_loads_and_damping(void **state)
                 moved = fmax(moved, fabs(solid->ledger.work) + solid->ledger.dissipated);
             }
             const fw_solid_ledger *a = &solid->ledger;
-            const double booked = before + a->work - a->dissipated + a->heat;
-            const double error = fabs(energy_of(solid) - booked) / moved;
+            const double expected = before + a->work - a->dissipated + a->heat;
+            const double error = fabs(energy_of(solid) - expected) / moved;
             if (!(error < 10 * kinds[k].energy_error))
                 fail_msg("%s: energy off by %g of what passed", kinds[k].name, error);
             const fw_vec2 p = fw_solid_momentum(solid);
@@ -498,7 +498,7 @@ int main(void)
         cmocka_unit_test(free_bodies_keep_momentum),
         cmocka_unit_test(free_bodies_keep_energy),
         cmocka_unit_test(rigid_motion_does_not_ring),
-        cmocka_unit_test(books_balance_under_loads_and_damping),
+        cmocka_unit_test(ledger_balances_under_loads_and_damping),
         cmocka_unit_test(pulled_bodies_rest_where_damping_has_no_say),
         cmocka_unit_test(long_waves_run_at_the_speed_of_sound),
         cmocka_unit_test(walls_hold_without_loss),

@@ -42,7 +42,7 @@ static inline fw_vec2 dice_point(dice *d, fw_vec2 centre, double spread)
 
 static inline fw_vec2 dice_direction(dice *d)
 {
-    double angle = dice_between(d, 0, 6.283185307179586);
+    double angle = dice_between(d, 0, FW_TWO_PI);
     return (fw_vec2){cos(angle), sin(angle)};
 }
 
@@ -68,7 +68,7 @@ static inline void random_polygon(wall_recipe *recipe, dice *d, fw_vec2 centre, 
     double flatness = dice_between(d, 0.1, 1), start = dice_between(d, 0, 6);
     int sense = dice_below(d, 2) ? 1 : -1;
     for (int i = 0; i < count; ++i) {
-        double angle = start + sense * 6.283185307179586 * (i + dice_between(d, -0.3, 0.3)) / count;
+        double angle = start + sense * FW_TWO_PI * (i + dice_between(d, -0.3, 0.3)) / count;
         double along = size * cos(angle), across = size * flatness * sin(angle);
         recipe->points[i] = (fw_vec2){centre.x + along * axis.x - across * axis.y,
                                       centre.y + along * axis.y + across * axis.x};
@@ -115,7 +115,7 @@ static inline void random_wall(wall_recipe *recipe, dice *d, fw_vec2 centre, dou
     }
     if (dice_below(d, 2)) {
         def->path.period = dice_scale(d, 0.5, 2.5);
-        double amplitude = speed * def->path.period / 6.283185307179586;
+        double amplitude = speed * def->path.period / FW_TWO_PI;
         def->path.amplitude = fw_vec2_scale(amplitude, dice_direction(d));
         def->path.phase = dice_between(d, -4, 4);
     }

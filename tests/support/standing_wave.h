@@ -32,7 +32,7 @@ static inline fw_vec2 standing_wave_at(const standing_wave *wave, fw_site site)
     const fw_vec2 middle =
         standing_wave_home(wave, (fw_site){STANDING_COLUMNS / 2, STANDING_ROWS / 2});
     const double x = standing_wave_home(wave, site).x - middle.x;
-    const double u = 1e-4 * cos(2 * acos(-1) / STANDING_LENGTH * x);
+    const double u = 1e-4 * cos(FW_TWO_PI / STANDING_LENGTH * x);
     return wave->longitudinal ? (fw_vec2){u, 0} : (fw_vec2){0, u};
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_constrain.c - what must hold for one particle between any walls: the displacement follows
- * from the force, work and heat are booked, friction never feeds, and nothing passes a wall
+ * from the force, work and heat are reported, friction never feeds, and nothing passes a wall
  * unnoticed. Random facets, mobilities, memories and motions. */
 #include "tests/support/laws.h"
 
@@ -32,7 +32,7 @@ typedef struct tally {
  */
 static fw_facet random_facet(uint64_t *seed, int number, bool round)
 {
-    double angle = random_between(seed, 0, 6.28318530717958648), gap = random_between(seed, 0, 0.3);
+    double angle = random_between(seed, 0, FW_TWO_PI), gap = random_between(seed, 0, 0.3);
     fw_vec2 normal = {cos(angle), sin(angle)}, foot = fw_vec2_scale(-gap, normal);
     if (round && random_between(seed, 0, 1) < 0.6) {
         bool inside = random_between(seed, 0, 1) < 0.5;
@@ -72,7 +72,7 @@ static void assert_lawful(const kind *k, const fw_prediction *free, const fw_bar
         if (k->law != FW_COMPONENTWISE && c->touch[n].dissipated < -1e-11)
             fail_msg("%s: friction feeds %g", k->name, -c->touch[n].dissipated);
     }
-    if (fabs(work) > 1e-11 * size * size) fail_msg("%s: work of %g is not booked", k->name, work);
+    if (fabs(work) > 1e-11 * size * size) fail_msg("%s: work of %g is not reported", k->name, work);
     for (int n = 0; n < count && !c->unresolved; ++n) {
         fw_vec2 w = fw_vec2_subtract(c->displacement, barriers[n].motion);
         if (fw_facet_gap(barriers[n].facet, w) < -1e-11 * size &&

@@ -154,9 +154,9 @@ static void sheet_between_soft_walls_keeps_its_energy(void **state)
             assert_close((energy_of(scene) + ledger.wall_stored) / start, 1, 1e-12);
             assert_close(energy_of(scene) / start, fw_ledger_energy(&ledger) / start, 1e-12);
             assert_close(ledger.wall_work / start, 0, 1e-12);
-            const fw_vec2 booked = fw_ledger_momentum(&ledger), p = fw_scene_momentum(scene);
-            assert_close(p.x, booked.x, 1e-11);
-            assert_close(p.y, booked.y, 1e-11);
+            const fw_vec2 expected = fw_ledger_momentum(&ledger), p = fw_scene_momentum(scene);
+            assert_close(p.x, expected.x, 1e-11);
+            assert_close(p.y, expected.y, 1e-11);
             stored = fmax(stored, ledger.wall_stored);
         }
         assert_true(stored > 0.02 * start);

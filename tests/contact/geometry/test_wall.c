@@ -84,7 +84,7 @@ static void wall_follows_its_path(void **state)
     def.path = (fw_path){.until = INFINITY, .amplitude = {0.1, 0}, .period = 4000, .phase = 0.5};
     wall = made(&def);
     for (int n = 0; n < 4000; n += 123) {
-        double expected = 0.1 * sin(2 * 3.14159265358979323846 * n / 4000.0 + 0.5);
+        double expected = 0.1 * sin(FW_TWO_PI * n / 4000.0 + 0.5);
         assert_close(fw_wall_displacement(wall, n).x, expected, 1e-16);
         assert_close(fw_wall_displacement(wall, n).y, 0, 0);
         /* A million periods later it is at the same place, to the last bit. */

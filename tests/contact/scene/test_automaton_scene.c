@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_automaton_scene.c - the elastic automaton against walls, in half-steps: the paper's bounce,
- * exact books for conserving walls, and what `componentwise` does to the energy. */
+ * exact ledgers for conserving walls, and what `componentwise` does to the energy. */
 #include "tests/support/laws.h"
 
 #include "contact/scene/scene.h"
@@ -66,12 +66,12 @@ static fw_vec2 drift_of(const fw_scene *scene)
     return fw_sym2_apply(fw_sym2_invert(solid->model->mass(solid)), fw_solid_momentum(solid));
 }
 
-static void assert_books_balance(const fw_scene *scene, double tolerance)
+static void assert_ledger_balances(const fw_scene *scene, double tolerance)
 {
     const fw_ledger l = fw_scene_ledger(scene);
-    const double booked = l.energy_at_start + l.external_work + l.wall_work - l.dissipated -
-                          l.friction_heat + l.thermostat_heat;
-    assert_close(energy_of(scene), booked, tolerance);
+    const double expected = l.energy_at_start + l.external_work + l.wall_work - l.dissipated -
+                            l.friction_heat + l.thermostat_heat;
+    assert_close(energy_of(scene), expected, tolerance);
     const fw_vec2 p = fw_scene_momentum(scene);
     assert_close(p.x, l.momentum_at_start.x + l.external_impulse.x + l.wall_impulse.x + l.drag.x,
                  tolerance);
@@ -109,7 +109,7 @@ static void paper_body_bounces_as_computed_independently(void **state)
         assert_int_equal(last, cases[c].after);
         assert_close(drift_of(scene).x, cases[c].drift.x, 1e-10);
         assert_close(drift_of(scene).y, cases[c].drift.y, 1e-10);
-        assert_books_balance(scene, 1e-13);
+        assert_ledger_balances(scene, 1e-13);
         fw_scene_destroy(scene);
     }
 }
@@ -124,7 +124,7 @@ static void conserving_walls_keep_energy_for_ten_thousand_steps(void **state)
             assert_int_equal(fw_scene_step(scene, NULL), FW_OK);
         assert_true(fw_scene_wall_ledger(scene, 0)->held > 100);
         assert_close(energy_of(scene) / 0.09, 1, 1e-12);
-        assert_books_balance(scene, 1e-12);
+        assert_ledger_balances(scene, 1e-12);
         fw_scene_destroy(scene);
     }
 }
@@ -160,7 +160,7 @@ static void bounce_as_printed_goes_down(void **state)
     fw_scene_destroy(scene);
 }
 
-static void moving_wall_does_what_is_booked(void **state)
+static void moving_wall_does_what_the_ledger_says(void **state)
 {
     (void)state;
     /* A slanted wall swings against the body from below while it is shaken by loads and damped. */
@@ -199,7 +199,7 @@ static void moving_wall_does_what_is_booked(void **state)
     }
     assert_true(fw_scene_wall_ledger(scene, 0)->held > 50);
     assert_true(fabs(fw_scene_wall_ledger(scene, 0)->work) > 1e-3);
-    assert_books_balance(scene, 1e-11); /* impulses of some hundred */
+    assert_ledger_balances(scene, 1e-11); /* impulses of some hundred */
     /* The colour that rests is where the wall was half a step ago: 1.5 2 pi/90 /2 = .052. */
     assert_below(deepest, 0.053);
     fw_scene_destroy(scene);
@@ -269,7 +269,7 @@ static void sliding_body_is_braked_by_friction(void **state)
         assert_true(now < total + 1e-14);
         total = now;
     }
-    assert_books_balance(scene, 1e-12);
+    assert_ledger_balances(scene, 1e-12);
     assert_close((before - fw_scene_momentum(scene).x) / (friction * weight * 300), 1, 0.02);
     fw_scene_destroy(scene);
 }
@@ -281,7 +281,7 @@ int main(void)
         cmocka_unit_test(conserving_walls_keep_energy_for_ten_thousand_steps),
         cmocka_unit_test(componentwise_walls_pump_energy),
         cmocka_unit_test(bounce_as_printed_goes_down),
-        cmocka_unit_test(moving_wall_does_what_is_booked),
+        cmocka_unit_test(moving_wall_does_what_the_ledger_says),
         cmocka_unit_test(resting_body_weighs_what_it_weighs),
         cmocka_unit_test(sliding_body_is_braked_by_friction),
     };

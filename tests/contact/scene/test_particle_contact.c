@@ -54,9 +54,9 @@ static double energy_of(const fw_scene *scene)
 static void assert_momentum_is_booked(const fw_scene *scene, double tolerance)
 {
     const fw_ledger ledger = fw_scene_ledger(scene);
-    const fw_vec2 booked = fw_ledger_momentum(&ledger), p = fw_scene_momentum(scene);
-    assert_close(p.x, booked.x, tolerance);
-    assert_close(p.y, booked.y, tolerance);
+    const fw_vec2 expected = fw_ledger_momentum(&ledger), p = fw_scene_momentum(scene);
+    assert_close(p.x, expected.x, tolerance);
+    assert_close(p.y, expected.y, tolerance);
 }
 
 static fw_solid *moving_disc(double radius, fw_vec2 origin, fw_vec2 velocity, double dt)
@@ -119,8 +119,8 @@ static void held_walker_turns_round(void **state)
 
 /* --- whole bodies --- */
 
-/* In a box, in an oblique polygon and in a circle: nothing gets behind a wall, momentum is booked,
- * and the energy error is Verlet's: a quarter for half the step. */
+/* In a box, in an oblique polygon and in a circle: nothing gets behind a wall, the ledger
+ * has all momentum, and the energy error is Verlet's: a quarter for half the step. */
 static void disc_bounces_with_verlets_energy(void **state)
 {
     (void)state;
@@ -162,7 +162,7 @@ static void disc_bounces_with_verlets_energy(void **state)
 }
 
 /* A floor that rises under a resting disc throws it up: the work of the wall is the energy it has
- * gained, to Verlet's error; momentum is booked exactly. */
+ * gained, to Verlet's error; momentum is in the ledger exactly. */
 static void rising_floor_does_work(void **state)
 {
     (void)state;

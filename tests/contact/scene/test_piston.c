@@ -71,8 +71,8 @@ static const fw_piston_ledger *ledger_of(const fw_scene *scene, int wall)
     return fw_piston_observe_ledger(fw_scene_observe_piston(scene, wall));
 }
 
-/* Books of the bodies, of each piston, and that what one gives the other takes. */
-static void assert_books_balance(const fw_scene *scene, double tolerance)
+/* Ledgers of the bodies, of each piston, and that what one gives the other takes. */
+static void assert_ledger_balances(const fw_scene *scene, double tolerance)
 {
     const fw_ledger ledger = fw_scene_ledger(scene);
     const fw_energies e = fw_scene_energies(scene);
@@ -117,7 +117,7 @@ static void constant_force_gives_constant_acceleration(void **state)
     assert_close(a->displacement.x, 0.5 * 0.02 / 4 * 1e6, 1e-8);
     assert_close(a->displacement.y, -0.5 * 0.01 / 4 * 1e6, 1e-8);
     assert_close(a->velocity.x, 0.02 / 4 * 1000, 1e-11);
-    assert_books_balance(scene, 1e-12);
+    assert_ledger_balances(scene, 1e-12);
     assert_int_equal(fw_scene_unresolved(scene), 0);
     fw_scene_destroy(scene);
 }
@@ -133,7 +133,7 @@ static void damped_piston_reaches_its_terminal_velocity(void **state)
     begin(scene);
     run(scene, 3000);
     assert_close(ledger_of(scene, 0)->velocity.x, 0.25, 0.25 * 0.02 * 0.02);
-    assert_books_balance(scene, 1e-12);
+    assert_ledger_balances(scene, 1e-12);
     fw_scene_destroy(scene);
 }
 
@@ -164,7 +164,7 @@ static void tethered_piston_swings_for_ever(void **state)
         turns += before > 0 && a->velocity.x <= 0;
     }
     const double angle = 2 * atan(0.5 * sqrt(0.02 / 2));
-    assert_close(turns, 20000 * angle / 6.283185307179586, 1);
+    assert_close(turns, 20000 * angle / FW_TWO_PI, 1);
     fw_scene_destroy(scene);
 }
 
@@ -188,7 +188,7 @@ static void piston_and_particle_collide_elastically(void **state)
         assert_close(p.x / m, v * (m - big) / (m + big), 1e-14);
         assert_close(p.y / m, 0.01, 1e-15);
         assert_close(ledger_of(scene, 0)->velocity.x, 2 * m * v / (m + big), 1e-14);
-        assert_books_balance(scene, 1e-12);
+        assert_ledger_balances(scene, 1e-12);
         fw_scene_destroy(scene);
     }
 }
@@ -216,7 +216,7 @@ static void impacts_keep_energy_and_momentum_on_every_surface(void **state)
                 run(scene, 1);
                 deepest = fmax(deepest, fw_scene_penetration(scene, 0));
             }
-            assert_books_balance(scene, 2e-12);
+            assert_ledger_balances(scene, 2e-12);
             assert_true(fw_scene_wall_ledger(scene, 1)->held > 0 || s == 3);
             assert_true(fabs(ledger_of(scene, 1)->pushed_by) > 1e-4);
             if (s != 3) assert_below(deepest, 1e-11);
@@ -246,7 +246,7 @@ static void round_piston_keeps_energy_and_momentum(void **state)
     run(scene, 600);
     const fw_piston_ledger *a = ledger_of(scene, 0);
     assert_true(a->velocity.x > 0.01);
-    assert_books_balance(scene, 1e-11);
+    assert_ledger_balances(scene, 1e-11);
     assert_true(a->unresolved == 0);
     const fw_vec2 p = fw_scene_momentum(scene);
     assert_close(p.x + 50 * a->velocity.x, fw_scene_ledger(scene).momentum_at_start.x, 1e-12);
@@ -325,7 +325,7 @@ static void press_anyhow(uint64_t seed, int *unresolved)
         run(scene, 1);
         deepest = fmax(deepest, fw_scene_penetration(scene, 0));
     }
-    assert_books_balance(scene, 1e-11);
+    assert_ledger_balances(scene, 1e-11);
     const bool resolved =
         fw_scene_unresolved(scene) == 0 && ledger_of(scene, wall)->unresolved == 0;
     if (resolved && !soft) assert_below(deepest, 1e-10);
@@ -339,7 +339,7 @@ static void press_anyhow(uint64_t seed, int *unresolved)
     fw_scene_destroy(scene);
 }
 
-static void any_press_keeps_its_books(void **state)
+static void any_press_keeps_its_ledger(void **state)
 {
     (void)state;
     int unresolved = 0;
@@ -403,7 +403,7 @@ static void one_row_carries_the_load(void **state)
         }
         assert_true(fw_scene_penetration(scene, 0) == 0);
         assert_true(a->unresolved == 0);
-        assert_books_balance(scene, 1e-12);
+        assert_ledger_balances(scene, 1e-12);
         fw_scene_destroy(scene);
     }
 }
@@ -423,7 +423,7 @@ static void two_platens_press_one_block(void **state)
     run(scene, 3000);
     assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y, 0.2, 1e-9);
     assert_true(ledger_of(scene, 1)->unresolved + ledger_of(scene, 2)->unresolved == 0);
-    assert_books_balance(scene, 1e-11);
+    assert_ledger_balances(scene, 1e-11);
     fw_scene_destroy(scene);
 }
 
@@ -449,7 +449,7 @@ static void pressed_block_yields_by_its_compliance(void **state)
     assert_close(sum / 200, load, 1e-9 * load);
     assert_below(deviation, 1e-9);
     assert_close(ledger_of(scene, 1)->displacement.y, -load * 9 / 20, 1e-9);
-    assert_books_balance(scene, 1e-11);
+    assert_ledger_balances(scene, 1e-11);
     fw_scene_destroy(scene);
 }
 
@@ -469,7 +469,7 @@ static void held_piston_follows_its_path(void **state)
     begin(scene);
     run(scene, 1100);
     const fw_piston_ledger *a = ledger_of(scene, 1);
-    assert_close(a->displacement.x, 0.5 * sin(6.283185307179586 * 1100 / 400), 1e-12);
+    assert_close(a->displacement.x, 0.5 * sin(FW_TWO_PI * 1100 / 400), 1e-12);
     assert_close(a->work, fw_scene_wall_ledger(scene, 1)->work, 1e-12);
     assert_true(a->work > 1e-3);
     assert_true(fw_piston_kinetic_energy(fw_scene_observe_piston(scene, 1)) == 0);
@@ -480,7 +480,7 @@ static void held_piston_follows_its_path(void **state)
     assert_close(fw_piston_kinetic_energy(fw_scene_observe_piston(scene, 1)), 2.5 * speed * speed,
                  1e-15);
     run(scene, 300);
-    assert_books_balance(scene, 1e-12);
+    assert_ledger_balances(scene, 1e-12);
     fw_scene_destroy(scene);
 }
 
@@ -532,7 +532,7 @@ int main(void)
         cmocka_unit_test(piston_and_particle_collide_elastically),
         cmocka_unit_test(impacts_keep_energy_and_momentum_on_every_surface),
         cmocka_unit_test(round_piston_keeps_energy_and_momentum),
-        cmocka_unit_test(any_press_keeps_its_books),
+        cmocka_unit_test(any_press_keeps_its_ledger),
         cmocka_unit_test(a_piston_strikes_only_what_it_reaches),
         cmocka_unit_test(one_row_carries_the_load),
         cmocka_unit_test(two_platens_press_one_block),

@@ -78,12 +78,12 @@ static double energy_of(const fw_scene *scene)
 }
 
 /* Energy and momentum against the ledger. */
-static void assert_books_balance(const fw_scene *scene, double tolerance)
+static void assert_ledger_balances(const fw_scene *scene, double tolerance)
 {
     fw_ledger l = fw_scene_ledger(scene);
-    double booked = fw_ledger_energy(&l);
+    double energy = fw_ledger_energy(&l);
     double scale = fmax(fmax(l.energy_at_start, energy_of(scene)), fabs(l.external_work));
-    assert_close(energy_of(scene) / scale, booked / scale, tolerance);
+    assert_close(energy_of(scene) / scale, energy / scale, tolerance);
     fw_vec2 p = fw_scene_momentum(scene);
     fw_vec2 expected = fw_ledger_momentum(&l);
     assert_close(p.x, expected.x, 1e-10);
@@ -122,7 +122,7 @@ static void sheet_bounces_in_a_box(void **state)
                       fraction[2], fraction[4], fw_scene_query_count(scene));
         assert_close(fraction[2], 0.81, 0.01);
         assert_close(fraction[4], 0.63, 0.05);
-        assert_books_balance(scene, 1e-12);
+        assert_ledger_balances(scene, 1e-12);
         fw_scene_destroy(scene);
     }
 }
@@ -172,7 +172,7 @@ static void oblique_walls_keep_energy_and_hold(void **state)
         assert_close(energy_of(scene) / start, 1, 1e-12);
         assert_true(deepest <= 4 * 2.220446049250313e-16 * (shift + 32));
         assert_int_equal(fw_scene_unresolved(scene), 0);
-        assert_books_balance(scene, 1e-12);
+        assert_ledger_balances(scene, 1e-12);
         fw_scene_destroy(scene);
     }
 }
@@ -276,7 +276,7 @@ static void slope_slides_above_the_angle_of_friction(void **state)
         double a = ((at[2].x - 2 * at[1].x + at[0].x) * c - (at[2].y - 2 * at[1].y + at[0].y) * s) /
                    ((double)steps * steps);
         assert_close(a / g, expected[n], 1e-3);
-        assert_books_balance(scene, 1e-11);
+        assert_ledger_balances(scene, 1e-11);
         fw_scene_destroy(scene);
     }
 }
@@ -395,7 +395,7 @@ static void coulomb_impact_loses_what_friction_takes(void **state)
     double e = -after.y / before.y;
     assert_close(after.x / before.x, 1 - friction * (1 + e), 1e-3);
     assert_true(fw_scene_ledger(scene).friction_heat > 0);
-    assert_books_balance(scene, 1e-12);
+    assert_ledger_balances(scene, 1e-12);
     fw_scene_destroy(scene);
 }
 
@@ -427,13 +427,13 @@ static void moving_wall_does_work(void **state)
             assert_true(fw_scene_penetration(scene, -1) < 1e-13);
         }
         assert_true(fabs(fw_scene_ledger(scene).wall_work) > 1e-3);
-        assert_books_balance(scene, 1e-12);
+        assert_ledger_balances(scene, 1e-12);
         fw_scene_destroy(scene);
     }
 }
 
-/* A bar between two grips: one held, the other on a sine; rigid ends, exact books. */
-static void gripped_bar_keeps_its_books(void **state)
+/* A bar between two grips: one held, the other on a sine; rigid ends, exact ledger. */
+static void gripped_bar_keeps_its_ledger(void **state)
 {
     (void)state;
     for (int driven = 0; driven < 2; ++driven) {
@@ -471,7 +471,7 @@ static void gripped_bar_keeps_its_books(void **state)
         assert_close(solid->y[22] - solid->y[10], height, 1e-13);
         assert_true(solid->x[0] == 0 && solid->y[0] == 0);
         assert_true(fw_scene_ledger(scene).grip_work > 1e-3);
-        assert_books_balance(scene, 1e-11);
+        assert_ledger_balances(scene, 1e-11);
         if (!driven)
             assert_close(fw_grip_observe_ledger(fw_scene_observe_grip(scene, 1))->reaction.y, 0.1,
                          1e-12);
@@ -527,7 +527,7 @@ int main(void)
         cmocka_unit_test(friction_is_the_same_on_every_wall_and_piece),
         cmocka_unit_test(coulomb_impact_loses_what_friction_takes),
         cmocka_unit_test(moving_wall_does_work),
-        cmocka_unit_test(gripped_bar_keeps_its_books),
+        cmocka_unit_test(gripped_bar_keeps_its_ledger),
         cmocka_unit_test(body_that_starts_in_a_wall_is_refused),
         cmocka_unit_test(exploding_numbers_stop_the_run),
     };

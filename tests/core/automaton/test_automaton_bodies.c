@@ -215,7 +215,7 @@ static void large_bodies_are_judged_alike(void **state)
     fw_sites_clear(&sites);
 }
 
-static void breaking_takes_energy_and_books_it(void **state)
+static void breaking_takes_energy_into_the_ledger(void **state)
 {
     (void)state;
     fw_sites sites = rectangle(12, 8);
@@ -409,7 +409,7 @@ int main(void)
         cmocka_unit_test(acceptance_is_the_spectral_radius),
         cmocka_unit_test(rotation_decides_for_the_trapezoid),
         cmocka_unit_test(large_bodies_are_judged_alike),
-        cmocka_unit_test(breaking_takes_energy_and_books_it),
+        cmocka_unit_test(breaking_takes_energy_into_the_ledger),
         cmocka_unit_test(rigid_motion_breaks_nothing),
         cmocka_unit_test(cell_without_bonds_freezes),
         cmocka_unit_test(threads_change_no_bit),

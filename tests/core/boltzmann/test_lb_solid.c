@@ -154,7 +154,7 @@ static void agrees_with_stoermer_verlet(void **state)
                 assert_below(distance_from_oracle(kind, damping[n], seed), 1e-11);
 }
 
-static void books_balance_under_random_forces(void **state)
+static void ledger_balances_under_random_forces(void **state)
 {
     (void)state;
     for (int kind = 0; kind < REST_KINDS; ++kind)
@@ -171,8 +171,8 @@ static void books_balance_under_random_forces(void **state)
             fw_energies e = fw_solid_energies(solid);
             fw_vec2 p = fw_solid_momentum(solid);
             double energy = e.kinetic + e.elastic, start = e0.kinetic + e0.elastic;
-            double booked = start + solid->ledger.work - solid->ledger.dissipated;
-            assert_below(fabs(energy - booked) / energy, 1e-11);
+            double expected = start + solid->ledger.work - solid->ledger.dissipated;
+            assert_below(fabs(energy - expected) / energy, 1e-11);
             assert_close(p.x, p0.x + solid->ledger.impulse.x + solid->ledger.drag.x, 1e-10);
             assert_close(p.y, p0.y + solid->ledger.impulse.y + solid->ledger.drag.y, 1e-10);
             assert_below(fw_lb_solid_link_error(solid), 1e-10);
@@ -394,7 +394,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(agrees_with_stoermer_verlet),
-        cmocka_unit_test(books_balance_under_random_forces),
+        cmocka_unit_test(ledger_balances_under_random_forces),
         cmocka_unit_test(rigid_motion_does_not_ring),
         cmocka_unit_test(runs_back_the_way_it_came),
         cmocka_unit_test(bytes_do_not_depend_on_threads),

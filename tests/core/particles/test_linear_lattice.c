@@ -123,7 +123,7 @@ static void waves_run_alike_in_all_directions(void **state)
     const int middle = fw_sites_find(&sites, (fw_site){4, 4});
     for (int direction = 0; direction < 7; ++direction)
         for (int across = 0; across < 2; ++across) {
-            const double angle = direction * acos(-1) / 13, q = 0.02;
+            const double angle = direction * FW_PI / 13, q = 0.02;
             const fw_vec2 along = {cos(angle), sin(angle)}, wave = fw_vec2_scale(q, along);
             const fw_vec2 u = across ? fw_vec2_turn(along) : along;
             fw_solid *solid = made(&def);

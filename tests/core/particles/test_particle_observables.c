@@ -90,7 +90,7 @@ static void ideal_gas_has_its_pressure(void **state)
 static void order_tells_axes(void **state)
 {
     (void)state;
-    const double degree = acos(-1) / 180, angles[] = {0, 30, 15, 60};
+    const double degree = FW_PI / 180, angles[] = {0, 30, 15, 60};
     const double lab[] = {1, -1, 0, 1};
     for (int a = 0; a < 4; ++a) {
         fw_solid *solid =
@@ -133,11 +133,11 @@ static void pair_correlation_counts_neighbours(void **state)
         solid_of(crowd_disc(30, (fw_vec2){0, 0}, 0.2, 0, 1), fw_return_force_default(), still, 1);
     enum { BINS = 25 };
     double g[BINS];
-    const double density = 2 / sqrt(3), step = 0.1, pi = acos(-1);
+    const double density = 2 / sqrt(3), step = 0.1;
     assert_int_equal(fw_particle_pair_correlation(solid, 0, density, step, BINS, g, NULL), FW_OK);
     double shells[3] = {0};
     for (int k = 0; k < BINS; ++k) {
-        const double neighbours = g[k] * density * pi * step * step * (2 * k + 1);
+        const double neighbours = g[k] * density * FW_PI * step * step * (2 * k + 1);
         if (k < 9) assert_close(neighbours, 0, 1e-12);
         shells[k < 12 ? 0 : k < 19 ? 1 : 2] += neighbours;
     }

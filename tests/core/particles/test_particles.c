@@ -22,7 +22,7 @@ static void run(fw_solid *solid, int steps)
 static void pair_turns_to_its_axis(void **state)
 {
     (void)state;
-    const double degree = acos(-1) / 180;
+    const double degree = FW_PI / 180;
     for (int fold = 4; fold <= 6; fold += 2) {
         fw_crowd pair = {2, malloc(2 * sizeof *pair.at)};
         pair.at[0] = (fw_vec2){0, 0};
@@ -65,7 +65,7 @@ static void free_body_keeps_its_momentum(void **state)
 static void disc_spins_freely(void **state)
 {
     (void)state;
-    const double rate = 0.05, pi = acos(-1);
+    const double rate = 0.05;
     fw_solid *solid = solid_of(crowd_disc(5, (fw_vec2){0, 0}, 0, 0, 3),
                                return_force_of(6, 1, FW_AXES_COROTATING, FW_RETURN_CONSERVATIVE),
                                (fw_langevin_controls){.time_step = 0.005, .damping = 1}, 1);
@@ -86,7 +86,7 @@ static void disc_spins_freely(void **state)
     }
     const double energy = total_energy(solid), spin = angular_momentum(solid);
     const double from = atan2(solid->y[solid->count - 1], solid->x[solid->count - 1]);
-    const double duration = 1.2 * pi / rate;
+    const double duration = 1.2 * FW_PI / rate;
     double worst_energy = 0, worst_spin = 0;
     const int steps = (int)(duration / 0.005);
     for (int step = 0; step < steps; ++step) {
@@ -96,8 +96,8 @@ static void disc_spins_freely(void **state)
         worst_spin = fmax(worst_spin, fabs(angular_momentum(solid) / spin - 1));
     }
     const double turned = atan2(solid->y[solid->count - 1], solid->x[solid->count - 1]) - from;
-    assert_close(cos(turned), cos(1.2 * pi), 1e-3);
-    assert_close(sin(turned), sin(1.2 * pi), 2e-3);
+    assert_close(cos(turned), cos(1.2 * FW_PI), 1e-3);
+    assert_close(sin(turned), sin(1.2 * FW_PI), 2e-3);
     print_message("spin: energy per particle %.2g, angular momentum %.2g\n", worst_energy,
                   worst_spin);
     assert_below(worst_energy, 1e-9);

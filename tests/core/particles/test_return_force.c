@@ -154,11 +154,10 @@ static void pairs_pull_equally(void **state)
 static void bonds_return_to_their_axes(void **state)
 {
     (void)state;
-    const double pi = acos(-1);
     for (int fold = 4; fold <= 6; fold += 2)
         for (int k = 0; k < fold; ++k)
             for (int side = -1; side <= 1; side += 2) {
-                const double off = side * pi / 30, phi = 2 * pi * k / fold + off;
+                const double off = side * FW_PI / 30, phi = 2 * FW_PI * k / fold + off;
                 const fw_return_force force =
                     return_force_of(fold, 2, FW_AXES_LAB, FW_RETURN_CONSTANT);
                 const fw_vec2 pull = fw_return_lab(&force, (fw_phase){1, 0}, cos(phi), sin(phi), 1);

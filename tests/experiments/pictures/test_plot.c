@@ -124,7 +124,7 @@ static void open_result(void)
     assert_fine(fw_plot_result_open(&result, folder, &error));
 }
 
-/* At rest the forces of the links balance the external ones at every particle. The unrest of the
+/* At rest the forces of the links balance the external ones at every particle. The residual of the
  * sheet falls by far more than 1e-12 in 800 steps at mu = 0.8. */
 static void forces_on_a_resting_body_add_up_to_zero(void **state)
 {

@@ -105,7 +105,7 @@ static void materials_and_bodies_are_what_was_written(void **state)
     assert_int_equal(sheet->place.line, 12);
     assert_int_equal(sheet->lattice.kind, FW_SQUARE);
     assert_close(sheet->lattice.spacing, 1.5, 0);
-    assert_close(sheet->lattice.angle, acos(-1) / 2, 1e-15);
+    assert_close(sheet->lattice.angle, FW_PI / 2, 1e-15);
     assert_vector(sheet->lattice.origin, 7.313, 11.747);
     assert_vector(sheet->velocity, 0.05, 0.031);
     assert_close(s->bodies[1].lattice.spacing, 1, 0);
@@ -131,7 +131,7 @@ static void starting_values_are_what_was_written(void **state)
     assert_close(sheet->velocities.item[0].random, 0.01, 0);
     assert_int_equal(wave.kind, FW_PATTERN_WAVE);
     assert_vector(wave.wave_vector, 0.1, 0.2);
-    assert_close(wave.phase, -acos(-1) / 4, 1e-15);
+    assert_close(wave.phase, -FW_PI / 4, 1e-15);
     assert_close(sheet->rest_mass.item[0].value.yy, 2, 0);
     assert_int_equal(sheet->link_stiffness.item[0].links, FW_LINKS_ACROSS);
     assert_close(sheet->link_stiffness.item[0].value.yy, 4, 0);
@@ -161,7 +161,7 @@ static void walls_and_forces_are_what_was_written(void **state)
     assert_close(ring->surface.friction, 0.3, 0);
     assert_vector(ring->path.velocity, 1, 0);
     assert_close(ring->path.until, 5, 0);
-    assert_close(ring->path.phase, acos(-1) / 2, 1e-15);
+    assert_close(ring->path.phase, FW_PI / 2, 1e-15);
     assert_int_equal(floor_chain->shape, FW_CHAIN);
     assert_true(floor_chain->closed);
 

@@ -79,7 +79,7 @@ static void materials_are_what_was_written(void **state)
     assert_int_equal(rich->return_force.variant, FW_RETURN_CONSTANT);
     assert_int_equal(rich->return_force.axes, FW_AXES_SURFACE);
     assert_true(rich->return_force.amplitude == 0.6 && rich->return_force.distance == 1.1);
-    assert_close(rich->return_force.angle, acos(-1) / 2, 1e-15);
+    assert_close(rich->return_force.angle, FW_PI / 2, 1e-15);
     assert_close(rich->return_force.cut.scale, 5, 1e-14);
     assert_true(rich->mass == 3 && rich->strength == 0.7);
     const fw_scenario_linear *net = &s->materials[2].linear;
@@ -145,7 +145,7 @@ static void movable_bodies_share_one_solid(void **state)
     assert_int_equal(solid->count, 61);
     assert_int_equal(solid->boundary_count, 61);
     /* Axes of a body follow its lattice unless told otherwise. */
-    assert_close(fw_particles_group(solid, 1)->return_force.angle, acos(-1) / 6, 1e-15);
+    assert_close(fw_particles_group(solid, 1)->return_force.angle, FW_PI / 6, 1e-15);
     /* Of each body what its own particles have; of all together what the solid has. */
     assert_close(fw_member_mass(e, 2).xx, 9 * 2.5, 1e-12);
     assert_close(fw_member_momentum(e, 0).x, 12 * 0.3, 1e-12);
@@ -243,7 +243,7 @@ static void motion_is_measured_from_the_start(void **state)
                                 "run: {steps: 1}\n");
     fw_experiment *e = build_right(s);
     fw_solid *solid = fw_scene_body(e->scene, 0);
-    const double degree = acos(-1) / 180, c = cos(130 * degree), sn = sin(130 * degree);
+    const double degree = FW_PI / 180, c = cos(130 * degree), sn = sin(130 * degree);
     double square = 0;
     for (int i = 0; i < solid->count; ++i) {
         const double x = solid->x[i] - 7, y = solid->y[i] + 4;

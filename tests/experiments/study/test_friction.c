@@ -111,9 +111,9 @@ static void layers_hold_what_is_near_the_outer_face(void **state)
     fw_scenario_destroy(scenario);
 }
 
-/* --- the books --- */
+/* --- the ledger --- */
 
-static double books_open_by(const char *time_step)
+static double ledger_open_by(const char *time_step)
 {
     char dt[64];
     snprintf(dt, sizeof dt, "dynamics.time-step=%s", time_step);
@@ -138,10 +138,10 @@ static double books_open_by(const char *time_step)
 
 /* Grips' work is change of energy and heat; what is left falls with the square of the time step, as
  * Verlet's own error does. */
-static void work_of_grips_is_booked(void **state)
+static void work_of_grips_is_in_the_ledger(void **state)
 {
     (void)state;
-    const double coarse = books_open_by("0.005"), fine = books_open_by("0.0025");
+    const double coarse = ledger_open_by("0.005"), fine = ledger_open_by("0.0025");
     assert_below(coarse, .1);
     assert_below(fine, .4 * coarse);
 }
@@ -450,7 +450,7 @@ int main(void)
         cmocka_unit_test(a_phase_has_its_own_bath_and_gives_it_back),
         cmocka_unit_test(a_grip_swings_only_in_the_phases_that_say_so),
         cmocka_unit_test(layers_hold_what_is_near_the_outer_face),
-        cmocka_unit_test(work_of_grips_is_booked),
+        cmocka_unit_test(work_of_grips_is_in_the_ledger),
         cmocka_unit_test(a_run_goes_on_exactly_from_the_middle_of_any_phase),
         cmocka_unit_test(a_crystal_that_moves_as_one_has_a_plain_profile),
         cmocka_unit_test(replicas_do_not_depend_on_how_many_run_at_a_time),
