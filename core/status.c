@@ -23,6 +23,12 @@ fw_status fw_fail_memory(fw_error *error, const char *what)
     return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %s", what);
 }
 
+fw_status fw_fail_impossible(fw_error *error, const char *what)
+{
+    return fw_fail(error, FW_SYSTEM_FAILED, "%s: a mistake in the program itself, please report it",
+                   what);
+}
+
 /* As much of the text as there is room for. */
 static void append(fw_error *error, const char *text)
 {

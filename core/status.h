@@ -30,6 +30,10 @@ fw_status fw_fail(fw_error *error, fw_status status, const char *format, ...)
 /* The failure of an allocation of `what` ("positions of 10000 particles"). */
 fw_status fw_fail_memory(fw_error *error, const char *what);
 
+/* A case that the program itself rules out, as a value of an enum that it does not know: a mistake
+ * of the program that must not pass for success. FW_SYSTEM_FAILED; `what` names the case. */
+fw_status fw_fail_impossible(fw_error *error, const char *what);
+
 /* Puts "prefix: " before the sentence of an error on its way up; returns its status. */
 fw_status fw_fail_within(fw_error *error, const char *format, ...)
     __attribute__((format(printf, 2, 3)));

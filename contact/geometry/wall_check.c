@@ -190,24 +190,26 @@ static fw_status check_path(const fw_wall_def *def, fw_error *error)
     return FW_OK;
 }
 
+static fw_status check_shape(const fw_wall_def *def, fw_error *error)
+{
+    switch (def->shape) {
+    case FW_BOX:
+        return check_box(def, error);
+    case FW_CIRCLE:
+        return check_circle(def, error);
+    case FW_CHAIN:
+        return check_sides(def, def->closed, error);
+    case FW_POLYGON:
+        FW_TRY(check_sides(def, true, error));
+        return check_polygon(def, error);
+    }
+    return fw_fail_impossible(error, "a wall of an unknown shape");
+}
+
 fw_status fw_wall_def_check(const fw_wall_def *def, fw_error *error)
 {
     FW_TRY(check_points(def, error));
-    switch (def->shape) {
-    case FW_BOX:
-        FW_TRY(check_box(def, error));
-        break;
-    case FW_CIRCLE:
-        FW_TRY(check_circle(def, error));
-        break;
-    case FW_CHAIN:
-        FW_TRY(check_sides(def, def->closed, error));
-        break;
-    case FW_POLYGON:
-        FW_TRY(check_sides(def, true, error));
-        FW_TRY(check_polygon(def, error));
-        break;
-    }
+    FW_TRY(check_shape(def, error));
     FW_TRY(check_surface(def, error));
     return check_path(def, error);
 }

@@ -235,7 +235,7 @@ static fw_status read_analysis(fw_scenario *scenario, const fw_node *node,
     case FW_ANALYSIS_BOLTZMANN_TWIN:
         return read_twin(scenario, what, analysis, error);
     }
-    return FW_OK;
+    return fw_fail_impossible(error, "an analysis of an unknown kind");
 }
 
 fw_status fw_scenario_read_analyses(fw_scenario *scenario, fw_error *error)

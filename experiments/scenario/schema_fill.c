@@ -115,8 +115,7 @@ static fw_status fill_value(fw_document *document, const fw_key *key, const fw_n
         return FW_OK;
     }
     default:
-        assert(false && "a form that can be stored");
-        return FW_OK;
+        return fw_fail_impossible(error, "a key of a form that cannot be stored");
     }
 }
 

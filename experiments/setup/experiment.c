@@ -70,6 +70,7 @@ static fw_status add_body(fw_experiment *experiment, int number, fw_error *error
     case FW_MOVABLE_PARTICLES:
         return add_particles(experiment, number, error);
     }
+    if (!solid) return fw_fail_impossible(error, "a body of an unknown solid");
     return adopt(experiment, number, member->name, solid, error);
 }
 
