@@ -3,6 +3,7 @@
 #include "experiments/commands/command.h"
 
 #include "experiments/scenario/catalogue.h"
+#include "experiments/scenario/picture_kind.h"
 #include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
 
@@ -51,8 +52,7 @@ static const option options[] = {
     {'q', "--quiet", "-q", NULL, "no progress"},
     {'w', "--overwrite", NULL, NULL, "replaces an earlier result in the folder"},
     {'n', "--no-plot", NULL, NULL, "draws no pictures"},
-    {'k', "--kind", NULL, "KIND",
-     "motion, forces, field, strip, series, profile, loop or analysis; sweep of a sweep"},
+    {'k', "--kind", NULL, "KIND", FW_PICTURE_NAMES},
     {'f', "--field", NULL, "NAME", "field that is drawn as colour, or printed"},
     {'b', "--observable", NULL, "NAME[,NAME]", "observables that are drawn or written over time"},
     {'a', "--at", NULL, "STEP[,STEP]",

@@ -445,7 +445,7 @@ static fw_status add_all(request *r)
     for (int p = 0; p < scenario->picture_count; ++p) {
         const fw_scenario_picture *picture = &scenario->pictures[p];
         for (int n = 0; n < picture->observables.count; ++n)
-            FW_TRY(picture->kind == FW_PICTURE_SWEEP
+            FW_TRY(fw_picture_rows[picture->kind].needs & FW_PICTURE_NEEDS_SWEEP
                        ? check_compared(r, picture->observables.item[n])
                        : add_drawn(r, picture->observables.item[n]));
     }

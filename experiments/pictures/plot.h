@@ -13,14 +13,14 @@
 typedef struct fw_plot_wish {
     const char *file;    /* ends in .png, .svg or .pdf; NULL: NAME.png in the results folder */
     const char *picture; /* one of the scenario's, or NULL */
-    const char *kind;    /* "motion", "forces", "field", "strip", "series", "profile", "loop",
-                         "analysis", "sweep",    or NULL */
+    const char *kind;    /* a name of picture_kind.h, or NULL */
     const char *field;   /* whose values are colours; NULL: the picture's own, or the first */
     const char *const *observables; /* of a series: "energy", "elongation.chain", "momentum.x" */
     int observable_count;           /* 0: the picture's own, or the energies */
     const int64_t *steps;           /* that are drawn; of a series, its first and its last */
     int step_count;                 /* 0: the picture's own, or chosen */
     bool logarithmic;               /* axes of a series' values */
+    double range[2];                /* ends of the colours; equal: those of the whole result */
 } fw_plot_wish;
 
 /* Draws one picture and says on `out` where it lies. FW_BAD_INPUT: there are no results, or they do

@@ -21,7 +21,8 @@ static fw_status load_views(const fw_plot_result *result, const fw_plot_picture 
     *views = calloc((size_t)picture->frame_count, sizeof **views);
     if (!*loaded || !*views) return fw_fail_memory(error, "the frames of a picture");
     for (int k = 0; k < picture->frame_count; ++k) {
-        FW_TRY(fw_plot_view_load(&(*loaded)[k], result, picture->frames[k], picture->field, error));
+        FW_TRY(fw_plot_view_load(&(*loaded)[k], result, picture->frames[k],
+                                 picture->asked.field.text, error));
         (*views)[k] = (*loaded)[k].view;
     }
     return FW_OK;
@@ -148,11 +149,11 @@ static fw_page page_with_meaning(const fw_plot_result *result, const fw_plot_pic
 {
     fw_page page = picture->page;
     const char *meaning = "";
-    for (int n = 0; picture->field && n < result->playback->field_count; ++n)
-        if (strcmp(result->playback->fields[n].name, picture->field) == 0)
+    for (int n = 0; picture->asked.field.text && n < result->playback->field_count; ++n)
+        if (strcmp(result->playback->fields[n].name, picture->asked.field.text) == 0)
             meaning = result->playback->fields[n].meaning;
     if (meaning[0]) {
-        snprintf(caption, size, "%s: %s. %s", picture->field, meaning, page.caption);
+        snprintf(caption, size, "%s: %s. %s", picture->asked.field.text, meaning, page.caption);
         page.caption = caption;
     }
     return page;
@@ -165,10 +166,10 @@ fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture
     char caption[2048];
     const fw_page page = page_with_meaning(result, picture, caption, sizeof caption);
     fw_status status =
-        fw_plot_view_load(&loaded, result, picture->frames[0], picture->field, error);
+        fw_plot_view_load(&loaded, result, picture->frames[0], picture->asked.field.text, error);
     if (status == FW_OK) {
         const fw_figure_field_plan plan = {.view = &loaded.view,
-                                           .colouring = {.label = picture->field},
+                                           .colouring = {.label = picture->asked.field.text},
                                            .length_unit = result->length_unit};
         status = fw_figure_field(&page, &plan, error);
     }
@@ -187,7 +188,7 @@ fw_status fw_plot_draw_strip(const fw_plot_result *result, const fw_plot_picture
     if (status == FW_OK) {
         const fw_figure_strip_plan plan = {.views = views,
                                            .view_count = picture->frame_count,
-                                           .colouring = {.label = picture->field}};
+                                           .colouring = {.label = picture->asked.field.text}};
         status = fw_figure_strip(&page, &plan, error);
     }
     clear_views(picture, loaded, views);

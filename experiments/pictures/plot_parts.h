@@ -48,28 +48,14 @@ fw_status fw_plot_view_load(fw_plot_view *view, const fw_plot_result *result, in
                             const char *field, fw_error *error);
 void fw_plot_view_clear(fw_plot_view *view);
 
-typedef enum fw_plot_kind {
-    FW_PLOT_MOTION,
-    FW_PLOT_FORCES,
-    FW_PLOT_FIELD,
-    FW_PLOT_STRIP,
-    FW_PLOT_SERIES,
-    FW_PLOT_PROFILE,
-    FW_PLOT_LOOP,
-    FW_PLOT_ANALYSIS
-} fw_plot_kind;
-
 /* A picture with every choice made. */
 typedef struct fw_plot_picture {
-    fw_plot_kind kind;
+    fw_scenario_picture asked; /* by the scenario, the command line, or usual */
     fw_page page;
-    int frame_count; /* >= 1, but for series */
+    int frame_count; /* >= 1 where its kind shows frames */
     int64_t *frames; /* ascending */
-    const char *field;
     int observable_count;
     const char **observables;
-    int64_t from, until; /* steps of a series */
-    bool logarithmic;
     const fw_scenario_analysis *analysis;
 } fw_plot_picture;
 

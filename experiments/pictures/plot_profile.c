@@ -133,13 +133,14 @@ static fw_status fill_sides(side sides[2], const fw_plot_result *result,
                             const fw_plot_result *control, const fw_profile_table *table,
                             const fw_plot_picture *picture, fw_error *error)
 {
-    FW_TRY(fw_plot_view_load(&sides[0].view, result, picture->frames[0], picture->field, error));
+    FW_TRY(fw_plot_view_load(&sides[0].view, result, picture->frames[0], picture->asked.field.text,
+                             error));
     lay_across(&sides[0].view, table->axis);
     FW_TRY(fill_curves(&sides[0], table, false, error));
     mark_regions(&sides[0], &result->scenario->profile);
     if (!control) return FW_OK;
     const int64_t frame = fw_plot_nearest_frame(control, result->steps[picture->frames[0]]);
-    FW_TRY(fw_plot_view_load(&sides[1].view, control, frame, picture->field, error));
+    FW_TRY(fw_plot_view_load(&sides[1].view, control, frame, picture->asked.field.text, error));
     lay_across(&sides[1].view, table->axis);
     FW_TRY(fill_curves(&sides[1], table, true, error));
     mark_regions(&sides[1], &result->scenario->profile);
@@ -155,16 +156,16 @@ static fw_status draw_sides(const fw_plot_result *result, const fw_plot_picture 
     fw_status status = fill_sides(sides, result, control, table, picture, error);
     if (status == FW_OK) {
         const fw_figure_stack_plan plans[2] = {
-            plan_of(&sides[0], table, picture->field, control ? "experiment" : NULL),
-            plan_of(&sides[1], table, picture->field, "control")};
+            plan_of(&sides[0], table, picture->asked.field.text, control ? "experiment" : NULL),
+            plan_of(&sides[1], table, picture->asked.field.text, "control")};
         fw_page page = picture->page;
         char caption[2048];
         snprintf(caption, sizeof caption,
                  "Above: the particles after step %lld, coloured by their %s. Below: profiles "
                  "across %c, means over the samples and %lld seed%s with standard errors as bars. "
                  "All quantities in reduced units. %s",
-                 (long long)result->steps[picture->frames[0]], picture->field, table->axis,
-                 (long long)result->scenario->study.seeds,
+                 (long long)result->steps[picture->frames[0]], picture->asked.field.text,
+                 table->axis, (long long)result->scenario->study.seeds,
                  result->scenario->study.seeds == 1 ? "" : "s", page.caption ? page.caption : "");
         page.caption = caption;
         if (control) page.width = 240;

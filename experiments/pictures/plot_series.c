@@ -87,12 +87,14 @@ static fw_status read_times(series *s, const fw_plot_picture *picture, fw_error 
     if (!s->steps || !s->times) return fw_fail_memory(error, "the times of a picture");
     FW_TRY(fw_playback_read_sample_times(s->result->playback, s->steps, s->times, error));
     for (size_t k = 0; k < count; ++k) {
-        if (s->steps[k] < picture->from) s->first += 1;
-        if (s->steps[k] >= picture->from && s->steps[k] <= picture->until) s->shown += 1;
+        if (s->steps[k] < picture->asked.from) s->first += 1;
+        if (s->steps[k] >= picture->asked.from && s->steps[k] <= picture->asked.until)
+            s->shown += 1;
     }
     if (s->shown > 0) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT, "%s: nothing was measured from step %lld to step %lld",
-                   s->result->directory, (long long)picture->from, (long long)picture->until);
+                   s->result->directory, (long long)picture->asked.from,
+                   (long long)picture->asked.until);
 }
 
 static fw_status read_curves(series *s, fw_error *error)
@@ -275,7 +277,7 @@ fw_status fw_plot_series_find(fw_plot_series *s, const fw_plot_result *result,
     FW_TRY(gather_curves(s, picture, error));
     FW_TRY(read_times(s, picture, error));
     FW_TRY(read_curves(s, error));
-    return lay_out(s, picture->logarithmic, error);
+    return lay_out(s, picture->asked.logarithmic, error);
 }
 
 void fw_plot_series_clear(fw_plot_series *s)

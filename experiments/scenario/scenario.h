@@ -14,6 +14,7 @@
 #include "core/lattice.h"
 #include "core/particles/pair_potential.h"
 #include "core/particles/return_force.h"
+#include "experiments/scenario/picture_kind.h"
 #include "experiments/text/document.h"
 
 /* A text that is looked up later, and where it stands. */
@@ -373,17 +374,6 @@ static inline bool fw_expectation_is_trend(const fw_expectation *expectation)
     return expectation->kind == FW_VERDICT_RISES || expectation->kind == FW_VERDICT_FALLS;
 }
 
-typedef enum fw_picture_kind {
-    FW_PICTURE_MOTION,  /* the bodies at several instants, with the path of the centre of mass */
-    FW_PICTURE_FORCES,  /* forces as arrows */
-    FW_PICTURE_FIELD,   /* a field as colour on the particles */
-    FW_PICTURE_SERIES,  /* observables over time */
-    FW_PICTURE_PROFILE, /* the bodies above their profile, the control beside it */
-    FW_PICTURE_LOOP,    /* tangential force against slip */
-    FW_PICTURE_ANALYSIS,
-    FW_PICTURE_SWEEP /* quantities against the parameter of a sweep */
-} fw_picture_kind;
-
 typedef struct fw_scenario_picture {
     const char *name;
     fw_place place;
@@ -395,6 +385,7 @@ typedef struct fw_scenario_picture {
     fw_scenario_names observables; /* "energy", "elongation.chain", "momentum.x" */
     int64_t from, until;           /* steps between which a series is drawn */
     bool logarithmic;              /* whether its values are drawn on logarithmic axes */
+    double range[2];               /* ends of the colour scale; equal: those of all frames */
     fw_scenario_name analysis;
 } fw_scenario_picture;
 

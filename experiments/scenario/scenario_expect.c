@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_expect.c - what a scenario expects, and the pictures it asks for. Keeps no state. */
+/* scenario_expect.c - what a scenario expects. Keeps no state. */
 #include "scenario_parts.h"
 
 #include <string.h>
-
-/* --- expectations --- */
 
 /* A phase in place of the steps that it takes. */
 static fw_status read_phase(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
@@ -176,129 +174,5 @@ fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error)
     for (const fw_node *node = part->first; node; node = node->next)
         FW_TRY(read_expectation(scenario, node,
                                 &scenario->expectations[scenario->expectation_count++], error));
-    return FW_OK;
-}
-
-/* --- pictures --- */
-
-/* Keys that mean nothing for a picture of this kind are refused, not passed over. */
-static fw_status check_kind(const fw_scenario *scenario, const fw_node *node,
-                            const fw_scenario_picture *picture, fw_error *error)
-{
-    enum {
-        MOTION = 1 << FW_PICTURE_MOTION,
-        FORCES = 1 << FW_PICTURE_FORCES,
-        FIELD = 1 << FW_PICTURE_FIELD,
-        SERIES = 1 << FW_PICTURE_SERIES,
-        ANALYSIS = 1 << FW_PICTURE_ANALYSIS,
-        PROFILE = 1 << FW_PICTURE_PROFILE,
-        LOOP = 1 << FW_PICTURE_LOOP,
-        SWEEP = 1 << FW_PICTURE_SWEEP
-    };
-    static const struct {
-        const char *key;
-        unsigned kinds; /* that draw it */
-    } keys[] = {{"observables", SERIES | SWEEP},
-                {"from", SERIES},
-                {"until", SERIES},
-                {"logarithmic", SERIES | SWEEP},
-                {"instants", MOTION | FORCES | FIELD},
-                {"field", MOTION | FORCES | FIELD | PROFILE},
-                {"analysis", ANALYSIS}};
-    const fw_node *kind = fw_node_find(node, "kind");
-    for (size_t n = 0; n < sizeof keys / sizeof keys[0]; ++n) {
-        const fw_node *stray = fw_node_find(node, keys[n].key);
-        if (stray && !(keys[n].kinds >> picture->kind & 1))
-            return fw_scenario_fail(scenario, stray->key_place, error,
-                                    "pictures.%s has '%s', which a picture of kind '%s' does not "
-                                    "draw",
-                                    node->key, stray->key, kind->text);
-    }
-    if (picture->kind == FW_PICTURE_SWEEP && scenario->study.sweep.value_count == 0)
-        return fw_scenario_fail(scenario, kind->place, error,
-                                "pictures.%s is of kind 'sweep', but the study has no 'sweep'",
-                                node->key);
-    if (((PROFILE | LOOP) >> picture->kind & 1) && scenario->profile.every == 0)
-        return fw_scenario_fail(scenario, kind->place, error,
-                                "pictures.%s is of kind '%s', but the scenario has no 'profile'",
-                                node->key, kind->text);
-    if (picture->kind == FW_PICTURE_LOOP && scenario->grip_count < 2)
-        return fw_scenario_fail(scenario, kind->place, error,
-                                "pictures.%s is of kind 'loop', force against slip, but the "
-                                "scenario has %d grips, expected two that rub",
-                                node->key, scenario->grip_count);
-    const fw_node *until = fw_node_find(node, "until"), *from = fw_node_find(node, "from");
-    if (picture->from >= scenario->run.steps && from && scenario->run.steps > 0)
-        return fw_scenario_fail(scenario, from->place, error,
-                                "pictures.%s begins at step %lld, but the run ends at %lld",
-                                node->key, (long long)picture->from,
-                                (long long)scenario->run.steps);
-    if (until && (picture->until <= picture->from || picture->until > scenario->run.steps))
-        return fw_scenario_fail(scenario, until->place, error,
-                                "pictures.%s ends at step %lld, expected %lld to %lld", node->key,
-                                (long long)picture->until, (long long)picture->from + 1,
-                                (long long)scenario->run.steps);
-    return FW_OK;
-}
-
-/* The one named, or the only one. */
-static fw_status check_analysis(const fw_scenario *scenario, const fw_node *node,
-                                fw_scenario_picture *picture, fw_error *error)
-{
-    if (picture->kind != FW_PICTURE_ANALYSIS) return FW_OK;
-    int count, index;
-    const fw_node *part = fw_scenario_part(scenario, "analysis", &count);
-    const fw_node *named = fw_node_find(node, "analysis");
-    if (named) return fw_scenario_find(scenario, part, "analysis", named, &index, error);
-    if (count != 1)
-        return fw_scenario_fail(scenario, picture->place, error,
-                                "pictures.%s draws an analysis, of which the scenario has %d, "
-                                "expected the key 'analysis'",
-                                picture->name, count);
-    picture->analysis = (fw_scenario_name){part->first->key, part->first->key_place};
-    return FW_OK;
-}
-
-static fw_status read_instants(const fw_scenario *scenario, const fw_node *list,
-                               fw_scenario_picture *picture, fw_error *error)
-{
-    FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *picture->instants,
-                                &picture->instants, error));
-    for (const fw_node *node = list->first; node; node = node->next) {
-        int64_t instant = fw_node_integer(node);
-        int count = picture->instant_count;
-        if (instant > scenario->run.steps)
-            return fw_scenario_fail(scenario, node->place, error,
-                                    "pictures.%s shows step %lld, but the run ends at %lld",
-                                    picture->name, (long long)instant,
-                                    (long long)scenario->run.steps);
-        if (count && instant <= picture->instants[count - 1])
-            return fw_scenario_fail(scenario, node->place, error,
-                                    "pictures.%s shows step %lld after step %lld, expected "
-                                    "ascending steps",
-                                    picture->name, (long long)instant,
-                                    (long long)picture->instants[count - 1]);
-        picture->instants[picture->instant_count++] = instant;
-    }
-    return FW_OK;
-}
-
-fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
-{
-    int count;
-    const fw_node *part = fw_scenario_part(scenario, "pictures", &count);
-    if (!part) return FW_OK;
-    FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->pictures,
-                                &scenario->pictures, error));
-    for (const fw_node *node = part->first; node; node = node->next) {
-        fw_scenario_picture *picture = &scenario->pictures[scenario->picture_count++];
-        picture->name = node->key;
-        picture->place = node->key_place;
-        FW_TRY(fw_schema_fill(scenario->document, "picture", node, picture, error));
-        FW_TRY(check_kind(scenario, node, picture, error));
-        FW_TRY(check_analysis(scenario, node, picture, error));
-        const fw_node *instants = fw_node_find(node, "instants");
-        if (instants) FW_TRY(read_instants(scenario, instants, picture, error));
-    }
     return FW_OK;
 }

@@ -738,16 +738,8 @@ const fw_key fw_schema_keys[] = {
     {"expectation", "note", FW_FORM_TEXT, AT(fw_expectation, note), .otherwise = "none",
      .meaning = "a remark for the table of results"},
 
-    {"picture", "kind", FW_FORM_WORD,
-     .words = "motion|forces|field|series|profile|loop|analysis|sweep", REQUIRED,
-     AT(fw_scenario_picture, kind),
-     .meaning =
-         "motion: the bodies at several instants with the path of the centre of mass; "
-         "forces: forces as arrows; field: a field as colour on the particles, several "
-         "instants side by side; series: observables over time; profile: the bodies, coloured "
-         "by a field, above their profile, the control beside them; loop: force along the "
-         "interface against slip; analysis: a map or curves of one of `analysis`; sweep: "
-         "quantities against the parameter of a sweep"},
+    {"picture", "kind", FW_FORM_WORD, .words = FW_PICTURE_WORDS, REQUIRED,
+     AT(fw_scenario_picture, kind), .meaning = FW_PICTURE_MEANINGS},
     {"picture", "title", FW_FORM_TEXT, AT(fw_scenario_picture, title),
      .otherwise = "the scenario's", .meaning = "written above it"},
     {"picture", "instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024,
@@ -757,6 +749,9 @@ const fw_key fw_schema_keys[] = {
      .otherwise = "the first that is recorded, else return-force or the solid's first",
      .meaning = "field of the solid that is drawn as colour; it is recorded without being "
                 "named in `record`"},
+    {"picture", "range", FW_FORM_NUMBERS, .layout = "[low, high]", AT(fw_scenario_picture, range),
+     .otherwise = "from the least to the greatest value of all recorded frames",
+     .meaning = "ends of the colour scale"},
     {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_PATH, .most = 64,
      AT(fw_scenario_picture, observables),
      .otherwise = "the energies; of a sweep, what is expected",

@@ -112,18 +112,17 @@ static fw_status add_field(fw_recorder *r, fw_trajectory_field *fields, fw_scena
     return refuse_field(r, name, error);
 }
 
-/* What a picture shows that names none: a picture of a profile the return force, others what is
- * recorded in any case, or else the first that a body has. */
+/* What a picture shows that names none: the field of its kind, where nothing is recorded in any
+ * case and a body has it. */
 static fw_scenario_name standard_field(const fw_recorder *r, const fw_scenario_picture *picture)
 {
-    const bool profile = picture->kind == FW_PICTURE_PROFILE;
-    if (r->def.field_count > 0 || (!profile && picture->kind != FW_PICTURE_FIELD))
-        return (fw_scenario_name){0};
+    const char *wanted = fw_picture_rows[picture->kind].field;
+    if (r->def.field_count > 0 || !wanted) return (fw_scenario_name){0};
     for (int b = 0; b < r->experiment->member_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(r->experiment, b);
-        if (profile && fw_solid_find_field(solid, "return-force"))
-            return (fw_scenario_name){.text = "return-force"};
-        if (!profile && solid->model->fields && solid->model->fields[0].name)
+        if (wanted[0] && fw_solid_find_field(solid, wanted))
+            return (fw_scenario_name){.text = wanted};
+        if (!wanted[0] && solid->model->fields && solid->model->fields[0].name)
             return (fw_scenario_name){.text = solid->model->fields[0].name};
     }
     return (fw_scenario_name){0};

@@ -149,7 +149,7 @@ static const refusal refusals[] = {
     {"table done --observable friction-heat", 2, "done: friction-heat was not measured; to have it, name it under measure and run again"},
     {"table done -o nowhere/x.csv", 4, "cannot write 'nowhere/x.csv' *"},
     {"plot nothing", 2, "cannot open nothing: No such file or directory"},
-    {"plot done --kind pie", 2, "no pictures of kind pie, expected motion, *"},
+    {"plot done --kind pie", 2, "no pictures of kind pie, expected one of motion, *"},
     {"plot done --at x", 2, "--at x, expected up to 1024 whole numbers with commas between them"},
     {"check bounce.yaml -o x.jpg", 2, "the picture 'x.jpg' cannot be drawn: its name has to end in .png, .svg or .pdf"},
     {"check bounce.yaml -o nowhere/x.png", 4, "cannot write 'nowhere/x.png' *"},

@@ -6,6 +6,7 @@
 #include "experiments/commands/command.h"
 #include "experiments/pictures/plot.h"
 #include "experiments/pictures/plot_parts.h"
+#include "experiments/scenario/schema.h"
 #include "experiments/study/run.h"
 
 #include "tests/support/recorded_run.h"
@@ -205,11 +206,10 @@ static void paths_are_those_of_the_centres_of_mass(void **state)
 static void find_series(fw_plot_series *series, const char **names, int count, int64_t from,
                         int64_t until)
 {
-    const fw_plot_picture picture = {.kind = FW_PLOT_SERIES,
-                                     .observables = names,
-                                     .observable_count = count,
-                                     .from = from,
-                                     .until = until};
+    const fw_plot_picture picture = {
+        .asked = {.kind = FW_PICTURE_SERIES, .from = from, .until = until},
+        .observables = names,
+        .observable_count = count};
     assert_fine(fw_plot_series_find(series, &result, &picture, &error));
 }
 
@@ -393,8 +393,8 @@ static void unknown_names_are_told_what_was_meant(void **state)
     assert_refused(plot_one(&(fw_plot_wish){.kind = "filed"}), FW_BAD_INPUT,
                    "no pictures of kind filed; did you mean field?");
     assert_refused(plot_one(&(fw_plot_wish){.kind = "movie"}), FW_BAD_INPUT,
-                   "expected motion, forces, field, strip, series, profile, loop or "
-                   "analysis");
+                   "expected one of motion, forces, field, strip, series, profile, loop, "
+                   "analysis, or sweep in the folder of a sweep");
     assert_refused(plot_one(&(fw_plot_wish){.field = "enegry"}), FW_BAD_INPUT,
                    "no field enegry; did you mean energy?");
     assert_refused(plot_one(&(fw_plot_wish){.field = "strain-xx"}), FW_BAD_INPUT,
@@ -532,6 +532,30 @@ static void pictures_that_cannot_be_drawn_are_refused_before_the_run(void **stat
     refuse_picture("{kind: series, until: 900}", "ends at step 900, expected 1 to 800");
     refuse_picture("{kind: motion, logarithmic: true}", "'logarithmic'");
     refuse_picture("{kind: field, field: enegy}", "no body has a field enegy");
+    refuse_picture("{kind: motion, field: energy}",
+                   "'field', which a picture of kind 'motion' does not draw");
+    refuse_picture("{kind: strip, range: [2, 1]}", "colours from 2 to 1, expected the lower");
+    refuse_picture("{kind: sweep}", "the study has no 'sweep'");
+    refuse_picture("{kind: profile}", "the scenario has no 'profile'");
+}
+
+/* Each kind has a name of its own, and reads only keys that the schema knows. */
+static void kinds_are_told_apart_and_read_known_keys(void **state)
+{
+    (void)state;
+    for (int k = 0; k < FW_PICTURE_KINDS; ++k) {
+        char keys[128], *rest = keys;
+        for (int other = 0; other < k; ++other)
+            assert_string_not_equal(fw_picture_rows[k].name, fw_picture_rows[other].name);
+        snprintf(keys, sizeof keys, "%s", fw_picture_rows[k].keys);
+        for (char *key = strtok_r(keys, " ", &rest); key; key = strtok_r(NULL, " ", &rest)) {
+            if (!fw_schema_find("picture", key)) fail_msg("%s is no key of a picture", key);
+            assert_true(fw_picture_reads((fw_picture_kind)k, key));
+        }
+        assert_true(fw_picture_reads((fw_picture_kind)k, "title"));
+    }
+    assert_false(fw_picture_reads(FW_PICTURE_MOTION, "field"));
+    assert_false(fw_picture_reads(FW_PICTURE_SERIES, "observable"));
 }
 
 int main(void)
@@ -556,6 +580,7 @@ int main(void)
         cmocka_unit_test(a_picture_that_fails_is_reported_after_the_others),
         cmocka_unit_test(a_folder_that_cannot_be_written_to_fails_with_a_sentence),
         cmocka_unit_test(pictures_that_cannot_be_drawn_are_refused_before_the_run),
+        cmocka_unit_test(kinds_are_told_apart_and_read_known_keys),
     };
     return cmocka_run_group_tests(tests, make_run, remove_run);
 }

@@ -90,7 +90,7 @@ static const struct {
      "shape"},
     {"title: A sheet in a box", "title: [A, B]", "1:8: title is a list of 2, expected a text"},
     {"kind: motion", "kind: movie",
-     "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, series, "
+     "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, strip, series, "
      "profile, loop, analysis, sweep"},
     {"sites: right", "sites: rihgt",
      "14:30: forces.pull.sites is 'rihgt', expected all, a side, [[i, j], ...] or a mapping; did "

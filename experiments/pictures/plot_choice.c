@@ -1,0 +1,384 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* plot_choice.c - from what is wished for to a picture with every choice made.
+ * Keeps no state. Invariant: no step is drawn under another one's name; where a step was not
+ * recorded, picture and output say which one stands for it. Start reading at fw_plot_choose(). */
+#include "plot_choice.h"
+
+#include "experiments/text/spelling.h"
+
+#include "core/array.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A choice on its way. */
+typedef struct draft {
+    const fw_plot_result *result;
+    const fw_plot_wish *wish;
+    const fw_scenario_picture *own; /* the scenario's picture, or NULL */
+    fw_plot_choice *choice;
+    fw_plot_picture *picture; /* of the choice */
+    /* Steps that were asked for and could not be drawn as such. */
+    char replaced[256], missing[256];
+} draft;
+
+/* --- words --- */
+
+static void append(char *text, size_t size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
+static void append(char *text, size_t size, const char *format, ...)
+{
+    size_t used = strlen(text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text + used, size - used, format, arguments);
+    va_end(arguments);
+}
+
+static fw_status refuse_name(const char *directory, const char *what, const char *name,
+                             fw_suggestion suggestion, const char *known, fw_error *error)
+{
+    if (suggestion.best)
+        return fw_fail(error, FW_BAD_INPUT, "%s has no %s %s; did you mean %s?", directory, what,
+                       name, suggestion.best);
+    if (known[0] == '\0')
+        return fw_fail(error, FW_BAD_INPUT, "%s has no %s %s, and no other one", directory, what,
+                       name);
+    return fw_fail(error, FW_BAD_INPUT, "%s has no %s %s, expected one of %s", directory, what,
+                   name, known);
+}
+
+/* --- pictures, kinds and fields by name --- */
+
+static unsigned needs(fw_picture_kind kind)
+{
+    return fw_picture_rows[kind].needs;
+}
+
+/* A sweep is drawn from all of its cases, in its own folder. */
+bool fw_plot_is_of_case(const fw_scenario_picture *picture)
+{
+    return !(needs(picture->kind) & FW_PICTURE_NEEDS_SWEEP);
+}
+
+static fw_status find_picture(draft *d, const char *name, fw_error *error)
+{
+    const fw_scenario *scenario = d->result->scenario;
+    fw_suggestion suggestion = fw_suggestion_begin(name);
+    char known[512] = "";
+    for (int n = 0; n < scenario->picture_count; ++n) {
+        d->own = &scenario->pictures[n];
+        if (!fw_plot_is_of_case(d->own)) continue;
+        if (strcmp(d->own->name, name) == 0) return FW_OK;
+        fw_suggestion_offer(&suggestion, d->own->name);
+        append(known, sizeof known, "%s%s", known[0] ? ", " : "", d->own->name);
+    }
+    return refuse_name(d->result->directory, "picture", name, suggestion, known, error);
+}
+
+static fw_status find_kind(const char *name, fw_picture_kind *kind, fw_error *error)
+{
+    fw_suggestion suggestion = fw_suggestion_begin(name);
+    char known[512] = "", of_sweeps[64] = "";
+    for (int k = 0; k < FW_PICTURE_KINDS; ++k) {
+        const char *word = fw_picture_rows[k].name;
+        const bool of_case = !(needs((fw_picture_kind)k) & FW_PICTURE_NEEDS_SWEEP);
+        if (of_case && strcmp(word, name) == 0) {
+            *kind = (fw_picture_kind)k;
+            return FW_OK;
+        }
+        if (of_case) fw_suggestion_offer(&suggestion, word);
+        append(of_case ? known : of_sweeps, of_case ? sizeof known : sizeof of_sweeps, "%s%s",
+               (of_case ? known : of_sweeps)[0] ? ", " : "", word);
+    }
+    if (suggestion.best)
+        return fw_fail(error, FW_BAD_INPUT, "no pictures of kind %s; did you mean %s?", name,
+                       suggestion.best);
+    return fw_fail(error, FW_BAD_INPUT,
+                   "no pictures of kind %s, expected one of %s, or %s in the folder of a sweep",
+                   name, known, of_sweeps);
+}
+
+static fw_status find_field(draft *d, const char *name, fw_error *error)
+{
+    const fw_playback *playback = d->result->playback;
+    fw_suggestion suggestion = fw_suggestion_begin(name);
+    char known[512] = "";
+    for (int n = 0; n < playback->field_count; ++n) {
+        if (strcmp(playback->fields[n].name, name) == 0) {
+            d->picture->asked.field.text = playback->fields[n].name;
+            return FW_OK;
+        }
+        fw_suggestion_offer(&suggestion, playback->fields[n].name);
+        append(known, sizeof known, "%s%s", n > 0 ? ", " : "", playback->fields[n].name);
+    }
+    if (suggestion.best)
+        return refuse_name(d->result->directory, "field", name, suggestion, known, error);
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s: the field %s was not recorded (%s%s); to have it, name it under "
+                   "record.fields and run again",
+                   d->result->directory, name, known[0] ? "there is " : "no field was", known);
+}
+
+/* --- steps --- */
+
+/* Evenly over the frames, first and last among them; a single one is the last. */
+static void choose_frames(draft *d, int wanted)
+{
+    int64_t last = d->result->playback->frame_count - 1;
+    for (int k = 0; k < wanted; ++k) {
+        int64_t frame = wanted > 1 ? (2 * k * last + wanted - 1) / (2 * (wanted - 1)) : last;
+        if (d->picture->frame_count == 0 ||
+            d->picture->frames[d->picture->frame_count - 1] != frame)
+            d->picture->frames[d->picture->frame_count++] = frame;
+    }
+}
+
+static int by_number(const void *one, const void *other)
+{
+    int64_t a = *(const int64_t *)one, b = *(const int64_t *)other;
+    return (a > b) - (a < b);
+}
+
+/* A step before the first one or after the last one that is there. */
+static fw_status refuse_step(const draft *d, int64_t step, fw_error *error)
+{
+    const fw_plot_result *result = d->result;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s: step %lld, but the results hold the steps %lld to %lld", result->directory,
+                   (long long)step, (long long)result->steps[0],
+                   (long long)result->steps[result->playback->frame_count - 1]);
+}
+
+static bool holds_step(const draft *d, int64_t step)
+{
+    const fw_plot_result *result = d->result;
+    return step >= result->steps[0] && step <= result->steps[result->playback->frame_count - 1];
+}
+
+static fw_status take_step(draft *d, int64_t step, fw_error *error)
+{
+    const fw_plot_result *result = d->result;
+    if (!holds_step(d, step)) {
+        if (d->wish->step_count > 0) return refuse_step(d, step, error);
+        append(d->missing, sizeof d->missing, "%s%lld", d->missing[0] ? ", " : "", (long long)step);
+        return FW_OK;
+    }
+    int64_t frame = fw_plot_nearest_frame(result, step);
+    if (result->steps[frame] != step)
+        append(d->replaced, sizeof d->replaced, "%s%lld for %lld", d->replaced[0] ? ", " : "",
+               (long long)result->steps[frame], (long long)step);
+    d->picture->frames[d->picture->frame_count++] = frame;
+    return FW_OK;
+}
+
+static void note_steps(draft *d)
+{
+    const fw_plot_result *result = d->result;
+    if (d->replaced[0])
+        append(d->choice->notes, sizeof d->choice->notes, "Nearest recorded steps: %s.",
+               d->replaced);
+    if (d->missing[0])
+        append(d->choice->notes, sizeof d->choice->notes,
+               "%sMissing, as the results end at step %lld: %s.", d->choice->notes[0] ? " " : "",
+               (long long)result->steps[result->playback->frame_count - 1], d->missing);
+}
+
+static fw_status take_frames(draft *d, fw_error *error)
+{
+    fw_plot_picture *picture = d->picture;
+    const fw_scenario_picture *asked = &picture->asked;
+    const int chosen = fw_picture_rows[asked->kind].frames;
+    size_t room = (size_t)(asked->instant_count > chosen ? asked->instant_count : chosen);
+    picture->frames = fw_array_allocate(room, sizeof *picture->frames);
+    if (!picture->frames) return fw_fail_memory(error, "the frames of a picture");
+    for (int k = 0; k < asked->instant_count; ++k) FW_TRY(take_step(d, asked->instants[k], error));
+    if (picture->frame_count == 0) choose_frames(d, chosen);
+    qsort(picture->frames, (size_t)picture->frame_count, sizeof *picture->frames, by_number);
+    int kept = 0;
+    for (int k = 0; k < picture->frame_count; ++k)
+        if (kept == 0 || picture->frames[kept - 1] != picture->frames[k])
+            picture->frames[kept++] = picture->frames[k];
+    picture->frame_count = kept;
+    note_steps(d);
+    return FW_OK;
+}
+
+/* The steps between which a series is drawn. */
+static fw_status take_span(draft *d, fw_error *error)
+{
+    const fw_plot_wish *wish = d->wish;
+    if (wish->step_count == 0) return FW_OK;
+    if (wish->step_count != 2 || wish->steps[0] >= wish->steps[1])
+        return fw_fail(error, FW_BAD_INPUT,
+                       "a series is drawn from one step to a later one, expected --at FROM,UNTIL");
+    if (!holds_step(d, wish->steps[0])) return refuse_step(d, wish->steps[0], error);
+    d->picture->asked.from = wish->steps[0];
+    d->picture->asked.until = wish->steps[1];
+    return FW_OK;
+}
+
+/* --- from wish to picture --- */
+
+static fw_status refuse_stray(const draft *d, const char *stray, fw_error *error)
+{
+    return fw_fail(error, FW_BAD_INPUT, "a picture of kind %s does not draw %s",
+                   fw_picture_rows[d->picture->asked.kind].name, stray);
+}
+
+/* What the wish names and the kind does not read is refused, not passed over. */
+static fw_status check_wish(const draft *d, fw_error *error)
+{
+    const fw_plot_wish *wish = d->wish;
+    const fw_picture_kind kind = d->picture->asked.kind;
+    if (wish->field && !fw_picture_reads(kind, "field")) return refuse_stray(d, "a field", error);
+    if (wish->range[0] < wish->range[1] && !fw_picture_reads(kind, "range"))
+        return refuse_stray(d, "a range of colours", error);
+    if (wish->observable_count > 0 && !fw_picture_reads(kind, "observables"))
+        return refuse_stray(d, "observables", error);
+    if (wish->logarithmic && !fw_picture_reads(kind, "logarithmic"))
+        return refuse_stray(d, "anything on logarithmic axes", error);
+    if (wish->step_count > 0 && fw_picture_rows[kind].frames == 0 &&
+        !fw_picture_reads(kind, "from"))
+        return refuse_stray(d, "steps", error);
+    if (wish->step_count > 1 && kind == FW_PICTURE_PROFILE)
+        return refuse_stray(d, "more than one step", error);
+    return FW_OK;
+}
+
+static fw_status choose_kind(draft *d, fw_error *error)
+{
+    const fw_plot_wish *wish = d->wish;
+    fw_scenario_picture *asked = &d->picture->asked;
+    fw_picture_kind kind = FW_PICTURE_MOTION;
+    bool named = true;
+    if (wish->picture && wish->kind)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "both the picture %s and the kind %s, expected one of the two",
+                       wish->picture, wish->kind);
+    if (wish->picture) FW_TRY(find_picture(d, wish->picture, error));
+    if (wish->kind)
+        FW_TRY(find_kind(wish->kind, &kind, error));
+    else if (!wish->picture && wish->observable_count > 0)
+        kind = FW_PICTURE_SERIES;
+    else if (!wish->picture && wish->field)
+        kind = FW_PICTURE_FIELD;
+    else
+        named = false;
+    const fw_scenario *scenario = d->result->scenario;
+    for (int n = 0; n < scenario->picture_count && !named && !d->own; ++n)
+        if (fw_plot_is_of_case(&scenario->pictures[n])) d->own = &scenario->pictures[n];
+    *asked = d->own ? *d->own : (fw_scenario_picture){.kind = kind, .until = INT64_MAX};
+    d->choice->name = d->own ? d->own->name : fw_picture_rows[kind].name;
+    if (wish->step_count > 0) {
+        asked->instant_count = wish->step_count;
+        asked->instants = (int64_t *)wish->steps;
+    }
+    if (asked->kind == FW_PICTURE_FIELD && asked->instant_count > 1) asked->kind = FW_PICTURE_STRIP;
+    if (wish->range[0] < wish->range[1]) memcpy(asked->range, wish->range, sizeof asked->range);
+    asked->logarithmic |= wish->logarithmic;
+    return check_wish(d, error);
+}
+
+static fw_status choose_field(draft *d, fw_error *error)
+{
+    const fw_playback *playback = d->result->playback;
+    fw_scenario_picture *asked = &d->picture->asked;
+    const char *name = d->wish->field ? d->wish->field : asked->field.text;
+    if (name) return find_field(d, name, error);
+    if (playback->field_count > 0)
+        asked->field.text = playback->fields[0].name;
+    else if (asked->kind != FW_PICTURE_STRIP)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: no field was recorded; to have one, name it under record.fields and "
+                       "run again",
+                       d->result->directory);
+    return FW_OK;
+}
+
+/* The wish's, or the picture's own, or the energies. */
+static fw_status choose_observables(draft *d, fw_error *error)
+{
+    static const char *const energies[] = {"energy", "kinetic-energy", "elastic-energy"};
+    const fw_plot_wish *wish = d->wish;
+    fw_plot_picture *picture = d->picture;
+    const fw_scenario_names *own = &picture->asked.observables;
+    const int count = wish->observable_count > 0 ? wish->observable_count : own->count;
+    picture->observables = calloc((size_t)count + 3, sizeof *picture->observables);
+    if (!picture->observables) return fw_fail_memory(error, "the names of observables");
+    for (int n = 0; n < count; ++n)
+        picture->observables[n] =
+            wish->observable_count > 0 ? wish->observables[n] : own->item[n].text;
+    picture->observable_count = count;
+    for (int n = 0; n < 3 && count == 0; ++n)
+        if (fw_playback_find_observable(d->result->playback, energies[n]) >= 0)
+            picture->observables[picture->observable_count++] = energies[n];
+    if (picture->observable_count > 0) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s: no energy was measured, expected the names of observables to draw",
+                   d->result->directory);
+}
+
+/* The picture's own, or the first. */
+static fw_status choose_analysis(draft *d, fw_error *error)
+{
+    const fw_scenario *scenario = d->result->scenario;
+    const char *name = d->picture->asked.analysis.text;
+    for (int n = 0; n < scenario->analysis_count && !d->picture->analysis; ++n)
+        if (!name || strcmp(scenario->analyses[n].name, name) == 0)
+            d->picture->analysis = &scenario->analyses[n];
+    if (d->picture->analysis) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "%s: the scenario has no analysis to draw",
+                   d->result->directory);
+}
+
+static fw_status choose_page(draft *d, fw_error *error)
+{
+    fw_plot_choice *choice = d->choice;
+    fw_page *page = &d->picture->page;
+    const fw_scenario *scenario = d->result->scenario;
+    const fw_picture_kind kind = d->picture->asked.kind;
+    *page = fw_page_default();
+    page->title = d->own && d->own->title ? d->own->title : scenario->title;
+    const bool of_paper = kind == FW_PICTURE_MOTION || kind == FW_PICTURE_FORCES ||
+                          needs(kind) & FW_PICTURE_NEEDS_PROFILE;
+    if (d->own && of_paper && scenario->figure && scenario->source)
+        append(choice->caption, sizeof choice->caption, "Compare %s.%s", scenario->source,
+               choice->notes[0] ? " " : "");
+    append(choice->caption, sizeof choice->caption, "%s", choice->notes);
+    page->caption = choice->caption;
+    const int length = d->wish->file
+                           ? snprintf(choice->file, sizeof choice->file, "%s", d->wish->file)
+                           : snprintf(choice->file, sizeof choice->file, "%s/%s.png",
+                                      d->result->directory, choice->name);
+    if (length >= (int)sizeof choice->file)
+        return fw_fail(error, FW_BAD_INPUT, "the name of the picture %s is too long", choice->name);
+    page->file = choice->file;
+    return FW_OK;
+}
+
+fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
+                         const fw_plot_wish *wish, fw_error *error)
+{
+    *choice = (fw_plot_choice){.name = ""};
+    draft *d =
+        &(draft){.result = result, .wish = wish, .choice = choice, .picture = &choice->picture};
+    FW_TRY(choose_kind(d, error));
+    const fw_picture_kind kind = d->picture->asked.kind;
+    if (fw_picture_reads(kind, "field")) FW_TRY(choose_field(d, error));
+    if (fw_picture_rows[kind].frames > 0) FW_TRY(take_frames(d, error));
+    if (fw_picture_reads(kind, "observables")) FW_TRY(choose_observables(d, error));
+    if (fw_picture_reads(kind, "from")) FW_TRY(take_span(d, error));
+    if (needs(kind) & FW_PICTURE_NEEDS_ANALYSIS) FW_TRY(choose_analysis(d, error));
+    return choose_page(d, error);
+}
+
+void fw_plot_choice_clear(fw_plot_choice *choice)
+{
+    free(choice->picture.frames);
+    free(choice->picture.observables);
+    choice->picture.frames = NULL;
+    choice->picture.observables = NULL;
+}

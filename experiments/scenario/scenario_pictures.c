@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario_pictures.c - the pictures that a scenario asks for. Keeps no state. Start reading at
+ * fw_scenario_read_pictures(). */
+#include "scenario_parts.h"
+
+/* Keys that mean nothing for a picture of this kind are refused, not passed over. */
+static fw_status check_keys(const fw_scenario *scenario, const fw_node *node,
+                            const fw_scenario_picture *picture, fw_error *error)
+{
+    for (const fw_node *key = node->first; key; key = key->next)
+        if (!fw_picture_reads(picture->kind, key->key))
+            return fw_scenario_fail(scenario, key->key_place, error,
+                                    "pictures.%s has '%s', which a picture of kind '%s' does not "
+                                    "draw",
+                                    node->key, key->key, fw_picture_rows[picture->kind].name);
+    return FW_OK;
+}
+
+static fw_status check_needs(const fw_scenario *scenario, const fw_node *node,
+                             const fw_scenario_picture *picture, fw_error *error)
+{
+    const fw_picture_row *row = &fw_picture_rows[picture->kind];
+    const fw_place place = fw_node_find(node, "kind")->place;
+    if (row->needs & FW_PICTURE_NEEDS_SWEEP && scenario->study.sweep.value_count == 0)
+        return fw_scenario_fail(scenario, place, error,
+                                "pictures.%s is of kind '%s', but the study has no 'sweep'",
+                                node->key, row->name);
+    if (row->needs & FW_PICTURE_NEEDS_PROFILE && scenario->profile.every == 0)
+        return fw_scenario_fail(scenario, place, error,
+                                "pictures.%s is of kind '%s', but the scenario has no 'profile'",
+                                node->key, row->name);
+    if (row->needs & FW_PICTURE_NEEDS_TWO_GRIPS && scenario->grip_count < 2)
+        return fw_scenario_fail(scenario, place, error,
+                                "pictures.%s is of kind '%s', %s, but the scenario has %d grips, "
+                                "expected two that rub",
+                                node->key, row->name, row->meaning, scenario->grip_count);
+    return FW_OK;
+}
+
+static fw_status check_span(const fw_scenario *scenario, const fw_node *node,
+                            const fw_scenario_picture *picture, fw_error *error)
+{
+    const fw_node *until = fw_node_find(node, "until"), *from = fw_node_find(node, "from");
+    if (picture->from >= scenario->run.steps && from && scenario->run.steps > 0)
+        return fw_scenario_fail(scenario, from->place, error,
+                                "pictures.%s begins at step %lld, but the run ends at %lld",
+                                node->key, (long long)picture->from,
+                                (long long)scenario->run.steps);
+    if (until && (picture->until <= picture->from || picture->until > scenario->run.steps))
+        return fw_scenario_fail(scenario, until->place, error,
+                                "pictures.%s ends at step %lld, expected %lld to %lld", node->key,
+                                (long long)picture->until, (long long)picture->from + 1,
+                                (long long)scenario->run.steps);
+    return FW_OK;
+}
+
+/* The ends of the colour scale. */
+static fw_status check_range(const fw_scenario *scenario, const fw_node *node,
+                             const fw_scenario_picture *picture, fw_error *error)
+{
+    const fw_node *range = fw_node_find(node, "range");
+    if (!range || picture->range[0] < picture->range[1]) return FW_OK;
+    return fw_scenario_fail(scenario, range->place, error,
+                            "pictures.%s has colours from %g to %g, expected the lower value "
+                            "first",
+                            node->key, picture->range[0], picture->range[1]);
+}
+
+/* The one named, or the only one. */
+static fw_status check_analysis(const fw_scenario *scenario, const fw_node *node,
+                                fw_scenario_picture *picture, fw_error *error)
+{
+    if (!(fw_picture_rows[picture->kind].needs & FW_PICTURE_NEEDS_ANALYSIS)) return FW_OK;
+    int count, index;
+    const fw_node *part = fw_scenario_part(scenario, "analysis", &count);
+    const fw_node *named = fw_node_find(node, "analysis");
+    if (named) return fw_scenario_find(scenario, part, "analysis", named, &index, error);
+    if (count != 1)
+        return fw_scenario_fail(scenario, picture->place, error,
+                                "pictures.%s draws an analysis, of which the scenario has %d, "
+                                "expected the key 'analysis'",
+                                picture->name, count);
+    picture->analysis = (fw_scenario_name){part->first->key, part->first->key_place};
+    return FW_OK;
+}
+
+static fw_status read_instants(const fw_scenario *scenario, const fw_node *list,
+                               fw_scenario_picture *picture, fw_error *error)
+{
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *picture->instants,
+                                &picture->instants, error));
+    for (const fw_node *node = list->first; node; node = node->next) {
+        int64_t instant = fw_node_integer(node);
+        int count = picture->instant_count;
+        if (instant > scenario->run.steps)
+            return fw_scenario_fail(scenario, node->place, error,
+                                    "pictures.%s shows step %lld, but the run ends at %lld",
+                                    picture->name, (long long)instant,
+                                    (long long)scenario->run.steps);
+        if (count && instant <= picture->instants[count - 1])
+            return fw_scenario_fail(scenario, node->place, error,
+                                    "pictures.%s shows step %lld after step %lld, expected "
+                                    "ascending steps",
+                                    picture->name, (long long)instant,
+                                    (long long)picture->instants[count - 1]);
+        picture->instants[picture->instant_count++] = instant;
+    }
+    return FW_OK;
+}
+
+fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
+{
+    int count;
+    const fw_node *part = fw_scenario_part(scenario, "pictures", &count);
+    if (!part) return FW_OK;
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->pictures,
+                                &scenario->pictures, error));
+    for (const fw_node *node = part->first; node; node = node->next) {
+        fw_scenario_picture *picture = &scenario->pictures[scenario->picture_count++];
+        picture->name = node->key;
+        picture->place = node->key_place;
+        FW_TRY(fw_schema_fill(scenario->document, "picture", node, picture, error));
+        FW_TRY(check_keys(scenario, node, picture, error));
+        FW_TRY(check_needs(scenario, node, picture, error));
+        FW_TRY(check_span(scenario, node, picture, error));
+        FW_TRY(check_range(scenario, node, picture, error));
+        FW_TRY(check_analysis(scenario, node, picture, error));
+        const fw_node *instants = fw_node_find(node, "instants");
+        if (instants) FW_TRY(read_instants(scenario, instants, picture, error));
+    }
+    return FW_OK;
+}
