@@ -5,6 +5,7 @@
 #include "experiments/commands/command.h"
 #include "experiments/drawing/figure.h"
 #include "experiments/measures/warning.h"
+#include "experiments/pictures/wall_outline.h"
 #include "experiments/study/sweep.h"
 
 #include "core/boltzmann/lb_solid.h"
@@ -22,8 +23,9 @@ static const double REHEARSAL_SECONDS = 0.4;
 
 typedef struct first_frame {
     fw_view_body *bodies;
-    fw_view_wall *walls;
-    int **links; /* per body */
+    fw_outline *walls;
+    fw_vec2 (*corners)[FW_BOX_CORNERS]; /* per wall */
+    int **links;                        /* per body */
 } first_frame;
 
 static void release_frame(first_frame *frame, int bodies)
@@ -32,6 +34,7 @@ static void release_frame(first_frame *frame, int bodies)
     free(frame->links);
     free(frame->bodies);
     free(frame->walls);
+    free(frame->corners);
 }
 
 /* The links of a member, numbered within it; NULL without memory. */
@@ -56,7 +59,8 @@ static fw_status fill_frame(const fw_experiment *experiment, first_frame *frame,
     frame->bodies = calloc((size_t)bodies + 1, sizeof *frame->bodies);
     frame->links = calloc((size_t)bodies + 1, sizeof *frame->links);
     frame->walls = calloc((size_t)walls + 1, sizeof *frame->walls);
-    if (!frame->bodies || !frame->links || !frame->walls)
+    frame->corners = calloc((size_t)walls + 1, sizeof *frame->corners);
+    if (!frame->bodies || !frame->links || !frame->walls || !frame->corners)
         return fw_fail_memory(error, "a picture of the start");
     for (int b = 0; b < bodies; ++b) {
         const fw_member *member = &experiment->members[b];
@@ -74,9 +78,11 @@ static fw_status fill_frame(const fw_experiment *experiment, first_frame *frame,
                            .kind = b % FW_PALETTE_KINDS,
                            .spacing = experiment->scenario->bodies[b].lattice.spacing};
     }
-    for (int w = 0; w < walls; ++w)
-        frame->walls[w] = (fw_view_wall){fw_wall_definition(fw_scene_wall(scene, w)),
-                                         fw_scene_wall_displacement(scene, w)};
+    for (int w = 0; w < walls; ++w) {
+        frame->walls[w] =
+            fw_wall_outline(fw_wall_definition(fw_scene_wall(scene, w)), frame->corners[w]);
+        frame->walls[w].displacement = fw_scene_wall_displacement(scene, w);
+    }
     return FW_OK;
 }
 

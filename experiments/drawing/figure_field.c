@@ -11,8 +11,9 @@ static fw_status draw_view(const fw_view *view, const fw_panel *panel, fw_view_l
                            const fw_colour_scale *scale, fw_error *error)
 {
     fw_canvas_clip(panel->canvas, panel->box);
-    fw_view_draw_walls(view, panel);
+    fw_view_draw_walls(view, panel, 1);
     fw_status status = fw_view_draw_particles(view, panel, look, scale, error);
+    fw_view_draw_walls(view, panel, FW_VIEW_VEIL);
     fw_view_draw_surfaces(view, panel);
     fw_canvas_unclip(panel->canvas);
     if (fw_view_count(view) == 0) fw_panel_say(panel, "no particles");

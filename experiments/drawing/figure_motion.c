@@ -196,7 +196,7 @@ static void draw(const fw_figure_motion_plan *plan, const motion_layout *layout)
 {
     const fw_panel *panel = &layout->panel;
     fw_canvas_clip(panel->canvas, panel->box);
-    if (plan->view_count > 0) fw_view_draw_walls(&plan->views[plan->view_count - 1], panel);
+    if (plan->view_count > 0) fw_view_draw_walls(&plan->views[plan->view_count - 1], panel, 1);
     for (int k = 0; k < plan->view_count - 1; ++k)
         fw_view_draw_moved(&plan->views[k], &plan->views[plan->view_count - 1], panel,
                            (fw_stroke){colour_of_instant(plan, k), .35, FW_DASH_NONE});

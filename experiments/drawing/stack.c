@@ -271,9 +271,10 @@ static fw_status draw_view_panel(const fw_stack *stack, int number, fw_error *er
     const fw_panel *panel = &stack->panels[number];
     const fw_view *view = &plan->views[number];
     fw_canvas_clip(panel->canvas, panel->box);
-    fw_view_draw_walls(view, panel);
+    fw_view_draw_walls(view, panel, 1);
     fw_status status =
         fw_view_draw_particles(view, panel, plan->look, fw_view_key_scale(stack->key), error);
+    fw_view_draw_walls(view, panel, FW_VIEW_VEIL);
     fw_view_draw_surfaces(view, panel);
     draw_regions(plan, panel, false);
     draw_marks(plan, panel);

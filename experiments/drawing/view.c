@@ -50,19 +50,6 @@ void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view)
     }
 }
 
-static fw_view_bounds bounds_of_wall(const fw_view_wall *wall)
-{
-    fw_view_bounds bounds = fw_view_bounds_empty();
-    const fw_wall_def *def = wall->def;
-    double reach = def->shape == FW_CIRCLE ? def->radius : 0;
-    for (int k = 0; k < def->point_count; ++k) {
-        fw_vec2 p = fw_vec2_add(def->points[k], wall->displacement);
-        fw_range_include(&bounds.x, (double[]){p.x - reach, p.x + reach}, 2, false);
-        fw_range_include(&bounds.y, (double[]){p.y - reach, p.y + reach}, 2, false);
-    }
-    return bounds;
-}
-
 /* Widens a range by that of a wall, unless the wall and the bodies are more than `most` apart. */
 static void include_near(fw_range *range, fw_range bodies, fw_range wall, double most)
 {
@@ -78,7 +65,8 @@ void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, d
     double extent = fmax(bodies.x.high - bodies.x.low, bodies.y.high - bodies.y.low);
     double longest = extent >= 0 ? most * extent : INFINITY;
     for (int k = 0; k < view->wall_count; ++k) {
-        fw_view_bounds wall = bounds_of_wall(&view->walls[k]);
+        fw_view_bounds wall = fw_view_bounds_empty();
+        fw_outline_include(&view->walls[k], &wall.x, &wall.y);
         include_near(&bounds->x, bodies.x, wall.x, longest);
         include_near(&bounds->y, bodies.y, wall.y, longest);
     }
@@ -86,146 +74,16 @@ void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, d
 
 /* --- walls --- */
 
-static const double band = 2.2; /* mm */
-static const fw_colour forbidden = {.86, .86, .86, 1};
-static const fw_colour surface = {.25, .25, .25, 1};
-
-static int corner_count(const fw_wall_def *def)
+void fw_view_draw_walls(const fw_view *view, const fw_panel *panel, double opacity)
 {
-    return def->shape == FW_BOX ? 4 : def->point_count;
-}
-
-static bool is_closed(const fw_wall_def *def)
-{
-    return def->shape != FW_CHAIN || def->closed;
-}
-
-/* Is all of the inside forbidden? */
-static bool is_obstacle(const fw_wall_def *def)
-{
-    return def->shape != FW_CHAIN && def->side == FW_OUTSIDE;
-}
-
-/* Corner k on the paper; boxes go counter-clockwise (in the plane) from their lower left one. */
-static fw_vec2 corner_of(const fw_view_wall *wall, const fw_panel *panel, int k)
-{
-    const fw_wall_def *def = wall->def;
-    fw_vec2 p;
-    int count = corner_count(def);
-    k = (k + count) % count;
-    if (def->shape == FW_BOX) {
-        fw_vec2 a = def->points[0], b = def->points[1];
-        p.x = k == 1 || k == 2 ? fmax(a.x, b.x) : fmin(a.x, b.x);
-        p.y = k >= 2 ? fmax(a.y, b.y) : fmin(a.y, b.y);
-    } else {
-        p = def->points[k];
-    }
-    return fw_panel_place(panel, p.x + wall->displacement.x, p.y + wall->displacement.y);
-}
-
-/* +1 where the forbidden side lies to the right (in the plane) walking along the corners. */
-static double forbidden_side(const fw_view_wall *wall)
-{
-    const fw_wall_def *def = wall->def;
-    if (def->shape != FW_POLYGON) return 1;
-    double area = 0; /* twice the signed area */
-    for (int k = 0; k < def->point_count; ++k) {
-        fw_vec2 a = fw_vec2_subtract(def->points[k], def->points[0]);
-        fw_vec2 b = fw_vec2_subtract(def->points[(k + 1) % def->point_count], def->points[0]);
-        area += fw_vec2_cross(a, b);
-    }
-    return area > 0 ? 1 : -1;
-}
-
-/* Unit vector on the paper from the segment a-b to its right as seen in the plane. On paper y
- * points down: what turns clockwise in the plane turns counter-clockwise in these numbers. */
-static fw_vec2 rightward(fw_vec2 a, fw_vec2 b)
-{
-    fw_vec2 along = fw_vec2_subtract(b, a);
-    double length = hypot(along.x, along.y);
-    return length > 0 ? fw_vec2_scale(1 / length, fw_vec2_turn(along)) : (fw_vec2){0, 0};
-}
-
-/* From corner k to the far rim of the band: mitred, but no longer than three bands. */
-static fw_vec2 rim_offset(const fw_view_wall *wall, const fw_panel *panel, int k, double side)
-{
-    int count = corner_count(wall->def);
-    bool closed = is_closed(wall->def);
-    fw_vec2 here = corner_of(wall, panel, k);
-    fw_vec2 before = {0, 0}, after = {0, 0};
-    if (closed || k > 0) before = rightward(corner_of(wall, panel, k - 1), here);
-    if (closed || k < count - 1) after = rightward(here, corner_of(wall, panel, k + 1));
-    if (!closed && k == 0) before = after;
-    if (!closed && k == count - 1) after = before;
-    double widening = fmax(1 + fw_vec2_dot(before, after), .2);
-    return fw_vec2_scale(side * band / widening, fw_vec2_add(before, after));
-}
-
-static void draw_band(const fw_view_wall *wall, const fw_panel *panel)
-{
-    int count = corner_count(wall->def), edges = is_closed(wall->def) ? count : count - 1;
-    double side = forbidden_side(wall);
-    for (int k = 0; k < edges; ++k) {
-        int next = (k + 1) % count;
-        fw_vec2 a = corner_of(wall, panel, k), b = corner_of(wall, panel, next);
-        fw_vec2 quad[4] = {a, b, fw_vec2_add(b, rim_offset(wall, panel, next, side)),
-                           fw_vec2_add(a, rim_offset(wall, panel, k, side))};
-        fw_canvas_polygon(panel->canvas, quad, 4, forbidden, .05);
-    }
-}
-
-/* All walls with an inside that is forbidden are convex: a fan of triangles fills them. */
-static void draw_inside(const fw_view_wall *wall, const fw_panel *panel)
-{
-    fw_vec2 first = corner_of(wall, panel, 0);
-    for (int k = 1; k + 1 < corner_count(wall->def); ++k) {
-        fw_vec2 triangle[3] = {first, corner_of(wall, panel, k), corner_of(wall, panel, k + 1)};
-        /* The rim closes the seams of the fan; outside it hides below the surface's line. */
-        fw_canvas_polygon(panel->canvas, triangle, 3, forbidden, .3);
-    }
-}
-
-void fw_view_draw_walls(const fw_view *view, const fw_panel *panel)
-{
-    for (int k = 0; k < view->wall_count; ++k) {
-        const fw_view_wall *wall = &view->walls[k];
-        if (wall->def->shape == FW_CIRCLE) {
-            double radius = wall->def->radius * fw_panel_scale(panel);
-            fw_vec2 centre = corner_of(wall, panel, 0);
-            if (is_obstacle(wall->def)) {
-                fw_canvas_disc(panel->canvas, centre, radius, forbidden);
-            } else {
-                fw_canvas_annulus(panel->canvas, centre, radius, radius + band, forbidden);
-            }
-        } else if (is_obstacle(wall->def)) {
-            draw_inside(wall, panel);
-        } else {
-            draw_band(wall, panel);
-        }
-    }
-}
-
-static void draw_outline(const fw_view_wall *wall, const fw_panel *panel, fw_stroke line)
-{
-    if (wall->def->shape == FW_CIRCLE) {
-        fw_canvas_circle(panel->canvas, corner_of(wall, panel, 0),
-                         wall->def->radius * fw_panel_scale(panel), line);
-        return;
-    }
-    int count = corner_count(wall->def), edges = is_closed(wall->def) ? count : count - 1;
-    for (int edge = 0; edge < edges; ++edge) {
-        bool goes_on = is_closed(wall->def) || edge + 1 < edges;
-        /* With the next edge, for the sake of the corner between them. */
-        fw_vec2 path[3] = {corner_of(wall, panel, edge), corner_of(wall, panel, edge + 1),
-                           corner_of(wall, panel, edge + (goes_on ? 2 : 1))};
-        fw_canvas_polyline(panel->canvas, path, goes_on ? 3 : 2, false, line);
-    }
+    for (int k = 0; k < view->wall_count; ++k)
+        fw_outline_draw_forbidden(&view->walls[k], panel, opacity);
 }
 
 void fw_view_draw_surfaces(const fw_view *view, const fw_panel *panel)
 {
-    for (int k = 0; k < view->wall_count; ++k)
-        draw_outline(&view->walls[k], panel, (fw_stroke){surface, .35, FW_DASH_NONE});
+    const fw_stroke surface = {{.25, .25, .25, 1}, .35, FW_DASH_NONE};
+    for (int k = 0; k < view->wall_count; ++k) fw_outline_draw(&view->walls[k], panel, surface);
 }
 
 void fw_view_draw_moved(const fw_view *view, const fw_view *last, const fw_panel *panel,
@@ -233,7 +91,7 @@ void fw_view_draw_moved(const fw_view *view, const fw_view *last, const fw_panel
 {
     for (int k = 0; k < view->wall_count; ++k) {
         const fw_vec2 from = view->walls[k].displacement, to = last->walls[k].displacement;
-        if (from.x != to.x || from.y != to.y) draw_outline(&view->walls[k], panel, stroke);
+        if (from.x != to.x || from.y != to.y) fw_outline_draw(&view->walls[k], panel, stroke);
     }
 }
 

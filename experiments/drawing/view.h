@@ -6,8 +6,8 @@
 #ifndef FW_VIEW_H
 #define FW_VIEW_H
 
-#include "contact/geometry/wall.h"
 #include "experiments/drawing/colour_scale.h"
+#include "experiments/drawing/outline.h"
 #include "experiments/drawing/panel.h"
 
 #include <stdint.h>
@@ -24,18 +24,12 @@ typedef struct fw_view_body {
     double spacing; /* of the lattice; 0: mean length of the links, or 1 */
 } fw_view_body;
 
-/* A wall at a displacement from the place of its definition. */
-typedef struct fw_view_wall {
-    const fw_wall_def *def;
-    fw_vec2 displacement;
-} fw_view_wall;
-
 typedef struct fw_view {
     const char *name; /* caption where several views stand side by side; NULL: "step N" */
     int64_t step;
     const fw_view_body *bodies;
     int body_count;
-    const fw_view_wall *walls;
+    const fw_outline *walls;
     int wall_count;
     const char *const *kinds; /* [kind_count] names of the species for the legend; may be NULL */
     int kind_count;
@@ -57,8 +51,10 @@ double fw_view_spacing(const fw_view_body *body);
 /* Particles of all bodies. */
 long fw_view_count(const fw_view *view);
 
-/* The band on the forbidden side of each wall (all of the inside, where that is forbidden). */
-void fw_view_draw_walls(const fw_view *view, const fw_panel *panel);
+/* Where particles may not be: a band along each wall, or all of its inside. Drawn opaque below the
+ * bodies, and as a veil over particles that fill a place and not a point. */
+void fw_view_draw_walls(const fw_view *view, const fw_panel *panel, double opacity);
+#define FW_VIEW_VEIL .6
 /* The surfaces themselves, to be drawn over the bodies. */
 void fw_view_draw_surfaces(const fw_view *view, const fw_panel *panel);
 /* Outlines of the walls that stand elsewhere in `last`, a later view of the same scene. */

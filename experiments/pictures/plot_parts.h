@@ -5,6 +5,7 @@
 #define FW_PLOT_PARTS_H
 
 #include "experiments/drawing/figure.h"
+#include "experiments/pictures/wall_outline.h"
 #include "experiments/results/playback.h"
 #include "experiments/scenario/scenario.h"
 
@@ -19,6 +20,7 @@ typedef struct fw_plot_result {
     int *links;              /* pairs of particles, numbered within their body, body by body */
     int *link_first;         /* per body: number of its first link; one more for the end */
     fw_wall **walls;
+    fw_vec2 (*corners)[FW_BOX_CORNERS]; /* per wall: those of a box */
     double *
         *piston_paths; /* per wall: x and y of its displacement, per sample; NULL: on its path */
     int64_t *sample_steps;
@@ -40,7 +42,7 @@ typedef struct fw_plot_view {
     double *x, *y, *field;
     int *links;
     fw_view_body *bodies;
-    fw_view_wall *walls;
+    fw_outline *walls;
 } fw_plot_view;
 
 /* `field`: name of the field in the file, or NULL. Cleared also after a failure. */

@@ -126,7 +126,8 @@ static fw_status make_walls(fw_plot_result *result, fw_error *error)
 {
     const fw_scenario *scenario = result->scenario;
     result->walls = calloc((size_t)scenario->wall_count + 1, sizeof *result->walls);
-    if (!result->walls) return fw_fail_memory(error, "the walls of a picture");
+    result->corners = calloc((size_t)scenario->wall_count + 1, sizeof *result->corners);
+    if (!result->walls || !result->corners) return fw_fail_memory(error, "the walls of a picture");
     for (int w = 0; w < scenario->wall_count; ++w)
         FW_TRY(fw_wall_create(&result->walls[w], w, &scenario->walls[w].def, error));
     return FW_OK;
@@ -212,6 +213,7 @@ void fw_plot_result_close(fw_plot_result *result)
     free(result->piston_paths);
     free(result->sample_steps);
     free(result->walls);
+    free(result->corners);
     free(result->link_first);
     free(result->links);
     free(result->rest_x);
@@ -300,9 +302,10 @@ static void describe_view(fw_plot_view *view, const fw_plot_result *result, int6
             .spacing = scenario->bodies[b].lattice.spacing,
         };
     }
-    for (int w = 0; w < scenario->wall_count; ++w)
-        view->walls[w] =
-            (fw_view_wall){fw_wall_definition(result->walls[w]), displacement_of(result, w, frame)};
+    for (int w = 0; w < scenario->wall_count; ++w) {
+        view->walls[w] = fw_wall_outline(fw_wall_definition(result->walls[w]), result->corners[w]);
+        view->walls[w].displacement = displacement_of(result, w, frame);
+    }
     view->view = (fw_view){.step = result->steps[frame],
                            .bodies = view->bodies,
                            .body_count = playback->body_count,

@@ -6,6 +6,7 @@
 #include "experiments/drawing/canvas.h"
 #include "experiments/drawing/tiles.h"
 #include "experiments/drawing/view.h"
+#include "experiments/pictures/wall_outline.h"
 #include "experiments/storage/whole_file.h"
 
 #include <errno.h>
@@ -139,9 +140,11 @@ static void assert_forbidden(const fw_wall_def *def, fw_vec2 place, bool forbidd
     fw_canvas *canvas = canvas_of(100, 100);
     fw_panel panel = panel_on(canvas);
     /* Far off, and back again by the displacement. */
-    const fw_view_wall wall = {def, {1, 2}};
+    fw_vec2 corners[FW_BOX_CORNERS];
+    fw_outline wall = fw_wall_outline(def, corners);
+    wall.displacement = (fw_vec2){1, 2};
     const fw_view view = {.walls = &wall, .wall_count = 1};
-    fw_view_draw_walls(&view, &panel);
+    fw_view_draw_walls(&view, &panel, 1);
     fw_vec2 paper = fw_panel_place(&panel, place.x + 1, place.y + 2);
     bool grey = fw_canvas_colour_at(canvas, paper).red < .95;
     if (grey != forbidden) {

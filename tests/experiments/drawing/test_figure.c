@@ -274,15 +274,10 @@ typedef struct journey {
     fw_view views[INSTANTS];
     double path_x[STEPS + 1], path_y[STEPS + 1];
     fw_figure_path path;
-    fw_view_wall wall;
+    fw_outline wall;
 } journey;
 
-static const fw_vec2 box_corners[2] = {{0, 0}, {60, 60}};
-static const fw_wall_def box_wall = {.name = "container",
-                                     .shape = FW_BOX,
-                                     .side = FW_INSIDE,
-                                     .points = box_corners,
-                                     .point_count = 2};
+static const fw_vec2 box_corners[4] = {{0, 0}, {60, 0}, {60, 60}, {0, 60}};
 
 static journey *travel(void)
 {
@@ -290,7 +285,8 @@ static journey *travel(void)
     assert_non_null(j);
     sheet now;
     start_sheet(&now);
-    j->wall = (fw_view_wall){&box_wall, {0, 0}};
+    j->wall = (fw_outline){
+        .points = box_corners, .count = 4, .closed = true, .forbidden = FW_FORBIDDEN_OUTSIDE};
     for (int step = 0; step <= STEPS; ++step) {
         int instant = step / (STEPS / (INSTANTS - 1));
         j->path_x[step] = mean(now.x, SHEET);
@@ -630,34 +626,14 @@ static void walls_of_every_shape_are_drawn(void **state)
     const fw_vec2 wedge[3] = {{20, 10}, {26, 10}, {23, 16}};
     const fw_vec2 wedge_turned[3] = {{12, 22}, {15, 26}, {18, 22}};
     const fw_vec2 middle[1] = {{24, 22}}, ring[1] = {{16, 14}};
-    const fw_vec2 block[2] = {{3, 24}, {7, 20}};
-    const fw_wall_def defs[6] = {
-        {.name = "slope", .shape = FW_CHAIN, .points = slope, .point_count = 3},
-        {.name = "wedge",
-         .shape = FW_POLYGON,
-         .side = FW_OUTSIDE,
-         .points = wedge,
-         .point_count = 3},
-        {.name = "tent",
-         .shape = FW_POLYGON,
-         .side = FW_INSIDE,
-         .points = wedge_turned,
-         .point_count = 3},
-        {.name = "pin",
-         .shape = FW_CIRCLE,
-         .side = FW_OUTSIDE,
-         .points = middle,
-         .point_count = 1,
-         .radius = 3},
-        {.name = "ring",
-         .shape = FW_CIRCLE,
-         .side = FW_INSIDE,
-         .points = ring,
-         .point_count = 1,
-         .radius = 18},
-        {.name = "block", .shape = FW_BOX, .side = FW_OUTSIDE, .points = block, .point_count = 2}};
-    fw_view_wall walls[6];
-    for (int k = 0; k < 6; ++k) walls[k] = (fw_view_wall){&defs[k], {0, 0}};
+    const fw_vec2 block[4] = {{3, 20}, {7, 20}, {7, 24}, {3, 24}};
+    fw_outline walls[6] = {
+        {.points = slope, .count = 3, .forbidden = FW_FORBIDDEN_RIGHT},
+        {.points = wedge, .count = 3, .closed = true, .forbidden = FW_FORBIDDEN_INSIDE},
+        {.points = wedge_turned, .count = 3, .closed = true, .forbidden = FW_FORBIDDEN_OUTSIDE},
+        {.points = middle, .count = 1, .radius = 3, .forbidden = FW_FORBIDDEN_INSIDE},
+        {.points = ring, .count = 1, .radius = 18, .forbidden = FW_FORBIDDEN_OUTSIDE},
+        {.points = block, .count = 4, .closed = true, .forbidden = FW_FORBIDDEN_INSIDE}};
     walls[5].displacement = (fw_vec2){2, -3};
     const double x[4] = {8, 9, 8, 9}, y[4] = {14, 14, 15, 15}, field[4] = {-1, .5, NAN, 2};
     const fw_view_body body = {.count = 4, .x = x, .y = y, .field = field, .spacing = 1};
