@@ -23,7 +23,7 @@ const fw_command fw_commands[] = {
      fw_command_resume},
     {"verify", "verify [NAME...]", "runs experiments and holds them against what they should show",
      "hstqj", 0, FW_WORDS_MAX, fw_command_verify},
-    {"plot", "plot DIR", "draws pictures of a result", "hikfbapl", 1, 1, fw_command_plot},
+    {"plot", "plot DIR", "draws pictures of a result", "hikfbaplr", 1, 1, fw_command_plot},
     {"table", "table DIR", "observables of a result as comma-separated values", "hcb", 1, 1,
      fw_command_table},
     {"profile", "profile DIR",
@@ -58,6 +58,8 @@ static const option options[] = {
     {'a', "--at", NULL, "STEP[,STEP]",
      "steps that are drawn; of a series, from the first to the second"},
     {'l', "--logarithmic", NULL, NULL, "logarithmic axes for the values of a series"},
+    {'r', "--range", NULL, "LOW,HIGH",
+     "ends of the colours of a field (the least and greatest value of the whole result)"},
     {'p', "--picture", NULL, "NAME", "one of the scenario's own pictures"},
     {'j', "--json", NULL, "FILE", "the verdicts as JSON too; - : on stdout, instead of tables"},
     {'x', "--axis", NULL, "AXIS", "x or y: the coordinate of the profile"},
@@ -167,6 +169,9 @@ static fw_status store(fw_arguments *a, const option *o, const char *value, fw_e
         break;
     case 'l':
         a->logarithmic = true;
+        break;
+    case 'r':
+        a->range = value;
         break;
     case 'j':
         a->json = value;

@@ -16,7 +16,7 @@ typedef struct fw_arguments {
     int setting_count;
     const char *settings[FW_SETTINGS_MAX]; /* of --set and --seed, in order */
     const char *output;                    /* -o; NULL: not given */
-    const char *field, *picture, *observable, *at, *kind, *json, *axis;
+    const char *field, *picture, *observable, *at, *range, *kind, *json, *axis;
     char seed[48];  /* the setting that --seed stands for */
     char given[32]; /* letters of the options that had a value */
     int threads;    /* 0: not given */

@@ -34,12 +34,25 @@ static fw_status read_steps(const char *text, plot_lists *lists, int *count, fw_
     return FW_OK;
 }
 
+static fw_status read_range(const char *text, double range[2], fw_error *error)
+{
+    if (!text) return FW_OK;
+    const size_t length = strcspn(text, ",");
+    const char *high = text[length] ? text + length + 1 : "";
+    if (fw_number_read(text, length, &range[0]) != FW_NUMBER_FINE ||
+        fw_number_read(high, strlen(high), &range[1]) != FW_NUMBER_FINE || range[0] >= range[1])
+        return fw_fail(
+            error, FW_BAD_INPUT,
+            "--range %s, expected two numbers with a comma between them, the lower first", text);
+    return FW_OK;
+}
+
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
 {
     const fw_arguments *a = arguments;
     const char *directory = a->words[0];
     if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
-        !a->logarithmic)
+        !a->range && !a->logarithmic)
         return fw_plot_all(directory, stdout, error);
     plot_lists *lists = calloc(1, sizeof *lists);
     if (!lists) return fw_fail_memory(error, "what to draw");
@@ -53,6 +66,7 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
                                             &wish.observable_count, error);
     wish.observables = lists->names;
     if (status == FW_OK) status = read_steps(a->at, lists, &wish.step_count, error);
+    if (status == FW_OK) status = read_range(a->range, wish.range, error);
     if (status == FW_OK) status = fw_plot_one(directory, &wish, stdout, error);
     free(lists->names);
     free(lists->text);

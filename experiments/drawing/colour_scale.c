@@ -5,15 +5,6 @@
 
 #include <math.h>
 
-/* Values that differ by rounding alone get one colour: their differences are no structure. */
-static fw_range without_rounding(fw_range range)
-{
-    double largest = fmax(fabs(range.low), fabs(range.high));
-    if (fw_range_is_empty(range) || range.high - range.low > 1e-10 * largest) return range;
-    double middle = range.low + (range.high - range.low) / 2;
-    return (fw_range){middle, middle};
-}
-
 fw_colour_scale fw_colour_scale_for(fw_colouring wish, const double *values, long count)
 {
     fw_colour_scale scale = {.label = wish.label, .logarithmic = wish.logarithmic, .map = wish.map};
@@ -33,7 +24,7 @@ fw_colour_scale fw_colour_scale_for(fw_colouring wish, const double *values, lon
         double end = fmax(fabs(scale.range.low), fabs(scale.range.high));
         scale.range = (fw_range){-end, end};
     }
-    if (!fixed && !wish.logarithmic) scale.range = without_rounding(scale.range);
+    if (!fixed && !wish.logarithmic) scale.range = fw_range_without_rounding(scale.range);
     scale.range = fw_range_roomy(scale.range, 0, wish.logarithmic);
     scale.exceeds_low = all.low < scale.range.low;
     scale.exceeds_high = all.high > scale.range.high;

@@ -27,7 +27,7 @@ typedef struct fw_figure_motion_plan {
     int view_count;
     const fw_figure_path *paths;
     int path_count;
-    const char *length_unit; /* NULL: "lattice units" */
+    fw_view_bounds bounds; /* of all frames; all zero: of the views and paths */
 } fw_figure_motion_plan;
 fw_status fw_figure_motion(const fw_page *page, const fw_figure_motion_plan *plan, fw_error *error);
 
@@ -55,7 +55,6 @@ typedef struct fw_figure_forces_panel {
 typedef struct fw_figure_forces_plan {
     const fw_figure_forces_panel *panels;
     int panel_count;
-    const char *length_unit; /* NULL: "lattice units" */
 } fw_figure_forces_plan;
 fw_status fw_figure_forces(const fw_page *page, const fw_figure_forces_plan *plan, fw_error *error);
 
@@ -64,7 +63,7 @@ typedef struct fw_figure_field_plan {
     const fw_view *view;
     fw_view_look look;
     fw_colouring colouring;
-    const char *length_unit; /* NULL: "lattice units" */
+    fw_view_bounds bounds; /* of all frames; all zero: of the view */
 } fw_figure_field_plan;
 fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan, fw_error *error);
 
@@ -75,6 +74,7 @@ typedef struct fw_figure_strip_plan {
     int columns; /* 0: chosen */
     fw_view_look look;
     fw_colouring colouring;
+    fw_view_bounds bounds; /* of all frames; all zero: of the views */
 } fw_figure_strip_plan;
 fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan, fw_error *error);
 

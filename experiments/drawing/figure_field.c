@@ -11,13 +11,25 @@ static fw_status draw_view(const fw_view *view, const fw_panel *panel, fw_view_l
                            const fw_colour_scale *scale, fw_error *error)
 {
     fw_canvas_clip(panel->canvas, panel->box);
-    fw_view_draw_walls(view, panel, 1);
+    fw_view_draw_walls(view, panel, true, 1);
     fw_status status = fw_view_draw_particles(view, panel, look, scale, error);
-    fw_view_draw_walls(view, panel, FW_VIEW_VEIL);
+    fw_view_draw_walls(view, panel, true, FW_VIEW_VEIL);
     fw_view_draw_surfaces(view, panel);
     fw_canvas_unclip(panel->canvas);
     if (fw_view_count(view) == 0) fw_panel_say(panel, "no particles");
     return status;
+}
+
+static const double strip_gap = 3, name_height = 4.2; /* mm */
+
+/* Its name, or else its step, `above` mm over the box. */
+static void name_view(const fw_view *view, const fw_panel *panel, double above)
+{
+    char name[64];
+    fw_view_print_name(view, name, sizeof name);
+    fw_canvas_text(panel->canvas, (fw_vec2){panel->box.left, panel->box.top - 1.2 - above}, name,
+                   (fw_text_look){FW_SMALL_SIZE, fw_colour_grey(.1), FW_TEXT_LEFT, FW_TEXT_BASELINE,
+                                  0, false});
 }
 
 /* --- one view --- */
@@ -27,16 +39,12 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
     fw_view_key key;
     fw_panel panel = {.canvas = NULL};
     fw_colour_bar bar = {.axis = {.label = NULL}};
-    char x_label[64], y_label[64];
     FW_TRY(fw_view_key_for(&key, plan->view, 1, plan->colouring, error));
-    fw_view_bounds bounds = fw_view_bounds_empty();
+    fw_view_bounds bounds = fw_view_bounds_or_empty(plan->bounds);
     fw_view_bounds_include_bodies(&bounds, plan->view);
     fw_view_bounds_include_walls(&bounds, plan->view, 4);
-    const char *unit = plan->length_unit ? plan->length_unit : "lattice units";
-    snprintf(x_label, sizeof x_label, "x / %s", unit);
-    snprintf(y_label, sizeof y_label, "y / %s", unit);
-    panel.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = x_label};
-    panel.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = y_label};
+    panel.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = "x (length)"};
+    panel.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = "y (length)"};
     double right = 3;
     for (int round = 0; round < 2; ++round) {
         fw_page_fit_equal(page, &panel, right, 18, 1.05 * page->width);
@@ -47,11 +55,13 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
     }
     double top = fw_page_top(page), width = page->width - 2 * FW_PAGE_MARGIN;
     double notes = fmax(fw_axis_note_height(&panel.y), key.by_field ? fw_colour_bar_head(&bar) : 0);
-    panel.box.top = top + fw_legend_height(key.entries, key.entry_count, width) + notes;
+    panel.box.top =
+        top + fw_legend_height(key.entries, key.entry_count, width) + name_height + notes;
     double bottom = panel.box.top + panel.box.height + fw_axis_depth(&panel.x, true);
     FW_TRY(fw_page_open(page, bottom, &panel.canvas, error));
     fw_status status = draw_view(plan->view, &panel, plan->look, fw_view_key_scale(&key), error);
     fw_panel_draw_axes(&panel, 0);
+    name_view(plan->view, &panel, notes);
     fw_legend_draw(key.entries, key.entry_count, panel.canvas, (fw_vec2){FW_PAGE_MARGIN, top},
                    width);
     if (key.by_field) {
@@ -62,8 +72,6 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
 }
 
 /* --- a strip of views --- */
-
-static const double strip_gap = 3, name_height = 4.2; /* mm */
 
 typedef struct strip_layout {
     fw_view_key key;
@@ -94,7 +102,7 @@ static int chosen_columns(const fw_figure_strip_plan *plan, double aspect)
 static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
                           strip_layout *layout)
 {
-    layout->bounds = fw_view_bounds_empty();
+    layout->bounds = fw_view_bounds_or_empty(plan->bounds);
     for (int k = 0; k < plan->view_count; ++k) {
         fw_view_bounds_include_bodies(&layout->bounds, &plan->views[k]);
     }
@@ -138,16 +146,6 @@ static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
     }
 }
 
-static void name_view(const fw_view *view, fw_canvas *canvas, fw_rect box)
-{
-    char step[32], name[48];
-    fw_ticks_print_number(step, sizeof step, (double)view->step, 15);
-    snprintf(name, sizeof name, "step %s", step);
-    fw_canvas_text(canvas, (fw_vec2){box.left, box.top - 1.2}, view->name ? view->name : name,
-                   (fw_text_look){FW_SMALL_SIZE, fw_colour_grey(.1), FW_TEXT_LEFT, FW_TEXT_BASELINE,
-                                  0, false});
-}
-
 fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan, fw_error *error)
 {
     strip_layout layout = {.rows = 0};
@@ -168,7 +166,7 @@ fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan,
         status =
             draw_view(&plan->views[k], &panel, plan->look, fw_view_key_scale(&layout.key), error);
         fw_canvas_frame(canvas, panel.box, (fw_stroke){fw_colour_grey(.55), .18, FW_DASH_NONE});
-        name_view(&plan->views[k], canvas, panel.box);
+        name_view(&plan->views[k], &panel, 0);
     }
     fw_legend_draw(layout.key.entries, layout.key.entry_count, canvas,
                    (fw_vec2){FW_PAGE_MARGIN, layout.top}, layout.legend_width);

@@ -17,8 +17,7 @@ typedef struct motion_layout {
     bool has_bar;
     int entry_count;
     fw_legend_entry entries[NAMED_INSTANTS + 1];
-    char labels[NAMED_INSTANTS][48];
-    char x_label[64], y_label[64];
+    char labels[NAMED_INSTANTS][64];
     double legend_top, legend_width;
 } motion_layout;
 
@@ -34,16 +33,21 @@ static fw_colour colour_of_instant(const fw_figure_motion_plan *plan, int number
     return fw_palette_at(FW_PALETTE_SEQUENTIAL, count > NAMED_INSTANTS ? part : .93 * part);
 }
 
+/* Mixed with so much white, and so opaque. */
+static fw_colour with_white(fw_colour colour, double white, double alpha)
+{
+    return (fw_colour){colour.red + white * (1 - colour.red),
+                       colour.green + white * (1 - colour.green),
+                       colour.blue + white * (1 - colour.blue), alpha};
+}
+
 static void describe_instants(const fw_figure_motion_plan *plan, motion_layout *layout)
 {
     layout->has_bar = plan->view_count > NAMED_INSTANTS;
     for (int k = 0; k < plan->view_count && !layout->has_bar; ++k) {
-        char step[32];
-        fw_ticks_print_number(step, sizeof step, (double)plan->views[k].step, 15);
-        snprintf(layout->labels[k], sizeof layout->labels[k], "step %s", step);
-        const char *name = plan->views[k].name;
-        layout->entries[layout->entry_count++] = (fw_legend_entry){
-            name ? name : layout->labels[k], colour_of_instant(plan, k), FW_LEGEND_DISC, 0};
+        fw_view_print_name(&plan->views[k], layout->labels[k], sizeof layout->labels[k]);
+        layout->entries[layout->entry_count++] =
+            (fw_legend_entry){layout->labels[k], colour_of_instant(plan, k), FW_LEGEND_DISC, 0};
     }
     if (plan->path_count > 0) {
         layout->entries[layout->entry_count++] =
@@ -53,7 +57,7 @@ static void describe_instants(const fw_figure_motion_plan *plan, motion_layout *
 
 static fw_view_bounds bounds_of_motion(const fw_figure_motion_plan *plan)
 {
-    fw_view_bounds bounds = fw_view_bounds_empty();
+    fw_view_bounds bounds = fw_view_bounds_or_empty(plan->bounds);
     for (int k = 0; k < plan->view_count; ++k) {
         fw_view_bounds_include_bodies(&bounds, &plan->views[k]);
     }
@@ -80,11 +84,8 @@ static void lay_out(const fw_page *page, const fw_figure_motion_plan *plan, moti
 {
     fw_panel *panel = &layout->panel;
     fw_view_bounds bounds = bounds_of_motion(plan);
-    const char *unit = plan->length_unit ? plan->length_unit : "lattice units";
-    snprintf(layout->x_label, sizeof layout->x_label, "x / %s", unit);
-    snprintf(layout->y_label, sizeof layout->y_label, "y / %s", unit);
-    panel->x = (fw_axis){.range = fw_range_roomy(bounds.x, .035, false), .label = layout->x_label};
-    panel->y = (fw_axis){.range = fw_range_roomy(bounds.y, .035, false), .label = layout->y_label};
+    panel->x = (fw_axis){.range = fw_range_roomy(bounds.x, .035, false), .label = "x (length)"};
+    panel->y = (fw_axis){.range = fw_range_roomy(bounds.y, .035, false), .label = "y (length)"};
     describe_instants(plan, layout);
     double right = 3;
     for (int round = 0; round < 2; ++round) {
@@ -117,15 +118,20 @@ static bool has_lone_particles(const fw_figure_motion_plan *plan)
     return true;
 }
 
-static void draw_instants(const fw_figure_motion_plan *plan, const fw_panel *panel)
+static fw_status draw_instants(const fw_figure_motion_plan *plan, const fw_panel *panel,
+                               fw_error *error)
 {
+    fw_status status = FW_OK;
     bool raster = particle_count(plan) > 6000, lone = has_lone_particles(plan);
     if (raster) fw_canvas_raster_begin(panel->canvas, panel->box);
-    for (int k = 0; k < plan->view_count; ++k) {
+    for (int k = 0; k < plan->view_count && status == FW_OK; ++k) {
         fw_colour colour = colour_of_instant(plan, k);
-        for (int b = 0; b < plan->views[k].body_count; ++b) {
+        for (int b = 0; b < plan->views[k].body_count && status == FW_OK; ++b) {
             const fw_view_body *body = &plan->views[k].bodies[b];
             double spacing = fw_view_spacing(body) * fw_panel_scale(panel);
+            /* Without links a body that lies on another one could not be told from it. */
+            if (body->link_count == 0 && !lone && plan->view_count > 1)
+                status = fw_view_draw_silhouette(body, panel, with_white(colour, .78, .7), error);
             fw_view_draw_links(
                 body, panel,
                 (fw_stroke){fw_colour_fade(colour, .55), fmin(.18, .12 * spacing), FW_DASH_NONE});
@@ -133,6 +139,7 @@ static void draw_instants(const fw_figure_motion_plan *plan, const fw_panel *pan
         }
     }
     if (raster) fw_canvas_raster_end(panel->canvas);
+    return status;
 }
 
 /* Length of a path on the paper. With `apart` > 0: draws an arrow head about every so many mm, the
@@ -192,18 +199,21 @@ static void draw_path(const fw_figure_path *path, const fw_panel *panel)
     draw_directions(path, panel);
 }
 
-static void draw(const fw_figure_motion_plan *plan, const motion_layout *layout)
+static fw_status draw(const fw_figure_motion_plan *plan, const motion_layout *layout,
+                      fw_error *error)
 {
+    fw_status status = FW_OK;
     const fw_panel *panel = &layout->panel;
     fw_canvas_clip(panel->canvas, panel->box);
-    if (plan->view_count > 0) fw_view_draw_walls(&plan->views[plan->view_count - 1], panel, 1);
+    if (plan->view_count > 0)
+        fw_view_draw_walls(&plan->views[plan->view_count - 1], panel, false, 1);
     for (int k = 0; k < plan->view_count - 1; ++k)
         fw_view_draw_moved(&plan->views[k], &plan->views[plan->view_count - 1], panel,
                            (fw_stroke){colour_of_instant(plan, k), .35, FW_DASH_NONE});
     bool lone = has_lone_particles(plan);
-    if (!lone) draw_instants(plan, panel);
+    if (!lone) status = draw_instants(plan, panel, error);
     for (int k = 0; k < plan->path_count; ++k) draw_path(&plan->paths[k], panel);
-    if (lone) draw_instants(plan, panel);
+    if (lone) status = draw_instants(plan, panel, error);
     if (plan->view_count > 0) fw_view_draw_surfaces(&plan->views[plan->view_count - 1], panel);
     fw_canvas_unclip(panel->canvas);
     if (plan->view_count == 0) fw_panel_say(panel, "no particles");
@@ -214,6 +224,7 @@ static void draw(const fw_figure_motion_plan *plan, const motion_layout *layout)
         fw_colour_bar_draw(&layout->bar, panel->canvas, panel->box.left + panel->box.width,
                            panel->box.top, panel->box.height);
     }
+    return status;
 }
 
 fw_status fw_figure_motion(const fw_page *page, const fw_figure_motion_plan *plan, fw_error *error)
@@ -223,6 +234,6 @@ fw_status fw_figure_motion(const fw_page *page, const fw_figure_motion_plan *pla
     fw_panel *panel = &layout.panel;
     double bottom = panel->box.top + panel->box.height + fw_axis_depth(&panel->x, true);
     FW_TRY(fw_page_open(page, bottom, &panel->canvas, error));
-    draw(plan, &layout);
-    return fw_page_close(panel->canvas, FW_OK, error);
+    const fw_status status = draw(plan, &layout, error);
+    return fw_page_close(panel->canvas, status, error);
 }

@@ -5,8 +5,6 @@
 
 #include <math.h>
 
-static const double band = 2.2; /* mm */
-
 static int edge_count(const fw_outline *outline)
 {
     return outline->closed ? outline->count : outline->count - 1;
@@ -52,7 +50,8 @@ static fw_vec2 rightward(fw_vec2 a, fw_vec2 b)
     return length > 0 ? fw_vec2_scale(1 / length, fw_vec2_turn(along)) : (fw_vec2){0, 0};
 }
 
-/* From point k to the far rim of the band: mitred, but no longer than five bands. */
+/* From point k to the far rim of a band that is |side| wide: mitred, but not longer than five
+ * times that. */
 static fw_vec2 rim_offset(const fw_outline *outline, const fw_panel *panel, int k, double side)
 {
     const bool closed = outline->closed;
@@ -63,12 +62,13 @@ static fw_vec2 rim_offset(const fw_outline *outline, const fw_panel *panel, int 
     if (!closed && k == 0) before = after;
     if (!closed && k == outline->count - 1) after = before;
     double widening = fmax(1 + fw_vec2_dot(before, after), .2);
-    return fw_vec2_scale(side * band / widening, fw_vec2_add(before, after));
+    return fw_vec2_scale(side / widening, fw_vec2_add(before, after));
 }
 
-static void draw_band(const fw_outline *outline, const fw_panel *panel, fw_colour grey)
+static void draw_band(const fw_outline *outline, const fw_panel *panel, fw_colour grey,
+                      double width)
 {
-    double side = forbidden_side(outline);
+    double side = width * forbidden_side(outline);
     for (int k = 0; k < edge_count(outline); ++k) {
         int next = (k + 1) % outline->count;
         fw_vec2 a = place_of(outline, panel, k), b = place_of(outline, panel, next);
@@ -89,7 +89,8 @@ static void draw_inside(const fw_outline *outline, const fw_panel *panel, fw_col
     }
 }
 
-void fw_outline_draw_forbidden(const fw_outline *outline, const fw_panel *panel, double opacity)
+void fw_outline_draw_forbidden(const fw_outline *outline, const fw_panel *panel, double opacity,
+                               double width)
 {
     const fw_colour grey = {.86, .86, .86, opacity};
     if (outline->radius > 0) {
@@ -98,11 +99,11 @@ void fw_outline_draw_forbidden(const fw_outline *outline, const fw_panel *panel,
         if (outline->forbidden == FW_FORBIDDEN_INSIDE)
             fw_canvas_disc(panel->canvas, centre, radius, grey);
         else
-            fw_canvas_annulus(panel->canvas, centre, radius, radius + band, grey);
+            fw_canvas_annulus(panel->canvas, centre, radius, radius + width, grey);
     } else if (outline->forbidden == FW_FORBIDDEN_INSIDE) {
         draw_inside(outline, panel, grey);
     } else {
-        draw_band(outline, panel, grey);
+        draw_band(outline, panel, grey, width);
     }
 }
 

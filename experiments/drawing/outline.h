@@ -25,8 +25,9 @@ typedef struct fw_outline {
 /* Widen the ranges by the outline. */
 void fw_outline_include(const fw_outline *outline, fw_range *x, fw_range *y);
 
-/* The forbidden part, of this opacity. */
-void fw_outline_draw_forbidden(const fw_outline *outline, const fw_panel *panel, double opacity);
+/* The forbidden part, of this opacity; a band is `width` mm wide. */
+void fw_outline_draw_forbidden(const fw_outline *outline, const fw_panel *panel, double opacity,
+                               double width);
 void fw_outline_draw(const fw_outline *outline, const fw_panel *panel, fw_stroke line);
 
 #endif

@@ -37,6 +37,7 @@ static fw_range range_of_y(const fw_chart *chart)
     if (is_fixed(chart->range)) return fw_range_roomy(chart->range, 0, chart->logarithmic);
     fw_range y = fw_range_empty();
     fw_chart_include_y(&y, chart);
+    if (!chart->logarithmic) y = fw_range_without_rounding(y);
     /* What is positive and not far from zero is seen best against zero. */
     if (!chart->logarithmic && y.low >= 0 && y.low < .25 * y.high) y.low = 0;
     return fw_range_roomy(y, .05, chart->logarithmic);
@@ -271,10 +272,10 @@ static fw_status draw_view_panel(const fw_stack *stack, int number, fw_error *er
     const fw_panel *panel = &stack->panels[number];
     const fw_view *view = &plan->views[number];
     fw_canvas_clip(panel->canvas, panel->box);
-    fw_view_draw_walls(view, panel, 1);
+    fw_view_draw_walls(view, panel, true, 1);
     fw_status status =
         fw_view_draw_particles(view, panel, plan->look, fw_view_key_scale(stack->key), error);
-    fw_view_draw_walls(view, panel, FW_VIEW_VEIL);
+    fw_view_draw_walls(view, panel, true, FW_VIEW_VEIL);
     fw_view_draw_surfaces(view, panel);
     draw_regions(plan, panel, false);
     draw_marks(plan, panel);

@@ -127,15 +127,10 @@ static int cut(fw_vec2 *corners, int count, fw_vec2 other)
     return kept_count;
 }
 
-int fw_tiles_corners(const fw_tiles *tiles, int point, fw_vec2 corners[FW_TILE_CORNERS])
+/* The points that may limit a tile, seen from its own; returns how many. */
+static int find_neighbours(const fw_tiles *tiles, fw_vec2 centre, fw_vec2 found[NEIGHBOURS_MAX])
 {
-    fw_vec2 centre = tiles->points[point];
-    if (!is_finite(centre)) return 0;
-    int count = ROUND_CORNERS, looked_at = 0;
-    for (int k = 0; k < count; ++k) {
-        double angle = 2 * M_PI * (k + .5) / count;
-        corners[k] = (fw_vec2){tiles->reach * cos(angle), tiles->reach * sin(angle)};
-    }
+    int count = 0;
     int column = bin_column(tiles, centre.x), row = bin_row(tiles, centre.y);
     for (int r = row > 0 ? row - 1 : 0; r <= row + 1 && r < tiles->rows; ++r) {
         for (int c = column > 0 ? column - 1 : 0; c <= column + 1 && c < tiles->columns; ++c) {
@@ -144,10 +139,39 @@ int fw_tiles_corners(const fw_tiles *tiles, int point, fw_vec2 corners[FW_TILE_C
                 fw_vec2 other = fw_vec2_subtract(tiles->points[tiles->member[k]], centre);
                 double distance = hypot(other.x, other.y);
                 if (!(distance > 0) || distance >= 2 * tiles->reach) continue;
-                if (++looked_at > NEIGHBOURS_MAX) break;
-                count = cut(corners, count, other);
+                if (count < NEIGHBOURS_MAX) found[count++] = other;
             }
         }
+    }
+    return count;
+}
+
+/* Where a tile has a neighbour on one side and none within 50 degrees of the other, it ends there
+ * as far away as it does here: cells along the boundary of a lattice have the shape of those
+ * inside. */
+static bool has_opposite(const fw_vec2 *neighbours, int count, fw_vec2 neighbour)
+{
+    const double least = -.643 * hypot(neighbour.x, neighbour.y);
+    for (int k = 0; k < count; ++k)
+        if (fw_vec2_dot(neighbours[k], neighbour) < least * hypot(neighbours[k].x, neighbours[k].y))
+            return true;
+    return false;
+}
+
+int fw_tiles_corners(const fw_tiles *tiles, int point, fw_vec2 corners[FW_TILE_CORNERS])
+{
+    fw_vec2 centre = tiles->points[point], neighbours[NEIGHBOURS_MAX];
+    if (!is_finite(centre)) return 0;
+    int count = ROUND_CORNERS;
+    for (int k = 0; k < count; ++k) {
+        double angle = 2 * M_PI * (k + .5) / count;
+        corners[k] = (fw_vec2){tiles->reach * cos(angle), tiles->reach * sin(angle)};
+    }
+    const int limits = find_neighbours(tiles, centre, neighbours);
+    for (int k = 0; k < limits; ++k) {
+        count = cut(corners, count, neighbours[k]);
+        if (!has_opposite(neighbours, limits, neighbours[k]))
+            count = cut(corners, count, fw_vec2_scale(-1, neighbours[k]));
     }
     for (int k = 0; k < count; ++k) corners[k] = fw_vec2_add(centre, corners[k]);
     return count;

@@ -9,7 +9,8 @@
 
 typedef struct fw_tiles fw_tiles;
 
-/* `points` is observed, not copied. `reach` > 0: how far a tile goes where no neighbour limits it.
+/* `points` is observed, not copied. `reach` > 0: how far a tile goes where no neighbour limits it;
+ * a neighbour limits it on the other side too, where there is none.
  * Points that are not finite have no tile and limit nobody's. */
 fw_status fw_tiles_create(fw_tiles **tiles, const fw_vec2 *points, int count, double reach,
                           fw_error *error);

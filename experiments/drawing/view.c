@@ -7,11 +7,29 @@
 #include "experiments/drawing/tiles.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 fw_view_bounds fw_view_bounds_empty(void)
 {
     return (fw_view_bounds){fw_range_empty(), fw_range_empty()};
+}
+
+fw_view_bounds fw_view_bounds_or_empty(fw_view_bounds bounds)
+{
+    const bool unset =
+        bounds.x.low == 0 && bounds.x.high == 0 && bounds.y.low == 0 && bounds.y.high == 0;
+    return unset ? fw_view_bounds_empty() : bounds;
+}
+
+void fw_view_print_name(const fw_view *view, char *text, size_t size)
+{
+    char step[32];
+    fw_ticks_print_number(step, sizeof step, (double)view->step, 15);
+    if (view->name)
+        snprintf(text, size, "%s", view->name);
+    else
+        snprintf(text, size, "step %s", step);
 }
 
 double fw_view_spacing(const fw_view_body *body)
@@ -74,10 +92,13 @@ void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, d
 
 /* --- walls --- */
 
-void fw_view_draw_walls(const fw_view *view, const fw_panel *panel, double opacity)
+void fw_view_draw_walls(const fw_view *view, const fw_panel *panel, bool cells, double opacity)
 {
+    double width = 2.2; /* mm, or what cells of the boundary take */
+    for (int b = 0; b < view->body_count && cells; ++b)
+        width = fmax(width, .55 * fw_view_spacing(&view->bodies[b]) * fw_panel_scale(panel));
     for (int k = 0; k < view->wall_count; ++k)
-        fw_outline_draw_forbidden(&view->walls[k], panel, opacity);
+        fw_outline_draw_forbidden(&view->walls[k], panel, opacity, width);
 }
 
 void fw_view_draw_surfaces(const fw_view *view, const fw_panel *panel)
@@ -139,8 +160,21 @@ static void draw_as_discs(const fw_view *view, const fw_panel *panel, const fw_c
     }
 }
 
-/* All bodies together, so that cells meet where bodies touch. A reach of 1/sqrt 2 spacings just
- * closes the square lattice (the hexagonal one needs 1/sqrt 3). */
+/* A reach of 1/sqrt 2 spacings just closes the square lattice (the hexagonal one needs 1/sqrt 3).
+ */
+static const double cell_reach = .72;
+
+static void draw_cell(const fw_tiles *tiles, int number, const fw_panel *panel, fw_colour colour)
+{
+    fw_vec2 corners[FW_TILE_CORNERS];
+    const int count = fw_tiles_corners(tiles, number, corners);
+    for (int c = 0; c < count; ++c) corners[c] = fw_panel_place(panel, corners[c].x, corners[c].y);
+    /* A rim closes the seams between opaque cells; between others it would show. */
+    if (count > 2)
+        fw_canvas_polygon(panel->canvas, corners, count, colour, colour.alpha < 1 ? 0 : .08);
+}
+
+/* All bodies together, so that cells meet where bodies touch. */
 static fw_status draw_as_cells(const fw_view *view, const fw_panel *panel,
                                const fw_colour_scale *scale, fw_error *error)
 {
@@ -150,25 +184,30 @@ static fw_status draw_as_cells(const fw_view *view, const fw_panel *panel,
     if (!points) return fw_fail_memory(error, "the particles of a picture");
     for (int b = 0; b < view->body_count; ++b) {
         const fw_view_body *body = &view->bodies[b];
-        reach = fmax(reach, .72 * fw_view_spacing(body));
+        reach = fmax(reach, cell_reach * fw_view_spacing(body));
         for (int k = 0; k < body->count; ++k) points[filled++] = (fw_vec2){body->x[k], body->y[k]};
     }
     fw_tiles *tiles = NULL;
     fw_status status = fw_tiles_create(&tiles, points, count, fmax(reach, 1e-300), error);
     int number = 0;
-    for (int b = 0; b < view->body_count && status == FW_OK; ++b) {
-        for (int k = 0; k < view->bodies[b].count; ++k, ++number) {
-            fw_vec2 corners[FW_TILE_CORNERS];
-            int corner_count = fw_tiles_corners(tiles, number, corners);
-            for (int c = 0; c < corner_count; ++c) {
-                corners[c] = fw_panel_place(panel, corners[c].x, corners[c].y);
-            }
-            if (corner_count > 2) {
-                fw_canvas_polygon(panel->canvas, corners, corner_count,
-                                  colour_of(&view->bodies[b], k, scale), .08);
-            }
-        }
-    }
+    for (int b = 0; b < view->body_count && status == FW_OK; ++b)
+        for (int k = 0; k < view->bodies[b].count; ++k, ++number)
+            draw_cell(tiles, number, panel, colour_of(&view->bodies[b], k, scale));
+    fw_tiles_destroy(tiles);
+    free(points);
+    return status;
+}
+
+fw_status fw_view_draw_silhouette(const fw_view_body *body, const fw_panel *panel, fw_colour colour,
+                                  fw_error *error)
+{
+    fw_vec2 *points = malloc(((size_t)body->count + 1) * sizeof *points);
+    if (!points) return fw_fail_memory(error, "the particles of a picture");
+    for (int k = 0; k < body->count; ++k) points[k] = (fw_vec2){body->x[k], body->y[k]};
+    fw_tiles *tiles = NULL;
+    const double reach = cell_reach * fw_view_spacing(body);
+    fw_status status = fw_tiles_create(&tiles, points, body->count, reach, error);
+    for (int k = 0; k < body->count && status == FW_OK; ++k) draw_cell(tiles, k, panel, colour);
     fw_tiles_destroy(tiles);
     free(points);
     return status;

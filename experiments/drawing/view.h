@@ -10,6 +10,7 @@
 #include "experiments/drawing/outline.h"
 #include "experiments/drawing/panel.h"
 
+#include <stddef.h>
 #include <stdint.h>
 
 typedef struct fw_view_body {
@@ -25,7 +26,7 @@ typedef struct fw_view_body {
 } fw_view_body;
 
 typedef struct fw_view {
-    const char *name; /* caption where several views stand side by side; NULL: "step N" */
+    const char *name; /* NULL: "step N" */
     int64_t step;
     const fw_view_body *bodies;
     int body_count;
@@ -41,6 +42,8 @@ typedef struct fw_view_bounds {
 } fw_view_bounds;
 
 fw_view_bounds fw_view_bounds_empty(void);
+/* All zero counts as empty. */
+fw_view_bounds fw_view_bounds_or_empty(fw_view_bounds bounds);
 /* Widens the bounds by the particles, three quarters of a spacing more on each side. */
 void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view);
 /* Widens them by the walls, along x and along y by themselves, unless that made them more than
@@ -48,12 +51,15 @@ void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view);
 void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, double most);
 
 double fw_view_spacing(const fw_view_body *body);
+/* The name of a view, or "step N". */
+void fw_view_print_name(const fw_view *view, char *text, size_t size);
 /* Particles of all bodies. */
 long fw_view_count(const fw_view *view);
 
 /* Where particles may not be: a band along each wall, or all of its inside. Drawn opaque below the
- * bodies, and as a veil over particles that fill a place and not a point. */
-void fw_view_draw_walls(const fw_view *view, const fw_panel *panel, double opacity);
+ * bodies, and as a veil over particles that fill
+ * a place and not a point (`cells`), as wide as these reach. */
+void fw_view_draw_walls(const fw_view *view, const fw_panel *panel, bool cells, double opacity);
 #define FW_VIEW_VEIL .6
 /* The surfaces themselves, to be drawn over the bodies. */
 void fw_view_draw_surfaces(const fw_view *view, const fw_panel *panel);
@@ -64,6 +70,11 @@ void fw_view_draw_links(const fw_view_body *body, const fw_panel *panel, fw_stro
 /* Discs in one colour, radius in mm. */
 void fw_view_draw_discs(const fw_view_body *body, const fw_panel *panel, double radius,
                         fw_colour colour);
+
+/* All places that are nearest to a particle of the body, in one colour. FW_SYSTEM_FAILED without
+ * memory. */
+fw_status fw_view_draw_silhouette(const fw_view_body *body, const fw_panel *panel, fw_colour colour,
+                                  fw_error *error);
 
 /* How particles are drawn where they carry colours. */
 typedef enum fw_view_look {

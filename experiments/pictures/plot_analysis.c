@@ -3,6 +3,8 @@
  * Start reading at fw_plot_draw_analysis(). */
 #include "plot_parts.h"
 
+#include "core/automaton/automaton_dispersion.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -71,10 +73,10 @@ static fw_status draw_map(const fw_plot_result *result, const fw_plot_picture *p
             .p_step = step_of(&tables[0]),
             .q_first = tables[1].values[0],
             .q_step = step_of(&tables[1]),
-            .p_label = "c_{1} / spacings per step",
-            .q_label = "c_{2} / spacings per step",
+            .p_label = "c_{1} (spacings/step)",
+            .q_label = "c_{2} (spacings/step)",
             .equal_aspect = true,
-            .colouring = {.label = "growth per step", .map = FW_PALETTE_SEQUENTIAL},
+            .colouring = {.label = "growth (1/step)", .map = FW_PALETTE_SEQUENTIAL},
             .curves = &disc,
             .curve_count = 1};
         status = fw_figure_map(&picture->page, &plan, error);
@@ -85,28 +87,60 @@ static fw_status draw_map(const fw_plot_result *result, const fw_plot_picture *p
 
 /* --- curves --- */
 
+enum { CLOSED_POINTS = 241 };
+
+/* The closed form along the whole way, much denser than the waves that were simulated. */
+typedef struct closed_form {
+    double way[CLOSED_POINTS], frequency[FW_MODES][CLOSED_POINTS], highest;
+} closed_form;
+
+static void find_closed_form(closed_form *c, const fw_scenario_automaton *material)
+{
+    const fw_vec2 corners[] = {{0, 0}, {M_PI, 0}, {M_PI, M_PI}, {0, 0}};
+    enum { LEGS = 3, PER_LEG = (CLOSED_POINTS - 1) / LEGS };
+    double begin = 0;
+    c->highest = 0;
+    for (int n = 0; n < CLOSED_POINTS; ++n) {
+        const int leg = n / PER_LEG < LEGS ? n / PER_LEG : LEGS - 1;
+        const fw_vec2 from = corners[leg], along = fw_vec2_subtract(corners[leg + 1], from);
+        const double part = (double)(n - leg * PER_LEG) / PER_LEG;
+        double squared[FW_MODES];
+        c->way[n] = begin + part * hypot(along.x, along.y);
+        fw_automaton_closed_form(material->speeds, fw_vec2_add(from, fw_vec2_scale(part, along)),
+                                 squared);
+        for (int m = 0; m < FW_MODES; ++m) {
+            c->frequency[m][n] = 2 * asin(fmin(1, sqrt(fmax(0, squared[m])) / 2));
+            c->highest = fmax(c->highest, c->frequency[m][n]);
+        }
+        if (n % PER_LEG == PER_LEG - 1 && leg < LEGS - 1) begin += hypot(along.x, along.y);
+    }
+}
+
 static fw_status draw_dispersion(const fw_plot_result *result, const fw_plot_picture *picture,
                                  fw_error *error)
 {
-    static const char *const names[] = {"way", "closed-slow", "closed-fast", "simulated-slow",
-                                        "simulated-fast"};
+    static const char *const names[] = {"way", "simulated-slow", "simulated-fast"};
     fw_table t[TABLES] = {{.rank = 0}};
-    fw_status status = read_columns(result, picture->analysis->name, names, TABLES, t, error);
+    closed_form closed;
+    const fw_scenario_material *material =
+        &result->scenario->materials[picture->analysis->material];
+    fw_status status = read_columns(result, picture->analysis->name, names, 3, t, error);
     if (status == FW_OK) {
+        find_closed_form(&closed, &material->automaton);
         const int count = t[0].extent[0];
-        double highest = 0;
-        for (int n = 0; n < count; ++n) highest = fmax(highest, t[2].values[n]);
-        const double turn = M_PI, back = 2 * M_PI, end = 2 * M_PI + sqrt(2) * M_PI;
+        const double turn = M_PI, back = 2 * M_PI, end = closed.way[CLOSED_POINTS - 1];
         const fw_axis_name places[] = {{0, "Γ"}, {turn, "X"}, {back, "M"}, {end, "Γ"}};
         const fw_curve curves[] = {
-            {"fast, closed form", count, t[0].values, t[2].values, NULL, FW_CURVE_LINE, 1},
-            {"slow, closed form", count, t[0].values, t[1].values, NULL, FW_CURVE_LINE, 2},
-            {"fast, simulated", count, t[0].values, t[4].values, NULL, FW_CURVE_MARKERS, 1},
-            {"slow, simulated", count, t[0].values, t[3].values, NULL, FW_CURVE_MARKERS, 2}};
-        const fw_chart chart = {.label = "frequency / radians per step",
+            {"fast, closed form", CLOSED_POINTS, closed.way, closed.frequency[FW_FAST], NULL,
+             FW_CURVE_LINE, 1},
+            {"slow, closed form", CLOSED_POINTS, closed.way, closed.frequency[FW_SLOW], NULL,
+             FW_CURVE_DASHES, 2},
+            {"fast, simulated", count, t[0].values, t[2].values, NULL, FW_CURVE_MARKERS, 1},
+            {"slow, simulated", count, t[0].values, t[1].values, NULL, FW_CURVE_MARKERS, 2}};
+        const fw_chart chart = {.label = "frequency (radians/step)",
                                 .curves = curves,
                                 .curve_count = 4,
-                                .range = {0, 1.05 * highest}};
+                                .range = {0, 1.05 * closed.highest}};
         status =
             fw_figure_curves(&picture->page, &chart, "wave vector along Γ–X–M–Γ", places, 4, error);
     }
@@ -123,11 +157,11 @@ static fw_status draw_twin(const fw_plot_result *result, const fw_plot_picture *
     if (status == FW_OK) {
         const fw_curve curve = {NULL, t[0].extent[0], t[0].values, t[1].values, NULL, FW_CURVE_LINE,
                                 1};
-        const fw_chart chart = {.label = "largest difference / length",
+        const fw_chart chart = {.label = "largest difference (length)",
                                 .curves = &curve,
                                 .curve_count = 1,
                                 .logarithmic = true};
-        status = fw_figure_curves(&picture->page, &chart, "half-steps", NULL, 0, error);
+        status = fw_figure_curves(&picture->page, &chart, "time (half-steps)", NULL, 0, error);
     }
     clear(t);
     return status;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot_bodies.c - pictures of where bodies are: motion, field, strip.
  * Keeps no state. Start reading at fw_plot_draw_motion(). */
-#include "plot_parts.h"
+#include "plot_exact.h"
+#include "plot_extent.h"
 
 #include "core/array.h"
 
@@ -14,25 +15,47 @@ enum { PATH_POINTS = 4000 };
 
 /* --- several frames --- */
 
-static fw_status load_views(const fw_plot_result *result, const fw_plot_picture *picture,
-                            fw_plot_view **loaded, fw_view **views, fw_error *error)
+/* A row of views; below each row of a strip the exact solution, where there is one. */
+enum { STRIP_COLUMNS = 3 };
+
+typedef struct frames {
+    int count; /* views: twice the frames with the exact solution */
+    bool exact;
+    fw_plot_view *loaded;
+    fw_view *views;
+} frames;
+
+static fw_status load_view(frames *f, const fw_plot_result *result, int64_t frame,
+                           const char *field, bool exact, fw_error *error)
 {
-    *loaded = calloc((size_t)picture->frame_count, sizeof **loaded);
-    *views = calloc((size_t)picture->frame_count, sizeof **views);
-    if (!*loaded || !*views) return fw_fail_memory(error, "the frames of a picture");
-    for (int k = 0; k < picture->frame_count; ++k) {
-        FW_TRY(fw_plot_view_load(&(*loaded)[k], result, picture->frames[k],
-                                 picture->asked.field.text, error));
-        (*views)[k] = (*loaded)[k].view;
-    }
+    fw_plot_view *view = &f->loaded[f->count++];
+    FW_TRY(exact ? fw_plot_exact_load(view, result, frame, field, error)
+                 : fw_plot_view_load(view, result, frame, field, error));
+    f->views[f->count - 1] = view->view;
     return FW_OK;
 }
 
-static void clear_views(const fw_plot_picture *picture, fw_plot_view *loaded, fw_view *views)
+static fw_status load_frames(frames *f, const fw_plot_result *result,
+                             const fw_plot_picture *picture, bool exact, fw_error *error)
 {
-    for (int k = 0; loaded && k < picture->frame_count; ++k) fw_plot_view_clear(&loaded[k]);
-    free(loaded);
-    free(views);
+    const int count = picture->frame_count;
+    const char *field = picture->asked.field.text;
+    *f = (frames){.exact = exact,
+                  .loaded = calloc(2 * (size_t)count, sizeof *f->loaded),
+                  .views = calloc(2 * (size_t)count, sizeof *f->views)};
+    if (!f->loaded || !f->views) return fw_fail_memory(error, "the frames of a picture");
+    for (int first = 0; first < count; first += STRIP_COLUMNS)
+        for (int row = 0; row <= (int)exact; ++row)
+            for (int k = first; k < count && k < first + STRIP_COLUMNS; ++k)
+                FW_TRY(load_view(f, result, picture->frames[k], field, row == 1, error));
+    return FW_OK;
+}
+
+static void clear_frames(frames *f)
+{
+    for (int k = 0; k < f->count; ++k) fw_plot_view_clear(&f->loaded[k]);
+    free(f->loaded);
+    free(f->views);
 }
 
 /* --- the way of the centre of mass --- */
@@ -125,21 +148,24 @@ void fw_plot_paths_clear(fw_plot_paths *paths)
 fw_status fw_plot_draw_motion(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error)
 {
-    fw_plot_view *loaded = NULL;
-    fw_view *views = NULL;
+    frames shown;
     fw_plot_paths paths = {0};
-    fw_status status = load_views(result, picture, &loaded, &views, error);
+    fw_view_bounds bounds = {{0, 0}, {0, 0}};
+    fw_status status = load_frames(&shown, result, picture, false, error);
     if (status == FW_OK) status = fw_plot_paths_find(&paths, result, picture, error);
+    /* Single instants of a result have the same axes. */
+    if (status == FW_OK && picture->frame_count == 1)
+        status = fw_plot_bounds_find(&bounds, result, error);
     if (status == FW_OK) {
-        const fw_figure_motion_plan plan = {.views = views,
-                                            .view_count = picture->frame_count,
+        const fw_figure_motion_plan plan = {.views = shown.views,
+                                            .view_count = shown.count,
                                             .paths = paths.path,
                                             .path_count = paths.count,
-                                            .length_unit = result->length_unit};
+                                            .bounds = bounds};
         status = fw_figure_motion(&picture->page, &plan, error);
     }
     fw_plot_paths_clear(&paths);
-    clear_views(picture, loaded, views);
+    clear_frames(&shown);
     return status;
 }
 
@@ -153,10 +179,25 @@ static fw_page page_with_meaning(const fw_plot_result *result, const fw_plot_pic
         if (strcmp(result->playback->fields[n].name, picture->asked.field.text) == 0)
             meaning = result->playback->fields[n].meaning;
     if (meaning[0]) {
-        snprintf(caption, size, "%s: %s. %s", picture->asked.field.text, meaning, page.caption);
+        snprintf(caption, size, "%s: %s. %s", picture->field_label, meaning, page.caption);
         page.caption = caption;
     }
     return page;
+}
+
+/* A liquid does not fill its plane: cells would say that it does. */
+static fw_view_look look_of(const fw_plot_result *result)
+{
+    const fw_scenario *scenario = result->scenario;
+    for (int b = 0; b < scenario->body_count; ++b) {
+        const fw_scenario_body *body = &scenario->bodies[b];
+        const fw_scenario_material *material = &scenario->materials[body->material];
+        if (body->shape.kind == FW_SHAPE_PLACED) return FW_VIEW_DISCS;
+        if (material->kind == FW_MOVABLE_PARTICLES &&
+            material->particles.return_force.amplitude == 0)
+            return FW_VIEW_DISCS;
+    }
+    return FW_VIEW_CELLS;
 }
 
 fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture *picture,
@@ -165,14 +206,12 @@ fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture
     fw_plot_view loaded;
     char caption[2048];
     const fw_page page = page_with_meaning(result, picture, caption, sizeof caption);
+    fw_figure_field_plan plan = {.view = &loaded.view, .look = look_of(result)};
     fw_status status =
         fw_plot_view_load(&loaded, result, picture->frames[0], picture->asked.field.text, error);
-    if (status == FW_OK) {
-        const fw_figure_field_plan plan = {.view = &loaded.view,
-                                           .colouring = {.label = picture->asked.field.text},
-                                           .length_unit = result->length_unit};
-        status = fw_figure_field(&page, &plan, error);
-    }
+    if (status == FW_OK) status = fw_plot_bounds_find(&plan.bounds, result, error);
+    if (status == FW_OK) status = fw_plot_colours_find(&plan.colouring, result, picture, error);
+    if (status == FW_OK) status = fw_figure_field(&page, &plan, error);
     fw_plot_view_clear(&loaded);
     return status;
 }
@@ -180,17 +219,17 @@ fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture
 fw_status fw_plot_draw_strip(const fw_plot_result *result, const fw_plot_picture *picture,
                              fw_error *error)
 {
-    fw_plot_view *loaded = NULL;
-    fw_view *views = NULL;
+    frames shown;
     char caption[2048];
     const fw_page page = page_with_meaning(result, picture, caption, sizeof caption);
-    fw_status status = load_views(result, picture, &loaded, &views, error);
-    if (status == FW_OK) {
-        const fw_figure_strip_plan plan = {.views = views,
-                                           .view_count = picture->frame_count,
-                                           .colouring = {.label = picture->asked.field.text}};
-        status = fw_figure_strip(&page, &plan, error);
-    }
-    clear_views(picture, loaded, views);
+    fw_figure_strip_plan plan = {.look = look_of(result)};
+    const bool exact = fw_plot_exact_exists(result, picture->asked.field.text);
+    fw_status status = load_frames(&shown, result, picture, exact, error);
+    if (status == FW_OK) status = fw_plot_colours_find(&plan.colouring, result, picture, error);
+    plan.views = shown.views;
+    plan.view_count = shown.count;
+    if (exact) plan.columns = STRIP_COLUMNS;
+    if (status == FW_OK) status = fw_figure_strip(&page, &plan, error);
+    clear_frames(&shown);
     return status;
 }

@@ -4,6 +4,7 @@
  * recorded, picture and output say which one stands for it. Start reading at fw_plot_choose(). */
 #include "plot_choice.h"
 
+#include "experiments/drawing/label.h"
 #include "experiments/text/spelling.h"
 
 #include "core/array.h"
@@ -347,7 +348,8 @@ static fw_status choose_page(draft *d, fw_error *error)
     if (d->own && of_paper && scenario->figure && scenario->source)
         append(choice->caption, sizeof choice->caption, "Compare %s.%s", scenario->source,
                choice->notes[0] ? " " : "");
-    append(choice->caption, sizeof choice->caption, "%s", choice->notes);
+    append(choice->caption, sizeof choice->caption, "%s%s%s", choice->notes,
+           choice->caption[0] || choice->notes[0] ? " " : "", d->result->units);
     page->caption = choice->caption;
     const int length = d->wish->file
                            ? snprintf(choice->file, sizeof choice->file, "%s", d->wish->file)
@@ -368,6 +370,8 @@ fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
     FW_TRY(choose_kind(d, error));
     const fw_picture_kind kind = d->picture->asked.kind;
     if (fw_picture_reads(kind, "field")) FW_TRY(choose_field(d, error));
+    fw_label_print(d->picture->field_label, sizeof d->picture->field_label,
+                   d->picture->asked.field.text ? d->picture->asked.field.text : "", NULL);
     if (fw_picture_rows[kind].frames > 0) FW_TRY(take_frames(d, error));
     if (fw_picture_reads(kind, "observables")) FW_TRY(choose_observables(d, error));
     if (fw_picture_reads(kind, "from")) FW_TRY(take_span(d, error));

@@ -129,9 +129,8 @@ static void name_panel(const forces *f, const fw_plot_view *view, int body, bool
     const double *rest_x = result->rest_x + result->playback->bodies[body].first;
     const double *rest_y = result->rest_y + result->playback->bodies[body].first;
     int last = shown->count - 1;
-    char step[32], rest[32], now[32];
-    fw_ticks_print_number(step, sizeof step, (double)view->view.step, 15);
-    int length = snprintf(name, sizeof f->names[0], "%s, step %s%s", of->name, step,
+    char rest[32], now[32];
+    int length = snprintf(name, sizeof f->names[0], "%s, %s%s", of->name, view->name,
                           travelled ? ", original moved along" : "");
     bool chain = of->shape.first_row == of->shape.last_row ||
                  of->shape.first_column == of->shape.last_column;
@@ -244,7 +243,7 @@ fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_pictur
     page.caption = caption;
     fw_status status = fw_plot_forces_find(&f, result, picture, error);
     if (status == FW_OK) {
-        const fw_figure_forces_plan plan = {f.panels, f.panel_count, result->length_unit};
+        const fw_figure_forces_plan plan = {f.panels, f.panel_count};
         status = fw_figure_forces(&page, &plan, error);
     }
     fw_plot_forces_clear(&f);

@@ -24,7 +24,7 @@ typedef struct fw_plot_result {
     double *
         *piston_paths; /* per wall: x and y of its displacement, per sample; NULL: on its path */
     int64_t *sample_steps;
-    const char *length_unit;
+    const char *units; /* a sentence for captions */
 } fw_plot_result;
 
 /* FW_BAD_INPUT: there are no results, or no frame in them, or they are not of their scenario. */
@@ -39,6 +39,7 @@ int64_t fw_plot_nearest_frame(const fw_plot_result *result, int64_t step);
  */
 typedef struct fw_plot_view {
     fw_view view;
+    char name[96]; /* "step 8 000, time 40" */
     double *x, *y, *field;
     int *links;
     fw_view_body *bodies;
@@ -58,6 +59,7 @@ typedef struct fw_plot_picture {
     int64_t *frames; /* ascending */
     int observable_count;
     const char **observables;
+    char field_label[FW_NAME_SIZE];
     const fw_scenario_analysis *analysis;
 } fw_plot_picture;
 
@@ -102,6 +104,7 @@ typedef struct fw_plot_series {
     struct fw_plot_curve *curves;
     int64_t *steps; /* of all samples */
     double *times;
+    double *set;      /* temperature of the heat bath in those that are drawn, or NULL */
     int first, shown; /* samples that are drawn */
 } fw_plot_series;
 fw_status fw_plot_series_find(fw_plot_series *series, const fw_plot_result *result,

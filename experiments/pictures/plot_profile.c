@@ -5,7 +5,7 @@
 #include "experiments/measures/profile_table.h"
 #include "experiments/storage/folder.h"
 #include "experiments/study/study.h"
-#include "plot_parts.h"
+#include "plot_extent.h"
 
 #include "core/array.h"
 
@@ -25,6 +25,7 @@ static const struct {
 /* One column of the figure: the experiment, or its control. */
 typedef struct side {
     fw_plot_view view;
+    char name[128];
     double *x, *values[CHARTS], *errors[CHARTS];
     fw_curve curves[CHARTS];
     fw_chart charts[CHARTS];
@@ -80,14 +81,16 @@ static fw_status fill_curves(side *s, const fw_profile_table *table, bool contro
     return FW_OK;
 }
 
-static fw_figure_stack_plan plan_of(side *s, const fw_profile_table *table, const char *field,
+static fw_figure_stack_plan plan_of(side *s, const fw_profile_table *table, fw_colouring colouring,
                                     const char *name)
 {
-    s->view.view.name = name;
+    const fw_view *view = &s->view.view;
+    snprintf(s->name, sizeof s->name, "%s%s%s", name ? name : "", name ? ", " : "", view->name);
+    s->view.view.name = s->name;
     return (fw_figure_stack_plan){.views = &s->view.view,
                                   .view_count = 1,
                                   .look = FW_VIEW_DISCS,
-                                  .colouring = {.label = field, .trim = .002},
+                                  .colouring = colouring,
                                   .charts = s->charts,
                                   .chart_count = CHARTS,
                                   .label = table->axis == 'x' ? "x (length)" : "y (length)",
@@ -154,18 +157,19 @@ static fw_status draw_sides(const fw_plot_result *result, const fw_plot_picture 
     side *sides = calloc(2, sizeof *sides);
     if (!sides) return fw_fail_memory(error, "a picture");
     fw_status status = fill_sides(sides, result, control, table, picture, error);
+    fw_colouring colours;
+    if (status == FW_OK) status = fw_plot_colours_find(&colours, result, picture, error);
     if (status == FW_OK) {
         const fw_figure_stack_plan plans[2] = {
-            plan_of(&sides[0], table, picture->asked.field.text, control ? "experiment" : NULL),
-            plan_of(&sides[1], table, picture->asked.field.text, "control")};
+            plan_of(&sides[0], table, colours, control ? "experiment" : NULL),
+            plan_of(&sides[1], table, colours, "control")};
         fw_page page = picture->page;
         char caption[2048];
         snprintf(caption, sizeof caption,
-                 "Above: the particles after step %lld, coloured by their %s. Below: profiles "
+                 "Above: the particles, coloured by their %s. Below: profiles "
                  "across %c, means over the samples and %lld seed%s with standard errors as bars. "
-                 "All quantities in reduced units. %s",
-                 (long long)result->steps[picture->frames[0]], picture->asked.field.text,
-                 table->axis, (long long)result->scenario->study.seeds,
+                 "%s",
+                 picture->field_label, table->axis, (long long)result->scenario->study.seeds,
                  result->scenario->study.seeds == 1 ? "" : "s", page.caption ? page.caption : "");
         page.caption = caption;
         if (control) page.width = 240;
@@ -245,8 +249,7 @@ fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture 
         char caption[2048];
         snprintf(caption, sizeof caption,
                  "Force of the first body on the second along the interface, against the "
-                 "displacement of the first grip less that of the second. All quantities in "
-                 "reduced units. %s",
+                 "displacement of the first grip less that of the second. %s",
                  page.caption ? page.caption : "");
         page.caption = caption;
         status = fw_figure_curves(&page, &chart, "slip of the grips (length)", NULL, 0, error);

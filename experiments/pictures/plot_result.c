@@ -182,11 +182,14 @@ static fw_vec2 displacement_of(const fw_plot_result *result, int wall, int64_t f
 }
 
 /* Where every lattice has spacing 1, that is the unit of length. */
-static const char *unit_of_length(const fw_scenario *scenario)
+static const char *sentence_of_units(const fw_scenario *scenario)
 {
     for (int b = 0; b < scenario->body_count; ++b)
-        if (scenario->bodies[b].lattice.spacing != 1) return "reduced units";
-    return "lattice units";
+        if (scenario->bodies[b].lattice.spacing != 1 ||
+            scenario->bodies[b].shape.kind == FW_SHAPE_PLACED)
+            return "Reduced units.";
+    return scenario->body_count > 0 ? "Reduced units: a length of 1 is a lattice spacing."
+                                    : "Reduced units.";
 }
 
 fw_status fw_plot_result_open(fw_plot_result *result, const char *directory, fw_error *error)
@@ -199,7 +202,7 @@ fw_status fw_plot_result_open(fw_plot_result *result, const char *directory, fw_
     FW_TRY(read_frame_times(result, error));
     FW_TRY(find_rest(result, error));
     FW_TRY(sort_links(result, error));
-    result->length_unit = unit_of_length(result->scenario);
+    result->units = sentence_of_units(result->scenario);
     FW_TRY(make_walls(result, error));
     return read_pistons(result, error);
 }
@@ -283,6 +286,16 @@ static int take_links(const fw_plot_view *view, const fw_plot_result *result, in
     return count;
 }
 
+/* The time too, where it is not the number of the step. */
+static void name_view(fw_plot_view *view, const fw_plot_result *result, int64_t frame)
+{
+    char step[32], time[32];
+    fw_ticks_print_number(step, sizeof step, (double)result->steps[frame], 15);
+    fw_ticks_print_number(time, sizeof time, result->times[frame], 6);
+    const bool same = result->times[frame] == (double)result->steps[frame];
+    snprintf(view->name, sizeof view->name, same ? "step %s" : "step %s, time %s", step, time);
+}
+
 static void describe_view(fw_plot_view *view, const fw_plot_result *result, int64_t frame)
 {
     const fw_playback *playback = result->playback;
@@ -306,7 +319,8 @@ static void describe_view(fw_plot_view *view, const fw_plot_result *result, int6
         view->walls[w] = fw_wall_outline(fw_wall_definition(result->walls[w]), result->corners[w]);
         view->walls[w].displacement = displacement_of(result, w, frame);
     }
-    view->view = (fw_view){.step = result->steps[frame],
+    view->view = (fw_view){.name = view->name,
+                           .step = result->steps[frame],
                            .bodies = view->bodies,
                            .body_count = playback->body_count,
                            .walls = view->walls,
@@ -320,6 +334,7 @@ fw_status fw_plot_view_load(fw_plot_view *view, const fw_plot_result *result, in
     if (!allocate_view(view, result, field)) return fw_fail_memory(error, "a frame to draw");
     FW_TRY(fw_playback_read_positions(result->playback, frame, view->x, view->y, error));
     if (field) FW_TRY(fw_playback_read_field(result->playback, frame, field, view->field, error));
+    name_view(view, result, frame);
     describe_view(view, result, frame);
     return FW_OK;
 }

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot_series.c - observables over time: which curves, in which panels, under which names.
- * Keeps no state. Invariant: quantities of one unit share a panel;
- * pure numbers have nothing in common and get one each. Start reading at fw_plot_series_find(). */
+ * Keeps no state. Invariant: quantities of one unit share a panel, unless one would flatten the
+ * other; pure numbers have nothing in common and get one each. Start reading at
+ * fw_plot_series_find(). */
 #include "plot_parts.h"
 
+#include "experiments/drawing/label.h"
 #include "experiments/measures/column.h"
 
 #include "core/array.h"
@@ -131,27 +133,52 @@ static bool steps_are_times(const series *s)
 
 /* --- panels and names --- */
 
-static bool share_panel(const curve *one, const curve *other)
+static fw_range range_of(const series *s, const curve *c)
+{
+    fw_range range = fw_range_empty();
+    fw_range_include(&range, c->values + s->first, s->shown, false);
+    return fw_range_without_rounding(range);
+}
+
+/* Would the changes of one be lost beside the other? What is constant has none. */
+static bool flattens(fw_range one, fw_range other)
+{
+    fw_range both = one;
+    fw_range_include(&both, (double[]){other.low, other.high}, 2, false);
+    const double extent = both.high - both.low, least = extent / 60;
+    const double a = one.high - one.low, b = other.high - other.low;
+    return (a > 0 && a < least) || (b > 0 && b < least);
+}
+
+static bool share_panel(const series *s, const curve *one, const curve *other)
 {
     if (strcmp(one->quantity, other->quantity) == 0) return true;
-    return strcmp(one->unit, other->unit) == 0 && strcmp(one->unit, "1") != 0;
+    return strcmp(one->unit, other->unit) == 0 && strcmp(one->unit, "1") != 0 &&
+           !flattens(range_of(s, one), range_of(s, other));
+}
+
+/* The first panel all of whose curves the next one can stand beside. */
+static int panel_for(const series *s, int number)
+{
+    for (int panel = 0; panel < s->panel_count; ++panel) {
+        bool fits = true, same = false;
+        for (int n = 0; n < number; ++n) {
+            if (s->curves[n].panel != panel) continue;
+            fits &= share_panel(s, &s->curves[n], &s->curves[number]);
+            same |= strcmp(s->curves[n].quantity, s->curves[number].quantity) == 0;
+        }
+        if (fits || same) return panel;
+    }
+    return s->panel_count;
 }
 
 static void assign_panels(series *s)
 {
     for (int n = 0; n < s->curve_count; ++n) {
-        int same = 0;
-        while (same < n && !share_panel(&s->curves[same], &s->curves[n])) ++same;
-        s->curves[n].panel = same < n ? s->curves[same].panel : s->panel_count++;
+        const int panel = panel_for(s, n);
+        s->curves[n].panel = panel;
+        if (panel == s->panel_count) s->panel_count += 1;
     }
-}
-
-/* As it reads in a sentence: "kinetic energy". */
-static void print_words(char *text, size_t size, const char *name)
-{
-    snprintf(text, size, "%s", name);
-    for (char *c = text; *c; ++c)
-        if (*c == '-') *c = ' ';
 }
 
 /* What the curves of a panel have in common is said beside its axis, the rest in its legend. */
@@ -181,7 +208,7 @@ static panel_facts facts_of(const series *s, int panel)
 static void name_curve(curve *c, panel_facts facts)
 {
     char quantity[FW_NAME_SIZE] = "";
-    if (!facts.one_quantity) print_words(quantity, sizeof quantity, c->quantity);
+    if (!facts.one_quantity) fw_label_print(quantity, sizeof quantity, c->quantity, NULL);
     const char *subject = facts.one_subject ? "" : c->subject[0] ? c->subject : "all";
     const char *part = facts.one_part ? "" : c->part;
     snprintf(c->label, sizeof c->label, "%s%s%s%s%s", subject,
@@ -193,15 +220,13 @@ static void name_curve(curve *c, panel_facts facts)
 static void name_panel(panel_facts facts, char *label, size_t size)
 {
     const curve *c = facts.first;
-    char quantity[FW_NAME_SIZE];
-    print_words(quantity, sizeof quantity, facts.one_quantity ? c->quantity : c->unit);
-    bool own_unit = facts.one_quantity && c->unit[0] && strcmp(c->unit, "1") != 0 &&
-                    strcmp(c->unit, quantity) != 0;
+    char whole[4 * FW_NAME_SIZE];
+    const bool own_unit = facts.one_quantity && strcmp(c->unit, c->quantity) != 0;
     const char *part = facts.one_part ? c->part : "";
     const char *subject = facts.one_subject ? c->subject : "";
-    snprintf(label, size, "%s%s%s%s%s%s%s%s", quantity, part[0] ? " " : "", part,
-             subject[0] ? " of " : "", subject, own_unit ? " (" : "", own_unit ? c->unit : "",
-             own_unit ? ")" : "");
+    snprintf(whole, sizeof whole, "%s%s%s%s%s", facts.one_quantity ? c->quantity : c->unit,
+             part[0] ? " " : "", part, subject[0] ? " of " : "", subject);
+    fw_label_print(label, size, whole, own_unit ? c->unit : NULL);
 }
 
 /* A curve that lies on another one would hide it: it is dashed, so that both are seen. */
@@ -226,12 +251,49 @@ static fw_curve_look look_of(const series *s, int number)
     return FW_CURVE_LINE;
 }
 
+/* What a heat bath is set to in a step; NAN: there is none. */
+static double set_temperature(const fw_scenario *scenario, int64_t step)
+{
+    double damping = scenario->dynamics.damping, temperature = scenario->dynamics.temperature;
+    for (int n = 0; n < scenario->phase_count; ++n) {
+        const fw_scenario_phase *phase = &scenario->phases[n];
+        if (step < phase->from || step >= phase->until) continue;
+        if (phase->damping >= 0) damping = phase->damping;
+        if (phase->temperature >= 0) temperature = phase->temperature;
+    }
+    return damping > 0 ? temperature : NAN;
+}
+
+/* A temperature is shown beside what is set. */
+static fw_status add_reference(series *s, fw_chart *chart, panel_facts facts, fw_error *error)
+{
+    if (!facts.one_quantity || strcmp(facts.first->quantity, "temperature") != 0) return FW_OK;
+    const size_t count = (size_t)s->shown;
+    if (!s->set) s->set = fw_array_of_doubles(count);
+    if (!s->set) return fw_fail_memory(error, "the temperature that is set");
+    bool any = false;
+    for (size_t k = 0; k < count; ++k) {
+        s->set[k] = set_temperature(s->result->scenario, s->steps[(size_t)s->first + k]);
+        any |= isfinite(s->set[k]);
+    }
+    if (!any) return FW_OK;
+    fw_curve *drawn = (fw_curve *)chart->curves;
+    if (facts.curves == 1) drawn[0].label = "measured";
+    drawn[chart->curve_count++] = (fw_curve){.label = "set by the heat bath",
+                                             .count = s->shown,
+                                             .x = s->times + s->first,
+                                             .y = s->set,
+                                             .look = FW_CURVE_DASHES,
+                                             .colour = 7};
+    return FW_OK;
+}
+
 static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
 {
     assign_panels(s);
     s->charts = calloc((size_t)s->panel_count, sizeof *s->charts);
     s->labels = calloc((size_t)s->panel_count, sizeof *s->labels);
-    s->drawn = calloc((size_t)s->curve_count, sizeof *s->drawn);
+    s->drawn = calloc(2 * (size_t)s->curve_count, sizeof *s->drawn);
     if (!s->charts || !s->labels || !s->drawn) return fw_fail_memory(error, "the panels");
     fw_curve *next = s->drawn;
     for (int p = 0; p < s->panel_count; ++p) {
@@ -251,22 +313,20 @@ static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
                                  .y = c->values + s->first,
                                  .look = look_of(s, n)};
         }
+        FW_TRY(add_reference(s, &s->charts[p], facts, error));
+        next = (fw_curve *)s->charts[p].curves + s->charts[p].curve_count;
     }
     return FW_OK;
 }
 
 static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error *error)
 {
-    char caption[2048];
-    fw_page page = picture->page;
     bool by_step = steps_are_times(s);
     const fw_scenario_run *run = &s->result->scenario->run;
     const fw_figure_mark reversal = {(double)run->reverse_at, "reversal"};
-    snprintf(caption, sizeof caption, "%s%sAll quantities in reduced units.", page.caption,
-             page.caption[0] ? " " : "");
-    page.caption = caption;
-    return fw_figure_series(&page, s->charts, s->panel_count, by_step ? "time / steps" : "time",
-                            &reversal, run->reverse_at > 0 && by_step, error);
+    return fw_figure_series(&picture->page, s->charts, s->panel_count,
+                            by_step ? "time (steps)" : "time", &reversal,
+                            run->reverse_at > 0 && by_step, error);
 }
 
 fw_status fw_plot_series_find(fw_plot_series *s, const fw_plot_result *result,
@@ -289,6 +349,7 @@ void fw_plot_series_clear(fw_plot_series *s)
     free(s->charts);
     free(s->drawn);
     free(s->labels);
+    free(s->set);
     *s = (fw_plot_series){0};
 }
 

@@ -3,7 +3,10 @@
  * Keeps no state. Start reading at draw(). */
 #include "plot_sweep.h"
 
+#include "plot_choice.h"
+
 #include "experiments/drawing/figure.h"
+#include "experiments/drawing/label.h"
 #include "experiments/study/sweep.h"
 #include "experiments/text/spelling.h"
 
@@ -155,33 +158,14 @@ static fw_status order_rows(drawing *d, fw_error *error)
     return FW_OK;
 }
 
-/* " (length^2)", its power raised. Nothing of a pure number. */
-static void print_unit(char *text, size_t size, const char *unit)
-{
-    text[0] = '\0';
-    if (unit[0] == '\0' || strcmp(unit, "1") == 0) return;
-    const size_t base = strcspn(unit, "^");
-    const char *power = unit[base] ? unit + base + 1 : "";
-    const size_t length = strspn(power, "0123456789");
-    if (length > 0)
-        snprintf(text, size, " (%.*s^{%.*s}%s)", (int)base, unit, (int)length, power,
-                 power + length);
-    else
-        snprintf(text, size, " (%s)", unit);
-}
-
 /* "kinetic fraction", "layer contact (force)" beside the axis: words in place of the name, and the
  * unit where that says more. What of it is drawn, "sheet, minimum", would be too long there. */
 static void name_panel(panel_data *panel, const fw_sweep_column *column)
 {
-    char unit[80];
+    char quantity[FW_SWEEP_NAME];
     const size_t length = strcspn(column->name, " .,");
-    snprintf(panel->label, sizeof panel->label, "%.*s", (int)length, column->name);
-    for (char *c = panel->label; *c; ++c)
-        if (*c == '-') *c = ' ';
-    print_unit(unit, sizeof unit, column->unit);
-    if (strcmp(panel->label, column->unit) != 0)
-        snprintf(panel->label + length, sizeof panel->label - length, "%s", unit);
+    snprintf(quantity, sizeof quantity, "%.*s", (int)length, column->name);
+    fw_label_print(panel->label, sizeof panel->label, quantity, column->unit);
     panel->part = column->name + length + strspn(column->name + length, " .,");
 }
 
@@ -265,13 +249,12 @@ static fw_status draw_panels(const drawing *d, const char *file, const char *tit
 {
     const fw_sweep_table *table = &d->result->table;
     const int64_t seeds = d->result->scenario->study.seeds;
-    char label[FW_NAME_BYTES + 80], unit[80], caption[2048] = "";
+    char label[FW_NAME_BYTES + 80], caption[2048] = "";
     fw_page page = fw_page_default();
-    print_unit(unit, sizeof unit, table->unit);
-    snprintf(label, sizeof label, "%s%s", table->parameter, unit);
+    fw_label_print(label, sizeof label, table->parameter, table->unit);
     for (int p = 0; p < d->count; ++p) explain(d->panels[p].quantity, caption, sizeof caption);
     const size_t used = strlen(caption);
-    snprintf(caption + used, sizeof caption - used, "%s%sAll quantities in reduced units.",
+    snprintf(caption + used, sizeof caption - used, "%s%sReduced units.",
              seeds > 1 ? "Means over the seeds, with standard errors as bars. " : "",
              d->expected ? "Grey: what is expected, with its tolerance as a bar. " : "");
     page.title = title;
@@ -355,6 +338,27 @@ fw_status fw_plot_sweep_one(const char *directory, const fw_plot_wish *wish, FIL
     return status;
 }
 
+/* The pictures of single runs, in the folder of each case. One case that fails does not keep the
+ * others from being drawn. */
+static fw_status draw_cases(const sweep_result *result, FILE *out, fw_error *error)
+{
+    const fw_scenario *scenario = result->scenario;
+    fw_status status = FW_OK;
+    bool any = false;
+    for (int n = 0; n < scenario->picture_count; ++n)
+        any |= fw_plot_is_of_case(&scenario->pictures[n]);
+    for (int n = 0; any && n < scenario->study.sweep.value_count; ++n) {
+        char name[FW_CASE_NAME], folder[FW_PATH_SIZE];
+        fw_error own = {0};
+        fw_scenario_case_name(scenario, n, name);
+        fw_status done = fw_sweep_path(result->directory, name, folder, &own);
+        if (done == FW_OK) done = fw_plot_all(folder, out, &own);
+        if (status == FW_OK && done != FW_OK) *error = own;
+        if (status == FW_OK) status = done;
+    }
+    return status;
+}
+
 fw_status fw_plot_sweep_all(const char *directory, FILE *out, fw_error *error)
 {
     sweep_result result;
@@ -366,6 +370,7 @@ fw_status fw_plot_sweep_all(const char *directory, FILE *out, fw_error *error)
         drawn += 1;
     }
     if (status == FW_OK && drawn == 0) status = draw(&result, &(fw_plot_wish){0}, NULL, out, error);
+    if (status == FW_OK) status = draw_cases(&result, out, error);
     close_sweep(&result);
     return status;
 }

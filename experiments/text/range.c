@@ -53,6 +53,14 @@ fw_range fw_range_of_most(const double *values, long count, double trim, bool po
     return range;
 }
 
+fw_range fw_range_without_rounding(fw_range range)
+{
+    double largest = fmax(fabs(range.low), fabs(range.high));
+    if (fw_range_is_empty(range) || range.high - range.low > 1e-10 * largest) return range;
+    double middle = range.low + (range.high - range.low) / 2;
+    return (fw_range){middle, middle};
+}
+
 /* Nobody plots less; what is closer to zero has lost digits, and powers of ten with it. */
 static const double smallest = 1e-290;
 

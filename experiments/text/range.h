@@ -24,6 +24,10 @@ void fw_range_include(fw_range *range, const double *values, long count, bool po
  * end. Falls back on all of them without memory to sort. */
 fw_range fw_range_of_most(const double *values, long count, double trim, bool positive_only);
 
+/* The middle alone of a range that is narrower than a 1e-10th of its values: differences that come
+ * from rounding are no structure. */
+fw_range fw_range_without_rounding(fw_range range);
+
 /* A range one can draw: an empty one becomes [0, 1], a single value gets room on both sides, a
  * range of rounding errors is widened to several of them, and `part` of the extent (of the ratio,
  * on a logarithmic axis) is added at both ends. */

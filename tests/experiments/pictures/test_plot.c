@@ -5,6 +5,8 @@
 
 #include "experiments/commands/command.h"
 #include "experiments/pictures/plot.h"
+#include "experiments/pictures/plot_exact.h"
+#include "experiments/pictures/plot_extent.h"
 #include "experiments/pictures/plot_parts.h"
 #include "experiments/scenario/schema.h"
 #include "experiments/study/run.h"
@@ -286,6 +288,122 @@ static void a_curve_that_lies_on_another_is_dashed(void **state)
     fw_plot_result_close(&result);
 }
 
+/* The field at any step is drawn with the colours and the axes of the whole result, or those that
+ * are asked for. */
+static void colours_and_axes_are_those_of_the_whole_result(void **state)
+{
+    (void)state;
+    fw_plot_picture picture = {.asked = {.kind = FW_PICTURE_FIELD, .field = {.text = "speed"}},
+                               .frame_count = 1};
+    fw_colouring first, last, asked;
+    fw_view_bounds bounds;
+    int64_t frames[2] = {0, 40};
+    open_result();
+    picture.frames = &frames[0];
+    assert_fine(fw_plot_colours_find(&first, &result, &picture, &error));
+    picture.frames = &frames[1];
+    assert_fine(fw_plot_colours_find(&last, &result, &picture, &error));
+    assert_true(first.range.low < first.range.high);
+    assert_close(first.range.low, last.range.low, 0);
+    assert_close(first.range.high, last.range.high, 0);
+    assert_int_equal(first.map, last.map);
+    picture.asked.range[0] = -1;
+    picture.asked.range[1] = 3;
+    assert_fine(fw_plot_colours_find(&asked, &result, &picture, &error));
+    assert_close(asked.range.low, -1, 0);
+    assert_close(asked.range.high, 3, 0);
+    assert_fine(fw_plot_bounds_find(&bounds, &result, &error));
+    double x[13], y[13];
+    for (int k = 0; k < 2; ++k) {
+        assert_fine(fw_playback_read_positions(result.playback, frames[k], x, y, &error));
+        for (int n = 0; n < 13; ++n) {
+            assert_true(bounds.x.low <= x[n] - .75 && x[n] + .75 <= bounds.x.high);
+            assert_true(bounds.y.low <= y[n] - .75 && y[n] + .75 <= bounds.y.high);
+        }
+    }
+    fw_plot_result_close(&result);
+}
+
+/* A heat bath is a dashed line beside the temperature, in each phase at its own. */
+static void a_temperature_is_drawn_beside_what_is_set(void **state)
+{
+    (void)state;
+    char directory[64];
+    const char *names[] = {"temperature"};
+    const fw_plot_picture picture = {.asked = {.kind = FW_PICTURE_SERIES, .until = INT64_MAX},
+                                     .observables = names,
+                                     .observable_count = 1};
+    fw_plot_series series;
+    make_folder(directory, sizeof directory);
+    run_scenario("title: A bath\n"
+                 "materials: {gas: {movable-particles: {}}}\n"
+                 "bodies: {gas: {material: gas, lattice: hexagonal, shape: {rectangle: [3, 3]}, "
+                 "temperature: 0.1}}\n"
+                 "dynamics: {time-step: 0.005, damping: 1, temperature: 0.1}\n"
+                 "phases: {cold: {until: 10}, hot: {until: 20, temperature: 0.3}}\n"
+                 "measure: [temperature]\n"
+                 "run: {steps: 20}\n",
+                 directory);
+    assert_fine(fw_plot_result_open(&result, directory, &error));
+    assert_fine(fw_plot_series_find(&series, &result, &picture, &error));
+    assert_int_equal(series.charts[0].curve_count, 2);
+    const fw_curve *set = &series.charts[0].curves[1];
+    assert_string_equal(set->label, "set by the heat bath");
+    assert_close(set->y[5], .1, 0);
+    assert_close(set->y[15], .3, 0);
+    fw_plot_series_clear(&series);
+    fw_plot_result_close(&result);
+    remove_folder(directory);
+}
+
+/* What would be flattened beside a quantity of the same unit gets a panel of its own. */
+static void a_quantity_that_another_would_flatten_stands_alone(void **state)
+{
+    (void)state;
+    /* The centre of the rod moves by 8 along x, its length by some hundredths. */
+    const char *names[] = {"centre-of-mass.rod.x", "elongation.rod.x"};
+    fw_plot_series series;
+    open_result();
+    find_series(&series, names, 2, 0, INT64_MAX);
+    assert_int_equal(series.panel_count, 2);
+    fw_plot_series_clear(&series);
+    fw_plot_result_close(&result);
+}
+
+/* The exact solution of a running wave is what the automaton does, to rounding: 1e-12 of some 1 in
+ * 7 steps. */
+static void the_exact_solution_is_where_the_automaton_is(void **state)
+{
+    (void)state;
+    char directory[64];
+    make_folder(directory, sizeof directory);
+    run_scenario("title: A mode\n"
+                 "materials: {foam: {elastic-automaton: {c1: 0.5, c2: 1, boundary: periodic}}}\n"
+                 "bodies: {square: {material: foam, shape: {rectangle: [8, 8]}, displacement: "
+                 "[{mode: {wave-vector: [0.7853981633974483, 1.5707963267948966], branch: fast, "
+                 "amplitude: 0.3, phase: 40}}]}}\n"
+                 "run: {steps: 7, record-every: 1}\n"
+                 "record: {fields: [displacement-x, displacement-y]}\n"
+                 "measure: [energy]\n",
+                 directory);
+    assert_fine(fw_plot_result_open(&result, directory, &error));
+    assert_true(fw_plot_exact_exists(&result, "displacement-y"));
+    assert_false(fw_plot_exact_exists(&result, "energy"));
+    for (int64_t frame = 0; frame <= 7; frame += 7) {
+        fw_plot_view simulated, exact;
+        assert_fine(fw_plot_view_load(&simulated, &result, frame, "displacement-y", &error));
+        assert_fine(fw_plot_exact_load(&exact, &result, frame, "displacement-y", &error));
+        for (int n = 0; n < 64; ++n) {
+            assert_close(exact.field[n], simulated.field[n], 1e-12);
+            assert_close(exact.x[n], simulated.x[n], 1e-12);
+        }
+        fw_plot_view_clear(&simulated);
+        fw_plot_view_clear(&exact);
+    }
+    fw_plot_result_close(&result);
+    remove_folder(directory);
+}
+
 /* --- which pictures are drawn --- */
 
 static void every_picture_of_the_scenario_is_drawn(void **state)
@@ -447,6 +565,10 @@ static void lists_of_the_command_line_are_read_strictly(void **state)
     assert_refused(command(NULL, "energy,,momentum"), FW_BAD_INPUT,
                    "--observable energy,,momentum");
     assert_refused(command(NULL, ""), FW_BAD_INPUT, "--observable ");
+    const fw_arguments turned = {.word_count = 1, .words = {folder}, .range = "2,1"};
+    assert_refused(fw_command_plot(&turned, &error), FW_BAD_INPUT, "--range 2,1, expected two");
+    const fw_arguments lone = {.word_count = 1, .words = {folder}, .range = "2"};
+    assert_refused(fw_command_plot(&lone, &error), FW_BAD_INPUT, "--range 2, expected two");
     /* The comma of a site does not end a name. */
     assert_refused(command(NULL, "energy,position.sheet[0,3]"), FW_BAD_INPUT,
                    "no observable position.sheet[0,3]");
@@ -568,6 +690,10 @@ int main(void)
         cmocka_unit_test(quantities_of_one_unit_share_a_panel),
         cmocka_unit_test(a_series_shows_the_steps_between_its_ends),
         cmocka_unit_test(a_curve_that_lies_on_another_is_dashed),
+        cmocka_unit_test(colours_and_axes_are_those_of_the_whole_result),
+        cmocka_unit_test(a_temperature_is_drawn_beside_what_is_set),
+        cmocka_unit_test(a_quantity_that_another_would_flatten_stands_alone),
+        cmocka_unit_test(the_exact_solution_is_where_the_automaton_is),
         cmocka_unit_test(every_picture_of_the_scenario_is_drawn),
         cmocka_unit_test(the_ending_says_what_a_picture_becomes),
         cmocka_unit_test(kinds_can_be_chosen_without_a_picture),
