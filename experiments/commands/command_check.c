@@ -37,14 +37,14 @@ static void release_frame(first_frame *frame, int bodies)
     free(frame->corners);
 }
 
-/* The links of a member, numbered within it; NULL without memory. */
-static int *links_of(const fw_member *member, const fw_solid *solid, int *count)
+/* The links of a body, numbered within it; NULL without memory. */
+static int *links_of(const fw_body_range *range, const fw_solid *solid, int *count)
 {
     int *links = calloc(2 * (size_t)solid->link_count + 1, sizeof *links);
     *count = 0;
     for (int n = 0; links && n < solid->link_count; ++n) {
-        int one = solid->links[n][0] - member->first, other = solid->links[n][1] - member->first;
-        if (one < 0 || one >= member->count || other < 0 || other >= member->count) continue;
+        int one = solid->links[n][0] - range->first, other = solid->links[n][1] - range->first;
+        if (one < 0 || one >= range->count || other < 0 || other >= range->count) continue;
         links[2 * *count] = one;
         links[2 * *count + 1] = other;
         *count += 1;
@@ -55,7 +55,7 @@ static int *links_of(const fw_member *member, const fw_solid *solid, int *count)
 static fw_status fill_frame(const fw_experiment *experiment, first_frame *frame, fw_error *error)
 {
     const fw_scene *scene = experiment->scene;
-    int bodies = experiment->member_count, walls = fw_scene_wall_count(scene);
+    int bodies = experiment->body_count, walls = fw_scene_wall_count(scene);
     frame->bodies = calloc((size_t)bodies + 1, sizeof *frame->bodies);
     frame->links = calloc((size_t)bodies + 1, sizeof *frame->links);
     frame->walls = calloc((size_t)walls + 1, sizeof *frame->walls);
@@ -63,16 +63,16 @@ static fw_status fill_frame(const fw_experiment *experiment, first_frame *frame,
     if (!frame->bodies || !frame->links || !frame->walls || !frame->corners)
         return fw_fail_memory(error, "a picture of the start");
     for (int b = 0; b < bodies; ++b) {
-        const fw_member *member = &experiment->members[b];
+        const fw_body_range *range = &experiment->bodies[b];
         const fw_solid *solid = fw_experiment_solid(experiment, b);
         int count;
-        frame->links[b] = links_of(member, solid, &count);
+        frame->links[b] = links_of(range, solid, &count);
         if (!frame->links[b]) return fw_fail_memory(error, "a picture of the start");
         frame->bodies[b] =
-            (fw_view_body){.name = member->name,
-                           .count = member->count,
-                           .x = solid->x + member->first,
-                           .y = solid->y + member->first,
+            (fw_view_body){.name = range->name,
+                           .count = range->count,
+                           .x = solid->x + range->first,
+                           .y = solid->y + range->first,
                            .links = frame->links[b],
                            .link_count = count,
                            .kind = b % FW_PALETTE_KINDS,
@@ -92,7 +92,7 @@ static fw_status draw_start(const fw_experiment *experiment, const char *file, f
     fw_status status = fill_frame(experiment, &frame, error);
     if (status == FW_OK) {
         const fw_view view = {.bodies = frame.bodies,
-                              .body_count = experiment->member_count,
+                              .body_count = experiment->body_count,
                               .walls = frame.walls,
                               .wall_count = fw_scene_wall_count(experiment->scene)};
         const fw_figure_motion_plan plan = {.views = &view, .view_count = 1};
@@ -101,7 +101,7 @@ static fw_status draw_start(const fw_experiment *experiment, const char *file, f
         page.title = experiment->scenario->title;
         status = fw_figure_motion(&page, &plan, error);
     }
-    release_frame(&frame, experiment->member_count);
+    release_frame(&frame, experiment->body_count);
     return status;
 }
 
@@ -138,13 +138,13 @@ static double memory_used(void)
 static void print_bodies(const fw_experiment *experiment)
 {
     double particles = 0, links = 0;
-    for (int b = 0; b < experiment->member_count; ++b) particles += experiment->members[b].count;
+    for (int b = 0; b < experiment->body_count; ++b) particles += experiment->bodies[b].count;
     for (int s = 0; s < fw_scene_body_count(experiment->scene); ++s)
         links += fw_scene_observe_body(experiment->scene, s)->link_count;
-    printf("  %-14s %d\n", "bodies", experiment->member_count);
-    for (int b = 0; b < experiment->member_count; ++b)
-        printf("  %-14s %d particles, %s\n", "", experiment->members[b].count,
-               experiment->members[b].name);
+    printf("  %-14s %d\n", "bodies", experiment->body_count);
+    for (int b = 0; b < experiment->body_count; ++b)
+        printf("  %-14s %d particles, %s\n", "", experiment->bodies[b].count,
+               experiment->bodies[b].name);
     printf("  %-14s %.0f\n  %-14s %.0f\n", "particles", particles, "links", links);
     printf("  %-14s %d\n", "walls", fw_scene_wall_count(experiment->scene));
 }
@@ -184,17 +184,17 @@ static void print_sizes(const fw_scenario *scenario, const fw_results_size *size
 /* --- how near a solid is to its limits --- */
 
 /* The largest speed of a particle at the start. */
-static fw_status find_speed(const fw_experiment *experiment, int member, double *speed,
+static fw_status find_speed(const fw_experiment *experiment, int number, double *speed,
                             fw_error *error)
 {
-    const fw_member *m = &experiment->members[member];
-    const fw_solid *solid = fw_experiment_solid(experiment, member);
+    const fw_body_range *range = &experiment->bodies[number];
+    const fw_solid *solid = fw_experiment_solid(experiment, number);
     double *x = fw_array_of_doubles((size_t)solid->count);
     double *y = fw_array_of_doubles((size_t)solid->count);
     *speed = 0;
     if (x && y) {
         solid->model->velocities(solid, x, y);
-        for (int l = m->first; l < m->first + m->count; ++l)
+        for (int l = range->first; l < range->first + range->count; ++l)
             *speed = fmax(*speed, hypot(x[l], y[l]));
     }
     free(x);
@@ -202,15 +202,15 @@ static fw_status find_speed(const fw_experiment *experiment, int member, double 
     return x && y ? FW_OK : fw_fail_memory(error, "the velocities at the start");
 }
 
-static fw_status check_boltzmann(const fw_experiment *experiment, int member, int *warnings,
+static fw_status check_boltzmann(const fw_experiment *experiment, int number, int *warnings,
                                  fw_error *error)
 {
-    const fw_scenario_body *body = &experiment->scenario->bodies[member];
+    const fw_scenario_body *body = &experiment->scenario->bodies[number];
     const fw_scenario_boltzmann *material =
         &experiment->scenario->materials[body->material].boltzmann;
-    const bool meets = fw_scene_wall_count(experiment->scene) > 0 || experiment->member_count > 1;
+    const bool meets = fw_scene_wall_count(experiment->scene) > 0 || experiment->body_count > 1;
     double speed, fastest = FW_LB_FASTEST * body->lattice.spacing;
-    FW_TRY(find_speed(experiment, member, &speed, error));
+    FW_TRY(find_speed(experiment, number, &speed, error));
     printf("  %-14s stable: damping %g, expected above 0.5 and up to 1\n", body->name,
            material->damping);
     printf("  %-14s largest speed at the start %.3g, where something is hit it should stay below "
@@ -234,17 +234,17 @@ static double particles_limit(const fw_scenario *scenario, const fw_scenario_par
     return fw_particles_time_step_limit(&def);
 }
 
-static void print_time_step(const fw_scenario *scenario, int member, double limit)
+static void print_time_step(const fw_scenario *scenario, int number, double limit)
 {
-    printf("  %-14s stable: time step %g, expected below %.3g\n", scenario->bodies[member].name,
+    printf("  %-14s stable: time step %g, expected below %.3g\n", scenario->bodies[number].name,
            scenario->dynamics.time_step, limit);
 }
 
 /* A body that would grow has been refused before. */
-static void check_automaton(const fw_scenario *scenario, int member)
+static void check_automaton(const fw_scenario *scenario, int number)
 {
     static const char *const edges[] = {"bond", "trapezoid", "mirror", "periodic"};
-    const fw_scenario_body *body = &scenario->bodies[member];
+    const fw_scenario_body *body = &scenario->bodies[number];
     const fw_scenario_automaton *material = &scenario->materials[body->material].automaton;
     const fw_automaton_speeds c = material->speeds;
     printf("  %-14s stable: c1^2 + c2^2 = %.6g, expected at most 2; boundary %s, under which this "
@@ -257,9 +257,9 @@ static void check_automaton(const fw_scenario *scenario, int member)
 static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
-    for (int b = 0; b < experiment->member_count; ++b) {
-        const fw_scenario_material *m = &scenario->materials[scenario->bodies[b].material];
-        switch (m->kind) {
+    for (int b = 0; b < experiment->body_count; ++b) {
+        const fw_scenario_material *range = &scenario->materials[scenario->bodies[b].material];
+        switch (range->kind) {
         case FW_LATTICE_BOLTZMANN:
             FW_TRY(check_boltzmann(experiment, b, warnings, error));
             break;
@@ -267,12 +267,12 @@ static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw
             check_automaton(scenario, b);
             break;
         case FW_MOVABLE_PARTICLES:
-            print_time_step(scenario, b, particles_limit(scenario, &m->particles));
+            print_time_step(scenario, b, particles_limit(scenario, &range->particles));
             break;
         case FW_LINEAR_LATTICE:
-            print_time_step(
-                scenario, b,
-                fw_linear_lattice_time_step_limit(m->linear.k1, m->linear.k2, m->linear.mass));
+            print_time_step(scenario, b,
+                            fw_linear_lattice_time_step_limit(range->linear.k1, range->linear.k2,
+                                                              range->linear.mass));
             break;
         }
     }

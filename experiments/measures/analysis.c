@@ -16,7 +16,7 @@ static const struct {
     [FW_ANALYSIS_DISPERSION] = {"dispersion", fw_analysis_dispersion},
     [FW_ANALYSIS_PLANE_MODE] = {"plane-mode", fw_analysis_mode},
     [FW_ANALYSIS_BODY_STABILITY] = {"body-stability", fw_analysis_body},
-    [FW_ANALYSIS_BOLTZMANN_TWIN] = {"boltzmann-twin", fw_analysis_twin},
+    [FW_ANALYSIS_BOLTZMANN_REFERENCE] = {"boltzmann-reference", fw_analysis_reference},
 };
 
 double *fw_analysis_add(fw_analysis *analysis, const char *name, const char *unit,

@@ -26,7 +26,7 @@ typedef struct fw_analysis {
         fw_vec2 polarisation[2];
     } mode;
     double spectral_radius;
-    double twin_error; /* largest distance of a cell from its twin, in x or y */
+    double reference_error; /* largest distance of a cell from its reference, in x or y */
 } fw_analysis;
 
 /* FW_BAD_INPUT at the place of the analysis. */

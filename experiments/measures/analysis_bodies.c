@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* analysis_bodies.c - bodies of the elastic automaton by themselves: whether one would grow, and
- * whether Chopard's is its lattice Boltzmann twin. Keeps no state. */
+ * whether Chopard's is its lattice Boltzmann reference. Keeps no state. */
 #include "analysis_parts.h"
 
 #include "contact/scene/scene.h"
@@ -31,16 +31,16 @@ fw_status fw_analysis_body(fw_analysis *analysis, const fw_scenario *scenario, f
     return status;
 }
 
-/* --- the twin --- */
+/* --- the reference solid --- */
 
 /* With black to move next, f_(i+2) = w - b on black and 0 on white is
  * the LB start of displacements u = (b, w) and velocities (-2 b, 2 w). */
-static fw_status make_twin(fw_solid **twin, const fw_scenario *scenario, int number,
-                           const fw_sites *sites, const fw_solid *automaton, fw_error *error)
+static fw_status make_reference(fw_solid **reference, const fw_scenario *scenario, int number,
+                                const fw_sites *sites, const fw_solid *automaton, fw_error *error)
 {
     const size_t count = (size_t)sites->count;
     fw_vec2 *u = calloc(count, sizeof *u), *v = calloc(count, sizeof *v);
-    fw_status status = u && v ? FW_OK : fw_fail_memory(error, "a lattice Boltzmann twin");
+    fw_status status = u && v ? FW_OK : fw_fail_memory(error, "a lattice Boltzmann reference");
     if (status == FW_OK) {
         for (int p = 0; p < sites->count; ++p) {
             u[p] = fw_elastic_automaton_displacement(automaton, p);
@@ -53,7 +53,7 @@ static fw_status make_twin(fw_solid **twin, const fw_scenario *scenario, int num
         def.damping = (1 + scenario->materials[body->material].automaton.damping) / 2;
         def.displacement = u;
         def.velocity = v;
-        status = fw_lb_solid_create(twin, &def, error);
+        status = fw_lb_solid_create(reference, &def, error);
     }
     free(u);
     free(v);
@@ -75,7 +75,7 @@ static fw_status enclose(fw_scene **scene, const fw_scenario *scenario, fw_solid
         fw_wall_def def = scenario->walls[w].def;
         if (def.path.period != 0 || def.path.velocity.x != 0 || def.path.velocity.y != 0)
             return fw_fail(error, FW_BAD_INPUT,
-                           "wall %s moves, expected walls at rest: the twins count time in "
+                           "wall %s moves, expected walls at rest: the two solids count time in "
                            "different units",
                            def.name);
         FW_TRY(fw_scene_add_wall(*scene, &def, error));
@@ -88,9 +88,9 @@ static fw_status compare(fw_analysis *analysis, fw_scene *one, fw_scene *other, 
     const int steps = (int)((analysis->what->ticks + 1) / 2);
     double *time =
         fw_analysis_add(analysis, "half-step", "half-steps", "of the automaton", steps, 0, error);
-    double *apart =
-        fw_analysis_add(analysis, "difference", "length",
-                        "largest distance of a cell from its twin, in x or y", steps, 0, error);
+    double *apart = fw_analysis_add(analysis, "difference", "length",
+                                    "largest distance of a cell from its reference, in x or y",
+                                    steps, 0, error);
     if (!time || !apart) return FW_SYSTEM_FAILED;
     const fw_solid *a = fw_scene_observe_body(one, 0), *b = fw_scene_observe_body(other, 0);
     for (int step = 0; step < steps; ++step) {
@@ -99,29 +99,29 @@ static fw_status compare(fw_analysis *analysis, fw_scene *one, fw_scene *other, 
         time[step] = 2 * (step + 1);
         for (int p = 0; p < a->count; ++p)
             apart[step] = fmax(apart[step], fmax(fabs(a->x[p] - b->x[p]), fabs(a->y[p] - b->y[p])));
-        analysis->twin_error = fmax(analysis->twin_error, apart[step]);
+        analysis->reference_error = fmax(analysis->reference_error, apart[step]);
     }
     return FW_OK;
 }
 
-fw_status fw_analysis_twin(fw_analysis *analysis, const fw_scenario *scenario, fw_error *error)
+fw_status fw_analysis_reference(fw_analysis *analysis, const fw_scenario *scenario, fw_error *error)
 {
     const int number = analysis->what->body;
     fw_sites sites;
-    fw_solid *automaton = NULL, *twin = NULL;
+    fw_solid *automaton = NULL, *reference = NULL;
     fw_scene *one = NULL, *other = NULL;
     FW_TRY(fw_scenario_sites(&scenario->bodies[number], &sites, error));
     fw_status status = fw_build_automaton(scenario, number, &sites, &automaton, error);
     if (status == FW_OK) {
-        status = make_twin(&twin, scenario, number, &sites, automaton, error);
+        status = make_reference(&reference, scenario, number, &sites, automaton, error);
         if (status != FW_OK) fw_solid_destroy(automaton);
     }
     if (status == FW_OK) {
         status = enclose(&one, scenario, automaton, error);
         if (status == FW_OK)
-            status = enclose(&other, scenario, twin, error);
+            status = enclose(&other, scenario, reference, error);
         else
-            fw_solid_destroy(twin);
+            fw_solid_destroy(reference);
     }
     if (status == FW_OK) status = compare(analysis, one, other, error);
     fw_scene_destroy(one);

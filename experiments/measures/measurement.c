@@ -35,10 +35,10 @@ static void write_label(const fw_experiment *experiment, fw_probe *probe)
     char *end = probe->label + length;
     size_t room = sizeof probe->label - (size_t)length;
     if (s.particle >= 0) {
-        fw_site site = experiment->members[s.body].sites.site[s.particle];
-        snprintf(end, room, ".%s[%d,%d]", experiment->members[s.body].name, site.i, site.j);
+        fw_site site = experiment->bodies[s.body].sites.site[s.particle];
+        snprintf(end, room, ".%s[%d,%d]", experiment->bodies[s.body].name, site.i, site.j);
     } else if (s.body >= 0) {
-        snprintf(end, room, ".%s", experiment->members[s.body].name);
+        snprintf(end, room, ".%s", experiment->bodies[s.body].name);
     } else if (s.analysis) {
         snprintf(end, room, ".%s", s.analysis->what->name);
     } else if (s.wall >= 0) {
@@ -85,6 +85,11 @@ static fw_status find_quantity(request *r, fw_scenario_name name, const fw_quant
 {
     *quantity = fw_quantity_find(name.text);
     if (*quantity) return FW_OK;
+    for (const fw_renamed_quantity *renamed = fw_renamed_quantities; renamed->name; ++renamed)
+        if (strcmp(renamed->old_name, name.text) == 0)
+            return fw_scenario_fail(r->experiment->scenario, name.place, r->error,
+                                    "quantity %s is not known; it is now called %s", name.text,
+                                    renamed->name);
     fw_suggestion suggestion = fw_suggestion_begin(name.text);
     for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q))
         fw_suggestion_offer(&suggestion, q->name);
@@ -105,7 +110,7 @@ static bool fits_model(const request *r, const fw_quantity *quantity, int body)
 /* What is measured of the whole scene needs at least one body of its model. */
 static fw_status expect_model(const request *r, const fw_quantity *quantity, fw_place place)
 {
-    for (int b = 0; b < r->experiment->member_count; ++b)
+    for (int b = 0; b < r->experiment->body_count; ++b)
         if (fits_model(r, quantity, b)) return FW_OK;
     return fw_scenario_fail(r->experiment->scenario, place, r->error,
                             "%s is measured of a %s solid, but no body is one", quantity->name,
@@ -148,7 +153,7 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
         FW_TRY(expect_model(r, quantity, place));
         return add_probe(r, quantity, nothing) < 0 ? FW_SYSTEM_FAILED : FW_OK;
     case FW_SCOPE_BODY:
-        for (subject.body = 0; subject.body < r->experiment->member_count; ++subject.body)
+        for (subject.body = 0; subject.body < r->experiment->body_count; ++subject.body)
             if (fits_model(r, quantity, subject.body) && add_probe(r, quantity, subject) < 0)
                 return FW_SYSTEM_FAILED;
         return FW_OK;
@@ -205,8 +210,8 @@ static fw_status add_drawn(request *r, fw_scenario_name name)
     if (words - component == 1 && !rest) return add_everywhere(r, quantity, name.place);
     fw_subject subject = no_subject(r);
     bool of_body = quantity->scope == FW_SCOPE_BODIES || quantity->scope == FW_SCOPE_BODY;
-    for (int b = 0; b < r->experiment->member_count && of_body; ++b)
-        if (strcmp(r->experiment->members[b].name, word[1]) == 0 && fits_model(r, quantity, b))
+    for (int b = 0; b < r->experiment->body_count && of_body; ++b)
+        if (strcmp(r->experiment->bodies[b].name, word[1]) == 0 && fits_model(r, quantity, b))
             subject.body = b;
     for (int w = 0; w < r->experiment->scenario->wall_count; ++w)
         if (fits_wall(r, quantity, w) &&
@@ -232,7 +237,7 @@ static fw_status choose_body(request *r, const fw_expectation *e, const fw_quant
     subject->body = e->body_index;
     if (subject->body < 0) FW_TRY(expect_model(r, quantity, e->quantity.place));
     if (subject->body < 0 && quantity->scope != FW_SCOPE_BODIES) {
-        if (r->experiment->member_count != 1)
+        if (r->experiment->body_count != 1)
             return fw_scenario_fail(scenario, e->place, r->error,
                                     "%s is measured of one body, expected the key `body`",
                                     quantity->name);
@@ -242,14 +247,14 @@ static fw_status choose_body(request *r, const fw_expectation *e, const fw_quant
         return fw_scenario_fail(scenario, e->quantity.place, r->error,
                                 "%s is measured of bodies of model %s, but body %s is of model %s",
                                 quantity->name, quantity->model,
-                                r->experiment->members[subject->body].name,
+                                r->experiment->bodies[subject->body].name,
                                 fw_experiment_solid(r->experiment, subject->body)->model->name);
     if (quantity->scope == FW_SCOPE_SITE && !e->has_site)
         return fw_scenario_fail(scenario, e->place, r->error,
                                 "%s is measured of a single site, expected the key `site`",
                                 quantity->name);
     if (quantity->scope == FW_SCOPE_SITE)
-        subject->particle = fw_sites_find(&r->experiment->members[subject->body].sites, e->site);
+        subject->particle = fw_sites_find(&r->experiment->bodies[subject->body].sites, e->site);
     return FW_OK;
 }
 

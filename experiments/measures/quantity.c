@@ -9,6 +9,13 @@ static const fw_quantity *const tables[] = {
     fw_particle_quantities, fw_automaton_quantities, fw_grip_quantities,
     fw_piston_quantities,   fw_layer_quantities,     NULL};
 
+const fw_renamed_quantity fw_renamed_quantities[] = {{"grip-way", "grip-path-length"},
+                                                     {"noise-heat", "thermostat-heat"},
+                                                     {"piston-way", "piston-path-length"},
+                                                     {"twin-error", "reference-error"},
+                                                     {"wave-way", "wave-path"},
+                                                     {NULL, NULL}};
+
 static const fw_quantity *first_from(int table)
 {
     while (tables[table] && !tables[table]->name) ++table;

@@ -51,6 +51,13 @@ extern const fw_quantity fw_grip_quantities[];
 extern const fw_quantity fw_piston_quantities[];
 extern const fw_quantity fw_layer_quantities[]; /* in the order of fw_layer_measure */
 
+/* A quantity that had another name: who writes the old one is told the new one. */
+typedef struct fw_renamed_quantity {
+    const char *old_name, *name; /* NULL ends the table */
+} fw_renamed_quantity;
+
+extern const fw_renamed_quantity fw_renamed_quantities[];
+
 /* All quantities, model by model: `for (q = first(); q; q = next(q))`. */
 const fw_quantity *fw_quantity_first(void);
 const fw_quantity *fw_quantity_next(const fw_quantity *quantity); /* NULL: that was the last */

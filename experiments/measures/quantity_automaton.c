@@ -108,7 +108,7 @@ static amplitudes amplitudes_of(const fw_experiment *experiment, fw_subject subj
 {
     const fw_solid *solid = body_of(experiment, subject);
     const fw_lattice *lattice = &written_of(experiment, subject)->lattice;
-    const fw_sites *sites = &experiment->members[subject.body].sites;
+    const fw_sites *sites = &experiment->bodies[subject.body].sites;
     amplitudes sum = {{0, 0}, {0, 0}};
     for (int p = 0; p < sites->count; ++p) {
         const fw_site site = sites->site[p];
@@ -148,7 +148,7 @@ static void wave_turn(const fw_experiment *experiment, fw_subject subject, doubl
     out[0] = carg(part_of_start(&c, &now));
 }
 
-static void wave_way(const fw_experiment *experiment, fw_subject subject, double *out)
+static void wave_path(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     wave_turn(experiment, subject, out);
     const fw_vec2 wave = carried_by(experiment, subject).wave;
@@ -214,7 +214,7 @@ static void mode_error(const fw_experiment *experiment, fw_subject subject, doub
     enum { MODES_MAX = 16 };
     const fw_solid *solid = body_of(experiment, subject);
     const fw_patterns *patterns = &written_of(experiment, subject)->displacement;
-    const fw_sites *sites = &experiment->members[subject.body].sites;
+    const fw_sites *sites = &experiment->bodies[subject.body].sites;
     carried modes[MODES_MAX];
     double frequency[MODES_MAX];
     out[0] = NAN;
@@ -302,10 +302,10 @@ static void spectral_radius(const fw_experiment *experiment, fw_subject subject,
     out[0] = subject.analysis->spectral_radius;
 }
 
-static void twin_error(const fw_experiment *experiment, fw_subject subject, double *out)
+static void reference_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)experiment;
-    out[0] = subject.analysis->twin_error;
+    out[0] = subject.analysis->reference_error;
 }
 
 /* clang-format off */
@@ -314,7 +314,7 @@ const fw_quantity fw_automaton_quantities[] = {
     {"broken-bonds", FW_SCOPE_BODY, "", "1", "bonds broken since the start", CA, broken_bonds},
     {"frozen-cells", FW_SCOPE_BODY, "", "1", "cells that have lost their last bond, and with it mass and velocity", CA, frozen_cells},
     {"wave-turn", FW_SCOPE_BODY, "", "radians", "phase by which the body's first wave or mode has turned, between -pi and pi", CA, wave_turn},
-    {"wave-way", FW_SCOPE_BODY, "", "length", "the same as a way of its crests, against the wave vector", CA, wave_way},
+    {"wave-path", FW_SCOPE_BODY, "", "length", "the same as a path of its crests, against the wave vector", CA, wave_path},
     {"wave-size", FW_SCOPE_BODY, "", "1", "how much of the body's first wave or mode is left", CA, wave_size},
     {"wave-damping", FW_SCOPE_BODY, "", "1", "factor by which the body's first wave or mode shrank per step, from its wave action: |lambda| exactly", CA, wave_damping},
     {"mode-error", FW_SCOPE_BODY, "", "length", "largest distance of a cell from where the modes that the body started with would have it (Dong Eq 40), in x or y", CA, mode_error},
@@ -327,7 +327,7 @@ const fw_quantity fw_automaton_quantities[] = {
     {"slow-polarisation", FW_SCOPE_ANALYSIS, "x y", "1", "direction in which white cells move in the slow mode", "plane-mode", slow_polarisation},
     {"fast-polarisation", FW_SCOPE_ANALYSIS, "x y", "1", "direction in which white cells move in the fast mode", "plane-mode", fast_polarisation},
     {"spectral-radius", FW_SCOPE_ANALYSIS, "", "1", "growth per step by the body's own update; 1 shows as up to 1 + 1e-6", "body-stability", spectral_radius},
-    {"twin-error", FW_SCOPE_ANALYSIS, "", "length", "largest distance of a cell from its lattice Boltzmann twin, in x or y", "boltzmann-twin", twin_error},
+    {"reference-error", FW_SCOPE_ANALYSIS, "", "length", "largest distance of a cell from its lattice Boltzmann reference, in x or y", "boltzmann-reference", reference_error},
     {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
 };
 /* clang-format on */

@@ -25,7 +25,7 @@ static void wave_front(const fw_experiment *experiment, fw_subject subject, doub
 {
     const fw_solid *solid = body_of(experiment, subject);
     const fw_lattice *lattice = &experiment->scenario->bodies[subject.body].lattice;
-    const fw_sites *sites = &experiment->members[subject.body].sites;
+    const fw_sites *sites = &experiment->bodies[subject.body].sites;
     double first = sites->site[0].i, last = sites->site[sites->count - 1].i, sum = 0, weight = 0;
     for (int l = 0; l < solid->count; ++l) {
         double share = fw_lb_solid_energy(solid, l);
@@ -101,7 +101,7 @@ static void strain(const fw_experiment *experiment, fw_subject subject, double *
 static void stress(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const fw_solid *solid = body_of(experiment, subject);
-    const fw_sites *sites = &experiment->members[subject.body].sites;
+    const fw_sites *sites = &experiment->bodies[subject.body].sites;
     fw_site low = sites->site[0], high = sites->site[0];
     for (int l = 0; l < sites->count; ++l) {
         low.i = sites->site[l].i < low.i ? sites->site[l].i : low.i;

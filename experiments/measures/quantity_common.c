@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* quantity_common.c - what can be measured of any solid and of walls. Keeps no state. */
 #include "experiments/measures/quantity.h"
-#include "experiments/setup/member.h"
+#include "experiments/setup/body_range.h"
 
 #include "core/boltzmann/lb_solid.h"
 #include "core/particles/langevin.h"
@@ -24,13 +24,13 @@ static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subje
 static fw_energies energies_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.body < 0) return fw_scene_energies(experiment->scene);
-    return fw_member_energies(experiment, subject.body);
+    return fw_body_range_energies(experiment, subject.body);
 }
 
 static fw_vec2 momentum_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.body < 0) return fw_scene_momentum(experiment->scene);
-    return fw_member_momentum(experiment, subject.body);
+    return fw_body_range_momentum(experiment, subject.body);
 }
 
 static double total(fw_energies energies)
@@ -56,8 +56,8 @@ static void elastic_energy(const fw_experiment *experiment, fw_subject subject, 
 static void energy_per_particle(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     double count = 0;
-    for (int b = 0; b < experiment->member_count; ++b)
-        if (subject.body < 0 || subject.body == b) count += experiment->members[b].count;
+    for (int b = 0; b < experiment->body_count; ++b)
+        if (subject.body < 0 || subject.body == b) count += experiment->bodies[b].count;
     const double walls = subject.body < 0 ? fw_scene_ledger(experiment->scene).wall_stored : 0;
     out[0] = (total(energies_of(experiment, subject)) + walls) / count;
 }
@@ -84,7 +84,7 @@ static void energy_error(const fw_experiment *experiment, fw_subject subject, do
 /* Movable particles of all bodies are one solid, with one ledger: theirs is taken together. */
 static bool goes_with(const fw_experiment *experiment, int body, int other)
 {
-    return experiment->members[other].solid == experiment->members[body].solid;
+    return experiment->bodies[other].solid == experiment->bodies[body].solid;
 }
 
 static void body_energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -96,7 +96,7 @@ static void body_energy_error(const fw_experiment *experiment, fw_subject subjec
     /* The energy of a single body that meets no wall: all it exchanged is in its own ledger. */
     const fw_solid *solid = body_of(experiment, subject);
     double start = 0;
-    for (int b = 0; b < experiment->member_count; ++b)
+    for (int b = 0; b < experiment->body_count; ++b)
         if (goes_with(experiment, subject.body, b)) start += experiment->energy_at_start[b];
     double booked = start + solid->ledger.work - solid->ledger.dissipated + solid->ledger.heat;
     double now = total(fw_solid_energies(solid));
@@ -120,7 +120,7 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
         const fw_solid *solid = body_of(experiment, subject);
         now = fw_solid_momentum(solid);
         booked = fw_vec2_add(solid->ledger.impulse, solid->ledger.drag);
-        for (int b = 0; b < experiment->member_count; ++b)
+        for (int b = 0; b < experiment->body_count; ++b)
             if (goes_with(experiment, subject.body, b))
                 booked = fw_vec2_add(booked, experiment->momentum_at_start[b]);
     }
@@ -136,10 +136,10 @@ static fw_vec2 momentum_of_particle(const fw_solid *solid, int i)
 
 static void angular_momentum(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    const fw_member *member = &experiment->members[subject.body];
+    const fw_body_range *range = &experiment->bodies[subject.body];
     const fw_solid *solid = body_of(experiment, subject);
     out[0] = 0;
-    for (int i = member->first; i < member->first + member->count; ++i)
+    for (int i = range->first; i < range->first + range->count; ++i)
         out[0] += fw_vec2_cross(fw_solid_position(solid, i), momentum_of_particle(solid, i));
 }
 
@@ -154,16 +154,16 @@ static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, 
 /* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
 static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    fw_vec2 p = fw_member_momentum(experiment, subject.body);
-    fw_sym2 inverse = fw_sym2_invert(fw_member_mass(experiment, subject.body));
+    fw_vec2 p = fw_body_range_momentum(experiment, subject.body);
+    fw_sym2 inverse = fw_sym2_invert(fw_body_range_mass(experiment, subject.body));
     out[0] =
-        0.5 * fw_sym2_form(p, inverse, p) / total(fw_member_energies(experiment, subject.body));
+        0.5 * fw_sym2_form(p, inverse, p) / total(fw_body_range_energies(experiment, subject.body));
 }
 
 static void mean_velocity(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_sym2_apply(fw_sym2_invert(fw_member_mass(experiment, subject.body)),
-                           fw_member_momentum(experiment, subject.body)));
+    put(out, fw_sym2_apply(fw_sym2_invert(fw_body_range_mass(experiment, subject.body)),
+                           fw_body_range_momentum(experiment, subject.body)));
 }
 
 /* --- the ledger --- */
@@ -213,24 +213,24 @@ static void fracture_energy(const fw_experiment *experiment, fw_subject subject,
 
 static void centre_of_mass(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_member_centre_of_mass(experiment, subject.body));
+    put(out, fw_body_range_centre_of_mass(experiment, subject.body));
 }
 
 static void position(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    int particle = experiment->members[subject.body].first + subject.particle;
+    int particle = experiment->bodies[subject.body].first + subject.particle;
     put(out, fw_solid_position(body_of(experiment, subject), particle));
 }
 
 static fw_vec2 displacement_of(const fw_experiment *experiment, int body, int particle)
 {
-    const fw_member *member = &experiment->members[body];
+    const fw_body_range *range = &experiment->bodies[body];
     const fw_scenario_body *from = &experiment->scenario->bodies[body];
     const fw_vec2 rest = from->shape.kind == FW_SHAPE_PLACED
                              ? experiment->start[body][particle]
-                             : fw_lattice_position(&from->lattice, member->sites.site[particle]);
+                             : fw_lattice_position(&from->lattice, range->sites.site[particle]);
     return fw_vec2_subtract(
-        fw_solid_position(fw_experiment_solid(experiment, body), member->first + particle), rest);
+        fw_solid_position(fw_experiment_solid(experiment, body), range->first + particle), rest);
 }
 
 static void displacement(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -240,7 +240,7 @@ static void displacement(const fw_experiment *experiment, fw_subject subject, do
 
 static void elongation(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    int last = experiment->members[subject.body].count - 1;
+    int last = experiment->bodies[subject.body].count - 1;
     put(out, fw_vec2_subtract(displacement_of(experiment, subject.body, last),
                               displacement_of(experiment, subject.body, 0)));
 }
@@ -251,8 +251,8 @@ static void return_error(const fw_experiment *experiment, fw_subject subject, do
     const fw_solid *solid = body_of(experiment, subject);
     const fw_vec2 *start = experiment->start[subject.body];
     out[0] = 0;
-    for (int l = 0; l < experiment->members[subject.body].count; ++l) {
-        fw_vec2 at = fw_solid_position(solid, experiment->members[subject.body].first + l);
+    for (int l = 0; l < experiment->bodies[subject.body].count; ++l) {
+        fw_vec2 at = fw_solid_position(solid, experiment->bodies[subject.body].first + l);
         out[0] = fmax(out[0], fmax(fabs(at.x - start[l].x), fabs(at.y - start[l].y)));
     }
 }
@@ -260,34 +260,34 @@ static void return_error(const fw_experiment *experiment, fw_subject subject, do
 static void mean_square_displacement(const fw_experiment *experiment, fw_subject subject,
                                      double *out)
 {
-    const fw_member *member = &experiment->members[subject.body];
+    const fw_body_range *range = &experiment->bodies[subject.body];
     const fw_solid *solid = body_of(experiment, subject);
     double sum = 0;
-    for (int l = 0; l < member->count; ++l) {
-        const fw_vec2 moved = fw_vec2_subtract(fw_solid_position(solid, member->first + l),
+    for (int l = 0; l < range->count; ++l) {
+        const fw_vec2 moved = fw_vec2_subtract(fw_solid_position(solid, range->first + l),
                                                experiment->start[subject.body][l]);
         sum += fw_vec2_dot(moved, moved);
     }
-    out[0] = sum / member->count;
+    out[0] = sum / range->count;
 }
 
 /* The angle that turns the start best into the present (least squares), about the middle. */
 static void rotation(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    const fw_member *member = &experiment->members[subject.body];
+    const fw_body_range *range = &experiment->bodies[subject.body];
     const fw_vec2 *start = experiment->start[subject.body];
     const fw_solid *solid = body_of(experiment, subject);
     fw_vec2 before = {0, 0}, now = {0, 0};
-    for (int l = 0; l < member->count; ++l) {
+    for (int l = 0; l < range->count; ++l) {
         before = fw_vec2_add(before, start[l]);
-        now = fw_vec2_add(now, fw_solid_position(solid, member->first + l));
+        now = fw_vec2_add(now, fw_solid_position(solid, range->first + l));
     }
-    before = fw_vec2_scale(1. / member->count, before);
-    now = fw_vec2_scale(1. / member->count, now);
+    before = fw_vec2_scale(1. / range->count, before);
+    now = fw_vec2_scale(1. / range->count, now);
     double cosine = 0, sine = 0;
-    for (int l = 0; l < member->count; ++l) {
+    for (int l = 0; l < range->count; ++l) {
         const fw_vec2 from = fw_vec2_subtract(start[l], before);
-        const fw_vec2 to = fw_vec2_subtract(fw_solid_position(solid, member->first + l), now);
+        const fw_vec2 to = fw_vec2_subtract(fw_solid_position(solid, range->first + l), now);
         cosine += fw_vec2_dot(from, to);
         sine += fw_vec2_cross(from, to);
     }
@@ -298,7 +298,7 @@ static void rotation(const fw_experiment *experiment, fw_subject subject, double
 
 static void penetration(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    int body = subject.body < 0 ? -1 : experiment->members[subject.body].solid;
+    int body = subject.body < 0 ? -1 : experiment->bodies[subject.body].solid;
     out[0] = fw_scene_penetration(experiment->scene, body);
 }
 

@@ -16,7 +16,7 @@ static void put(double *out, fw_vec2 v)
 /* --- what grips and pistons have in common --- */
 
 typedef struct driven {
-    fw_vec2 displacement, reaction, impulse, way;
+    fw_vec2 displacement, reaction, impulse, path_length;
     double torque, work;
 } driven;
 
@@ -47,9 +47,9 @@ static void impulse(const fw_experiment *experiment, fw_subject subject, double 
     put(out, driven_of(experiment, subject).impulse);
 }
 
-static void way(const fw_experiment *experiment, fw_subject subject, double *out)
+static void path_length(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, driven_of(experiment, subject).way);
+    put(out, driven_of(experiment, subject).path_length);
 }
 
 static void torque(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -147,7 +147,7 @@ const fw_quantity fw_grip_quantities[] = {
     {"grip-impulse", FW_SCOPE_GRIP, "x y", "momentum", "of what drives the grip, since the start", NULL, impulse},
     {"grip-work", FW_SCOPE_GRIP, "", "energy", "of what drives the grip, since the start", NULL, work},
     {"grip-torque", FW_SCOPE_GRIP, "", "energy", "of the constraint forces about the grip's centre", NULL, torque},
-    {"grip-way", FW_SCOPE_GRIP, "x y", "length", "length of its way since the start, per component", NULL, way},
+    {"grip-path-length", FW_SCOPE_GRIP, "x y", "length", "length of its path since the start, per component", NULL, path_length},
     {"slip", FW_SCOPE_SCENE, "x y", "length", "displacement of the first grip less that of the second", NULL, slip},
     {"interface-force", FW_SCOPE_SCENE, "x y", "force", "of the second body of movable particles on the first", NULL, interface_force},
     {"contact-return-force", FW_SCOPE_SCENE, "", "force", "mean length of the net return forces in the profile's contact region", NULL, contact_return_force},
@@ -163,7 +163,7 @@ const fw_quantity fw_piston_quantities[] = {
     {"piston-heat", FW_SCOPE_PISTON, "", "energy", "taken by the piston's damping since the start", NULL, heat},
     {"piston-kinetic-energy", FW_SCOPE_PISTON, "", "energy", "of the piston itself", NULL, kinetic_energy},
     {"piston-torque", FW_SCOPE_PISTON, "", "energy", "of the bodies about the middle of the piston, which does not turn", NULL, torque},
-    {"piston-way", FW_SCOPE_PISTON, "x y", "length", "length of its way since the start, per component", NULL, way},
+    {"piston-path-length", FW_SCOPE_PISTON, "x y", "length", "length of its path since the start, per component", NULL, path_length},
     {"piston-energy-error", FW_SCOPE_PISTON, "", "energy", "kinetic energy of the piston minus what work and heat say", NULL, energy_error},
     {"piston-momentum-error", FW_SCOPE_PISTON, "x y", "momentum", "momentum of the piston minus what the impulses say", NULL, momentum_error},
     {"piston-unresolved", FW_SCOPE_PISTON, "", "1", "steps since the start in which no motion was found that fits the forces on the piston", NULL, unresolved},

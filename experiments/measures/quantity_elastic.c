@@ -2,7 +2,7 @@
 /* quantity_elastic.c - strain, Poisson's ratio and wave speeds of any body on a lattice, from where
  * its particles are. Keeps no state. */
 #include "experiments/measures/quantity.h"
-#include "experiments/setup/member.h"
+#include "experiments/setup/body_range.h"
 
 #include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"
@@ -17,13 +17,13 @@ static const fw_lattice *lattice_of(const fw_experiment *experiment, int body)
 static fw_vec2 position_of(const fw_experiment *experiment, int body, int particle)
 {
     return fw_solid_position(fw_experiment_solid(experiment, body),
-                             experiment->members[body].first + particle);
+                             experiment->bodies[body].first + particle);
 }
 
 /* Smallest box around the undeformed lattice, without the origin. */
 static void find_extent(const fw_experiment *experiment, int body, fw_vec2 *low, fw_vec2 *high)
 {
-    const fw_sites *sites = &experiment->members[body].sites;
+    const fw_sites *sites = &experiment->bodies[body].sites;
     *low = (fw_vec2){INFINITY, INFINITY};
     *high = (fw_vec2){-INFINITY, -INFINITY};
     for (int l = 0; l < sites->count; ++l) {
@@ -41,7 +41,7 @@ static void find_extent(const fw_experiment *experiment, int body, fw_vec2 *low,
 static void affine_strain(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const int body = subject.body;
-    const fw_sites *sites = &experiment->members[body].sites;
+    const fw_sites *sites = &experiment->bodies[body].sites;
     fw_vec2 low, high;
     find_extent(experiment, body, &low, &high);
     const fw_vec2 middle = fw_vec2_scale(0.5, fw_vec2_add(low, high));
@@ -129,7 +129,7 @@ static double frequency_of(double left, double damping, double time)
 static void wave_speed(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const fw_scenario_body *body = &experiment->scenario->bodies[subject.body];
-    const fw_sites *sites = &experiment->members[subject.body].sites;
+    const fw_sites *sites = &experiment->bodies[subject.body].sites;
     const double time = fw_scene_time(experiment->scene);
     fw_vec2 q = {0, 0}, amplitude = {0, 0};
     for (int n = 0; n < body->displacement.count; ++n) {
@@ -161,8 +161,8 @@ static void wave_modulus(const fw_experiment *experiment, fw_subject subject, do
     const fw_lattice *lattice = lattice_of(experiment, subject.body);
     const double square = lattice->spacing * lattice->spacing;
     const double cell = lattice->kind == FW_HEXAGONAL ? sqrt(0.75) * square : square;
-    const fw_sym2 total = fw_member_mass(experiment, subject.body);
-    const double mass = 0.5 * (total.xx + total.yy) / experiment->members[subject.body].count;
+    const fw_sym2 total = fw_body_range_mass(experiment, subject.body);
+    const double mass = 0.5 * (total.xx + total.yy) / experiment->bodies[subject.body].count;
     wave_speed(experiment, subject, out);
     for (int c = 0; c < 2; ++c) out[c] *= mass / cell * out[c];
 }
@@ -171,7 +171,7 @@ static void anisotropy(const fw_experiment *experiment, fw_subject subject, doub
 {
     double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
     (void)subject;
-    for (int b = 0; b < experiment->member_count; ++b) {
+    for (int b = 0; b < experiment->body_count; ++b) {
         double speed[2];
         wave_speed(experiment, (fw_subject){.body = b}, speed);
         for (int c = 0; c < 2; ++c) {

@@ -2,7 +2,7 @@
 /* quantity_particles.c - what can be measured of movable particles, and of linear lattices as far
  * as they are point masses too. Keeps no state. */
 #include "experiments/measures/quantity.h"
-#include "experiments/setup/member.h"
+#include "experiments/setup/body_range.h"
 
 #include "core/particles/particle_observables.h"
 
@@ -22,7 +22,7 @@ static particle_set particles_of(const fw_experiment *experiment, fw_subject sub
 {
     if (subject.body >= 0)
         return (particle_set){fw_experiment_solid(experiment, subject.body),
-                              fw_member_group(experiment, subject.body)};
+                              fw_body_range_group(experiment, subject.body)};
     int b = 0;
     while (!fw_solid_is_particles(fw_experiment_solid(experiment, b))) ++b;
     return (particle_set){fw_experiment_solid(experiment, b), -1};
@@ -41,23 +41,23 @@ static bool is_point_masses(const fw_experiment *experiment, int body)
  * of freedom that leaves. */
 static int add_heat(const fw_experiment *experiment, int body, double *heat)
 {
-    const fw_member *member = &experiment->members[body];
+    const fw_body_range *range = &experiment->bodies[body];
     const fw_langevin *motion = (const fw_langevin *)fw_experiment_solid(experiment, body);
-    const fw_vec2 drift = fw_vec2_scale(1 / fw_member_mass(experiment, body).xx,
-                                        fw_member_momentum(experiment, body));
-    for (int i = member->first; i < member->first + member->count; ++i) {
+    const fw_vec2 drift = fw_vec2_scale(1 / fw_body_range_mass(experiment, body).xx,
+                                        fw_body_range_momentum(experiment, body));
+    for (int i = range->first; i < range->first + range->count; ++i) {
         const double x = motion->velocity_x[i] - drift.x, y = motion->velocity_y[i] - drift.y;
         heat[0] += motion->mass[i] * x * x;
         heat[1] += motion->mass[i] * y * y;
     }
-    return member->count - 1;
+    return range->count - 1;
 }
 
 static void temperature_along(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     int freedom = 0;
     out[0] = out[1] = 0;
-    for (int b = 0; b < experiment->member_count; ++b)
+    for (int b = 0; b < experiment->body_count; ++b)
         if (subject.body == b || (subject.body < 0 && is_point_masses(experiment, b)))
             freedom += add_heat(experiment, b, out);
     out[0] /= freedom;
@@ -82,7 +82,7 @@ static double area_of(const fw_experiment *experiment, int body)
         return (from->shape.high.x - from->shape.low.x) * (from->shape.high.y - from->shape.low.y);
     const double square = from->lattice.spacing * from->lattice.spacing;
     const double cell = from->lattice.kind == FW_HEXAGONAL ? 0.5 * sqrt(3) * square : square;
-    return cell * experiment->members[body].count;
+    return cell * experiment->bodies[body].count;
 }
 
 static void pressure(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -164,11 +164,11 @@ static void return_force(const fw_experiment *experiment, fw_subject subject, do
 
 static void bond_angle(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    const fw_member *member = &experiment->members[subject.body];
+    const fw_body_range *range = &experiment->bodies[subject.body];
     const fw_solid *solid = fw_experiment_solid(experiment, subject.body);
     const fw_vec2 bond =
-        fw_vec2_subtract(fw_solid_position(solid, member->first + (member->count > 1 ? 1 : 0)),
-                         fw_solid_position(solid, member->first));
+        fw_vec2_subtract(fw_solid_position(solid, range->first + (range->count > 1 ? 1 : 0)),
+                         fw_solid_position(solid, range->first));
     out[0] = atan2(bond.y, bond.x) * 180 / FW_PI;
 }
 
@@ -180,7 +180,7 @@ static void diffusion_ratio(const fw_experiment *experiment, fw_subject subject,
     const double rate = dynamics->damping;
     const double decay = rate * fw_scene_time(experiment->scene);
     const double mass =
-        fw_member_mass(experiment, subject.body).xx / experiment->members[subject.body].count;
+        fw_body_range_mass(experiment, subject.body).xx / experiment->bodies[subject.body].count;
     fw_quantity_find("mean-square-displacement")->measure(experiment, subject, out);
     const double exact = 4 * dynamics->temperature / (mass * rate * rate) * (decay + expm1(-decay));
     out[0] = decay > 0 ? out[0] / exact : 1;

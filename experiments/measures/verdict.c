@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const take_names[] = {
+static const char *const statistic_names[] = {
     [FW_STATISTIC_LAST] = "at the end",
     [FW_STATISTIC_FIRST] = "at the start",
     [FW_STATISTIC_MAXIMUM] = "maximum",
@@ -88,7 +88,7 @@ static double largest_of(const series *s)
     return largest;
 }
 
-static double take(const series *s, fw_statistic what)
+static double compute(const series *s, fw_statistic what)
 {
     switch (what) {
     case FW_STATISTIC_LAST:
@@ -127,7 +127,7 @@ static double measure(const fw_measurement *m, const fw_expectation *e, int colu
         s.last = row;
     }
     if (s.first < 0) return NAN;
-    return take(&s, e->has_at ? FW_STATISTIC_LAST : e->take);
+    return compute(&s, e->has_at ? FW_STATISTIC_LAST : e->statistic);
 }
 
 static void name_quantity(fw_verdict *verdict, const fw_probe *probe, int component)
@@ -142,7 +142,7 @@ static void name_quantity(fw_verdict *verdict, const fw_probe *probe, int compon
     if (e->has_at)
         snprintf(end, room, "step %lld", (long long)e->at);
     else
-        snprintf(end, room, "%s", take_names[e->take]);
+        snprintf(end, room, "%s", statistic_names[e->statistic]);
 }
 
 static void judge(fw_verdict *verdict)
@@ -208,7 +208,7 @@ static double error_in_time(const fw_measurement *m, const fw_expectation *e, in
     const int column = m->probes[m->expected[number]].first + m->component[number];
     fw_average average = {.error = NAN};
     size_t count = 0;
-    if (e->has_at || e->take != FW_STATISTIC_MEAN) return NAN;
+    if (e->has_at || e->statistic != FW_STATISTIC_MEAN) return NAN;
     double *values = fw_array_of_doubles((size_t)m->count);
     for (int64_t row = 0; values && row < m->count; ++row)
         if (m->steps[row] >= e->from && m->steps[row] <= e->until)

@@ -10,18 +10,18 @@
 static fw_status look_for_meetings(fw_warning *warning, const fw_experiment *experiment,
                                    fw_error *error)
 {
-    for (int a = 0; a < experiment->member_count; ++a)
-        for (int b = a + 1; b < experiment->member_count; ++b) {
+    for (int a = 0; a < experiment->body_count; ++a)
+        for (int b = a + 1; b < experiment->body_count; ++b) {
             bool found;
             fw_vec2 where;
-            if (experiment->members[a].solid == experiment->members[b].solid) continue;
+            if (experiment->bodies[a].solid == experiment->bodies[b].solid) continue;
             FW_TRY(fw_overlap_find(experiment, a, b, &found, &where, error));
             if (!found) continue;
             fprintf(warning->out,
                     "warning: step %lld: bodies %s and %s pass through each other near (%g, %g): "
                     "solids of these models meet walls only\n",
-                    (long long)fw_scene_steps(experiment->scene), experiment->members[a].name,
-                    experiment->members[b].name, where.x, where.y);
+                    (long long)fw_scene_steps(experiment->scene), experiment->bodies[a].name,
+                    experiment->bodies[b].name, where.x, where.y);
             warning->met = true;
             return FW_OK;
         }
@@ -30,7 +30,7 @@ static fw_status look_for_meetings(fw_warning *warning, const fw_experiment *exp
 
 static void look_for_haste(fw_warning *warning, const fw_experiment *experiment)
 {
-    for (int b = 0; b < experiment->member_count; ++b) {
+    for (int b = 0; b < experiment->body_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(experiment, b);
         double spacing = experiment->scenario->bodies[b].lattice.spacing;
         if (solid->model != &fw_lb_solid_model) continue;
@@ -42,7 +42,7 @@ static void look_for_haste(fw_warning *warning, const fw_experiment *experiment)
             warning->out,
             "warning: body %s moves %g spacings in a step; above about %g an impact turns cells "
             "of an LB solid inside out\n",
-            experiment->members[b].name, speed, FW_LB_FASTEST);
+            experiment->bodies[b].name, speed, FW_LB_FASTEST);
         warning->hurried = true;
         return;
     }

@@ -148,7 +148,7 @@ static fw_status draw_dispersion(const fw_plot_result *result, const fw_plot_pic
     return status;
 }
 
-static fw_status draw_twin(const fw_plot_result *result, const fw_plot_picture *picture,
+static fw_status draw_reference(const fw_plot_result *result, const fw_plot_picture *picture,
                            fw_error *error)
 {
     static const char *const names[] = {"half-step", "difference"};
@@ -175,8 +175,8 @@ fw_status fw_plot_draw_analysis(const fw_plot_result *result, const fw_plot_pict
         return draw_map(result, picture, error);
     case FW_ANALYSIS_DISPERSION:
         return draw_dispersion(result, picture, error);
-    case FW_ANALYSIS_BOLTZMANN_TWIN:
-        return draw_twin(result, picture, error);
+    case FW_ANALYSIS_BOLTZMANN_REFERENCE:
+        return draw_reference(result, picture, error);
     case FW_ANALYSIS_PLANE_MODE:
     case FW_ANALYSIS_BODY_STABILITY:
         break;

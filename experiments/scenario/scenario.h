@@ -357,7 +357,7 @@ typedef struct fw_expectation {
     fw_scenario_name component; /* "x", "y", "xx", ...; text NULL: none given */
     bool has_at;
     int64_t at;             /* in that step */
-    fw_statistic take;      /* otherwise this of the series ... */
+    fw_statistic statistic; /* otherwise this of the series ... */
     int64_t from, until;    /* ... over the steps from <= step <= until */
     fw_scenario_name phase; /* that gives these; text NULL: none given */
     int when;               /* number of the only case of a sweep that it speaks of; -1: all */
@@ -396,7 +396,7 @@ typedef enum fw_analysis_kind {
     FW_ANALYSIS_DISPERSION,
     FW_ANALYSIS_PLANE_MODE,
     FW_ANALYSIS_BODY_STABILITY,
-    FW_ANALYSIS_BOLTZMANN_TWIN
+    FW_ANALYSIS_BOLTZMANN_REFERENCE
 } fw_analysis_kind;
 
 /* Members that its kind does not have are zero. */
@@ -413,8 +413,8 @@ typedef struct fw_scenario_analysis {
     fw_vec2 wave_vector; /* plane mode: radians per site */
     fw_automaton_edges boundary;
     int rectangle[2]; /* body stability: columns, rows */
-    int body;         /* twin */
-    int64_t ticks;    /* twin: half-steps of the automaton */
+    int body;         /* reference */
+    int64_t ticks;    /* reference: half-steps of the automaton */
 } fw_scenario_analysis;
 
 /* --- the whole --- */

@@ -129,8 +129,8 @@ static fw_status find_automaton(const fw_scenario *scenario, const fw_node *node
                             "material '%s' is not an elastic automaton, expected one", name->text);
 }
 
-static fw_status read_twin(const fw_scenario *scenario, const fw_node *node,
-                           fw_scenario_analysis *analysis, fw_error *error)
+static fw_status read_reference(const fw_scenario *scenario, const fw_node *node,
+                                fw_scenario_analysis *analysis, fw_error *error)
 {
     int count;
     const fw_node *name = fw_node_find(node, "body");
@@ -145,7 +145,7 @@ static fw_status read_twin(const fw_scenario *scenario, const fw_node *node,
         automaton->boundary != FW_EDGES_BOND || automaton->break_at > 0)
         return fw_scenario_fail(
             scenario, name->place, error,
-            "body '%s' has no lattice Boltzmann twin, expected one of Chopard's "
+            "body '%s' has no lattice Boltzmann reference, expected one of Chopard's "
             "automaton (chopard: true) with boundary 'bond' that cannot break",
             body->name);
     for (int n = 0; n < scenario->force_count; ++n)
@@ -153,7 +153,7 @@ static fw_status read_twin(const fw_scenario *scenario, const fw_node *node,
             return fw_scenario_fail(
                 scenario, name->place, error,
                 "the force '%s' acts on body '%s', expected none on a body that "
-                "is compared with its twin",
+                "is compared with its reference solid",
                 scenario->forces[n].name, body->name);
     return FW_OK;
 }
@@ -212,7 +212,7 @@ static fw_status read_analysis(fw_scenario *scenario, const fw_node *node,
                                         [FW_ANALYSIS_DISPERSION] = "dispersion",
                                         [FW_ANALYSIS_PLANE_MODE] = "plane-mode",
                                         [FW_ANALYSIS_BODY_STABILITY] = "body-stability",
-                                        [FW_ANALYSIS_BOLTZMANN_TWIN] = "boltzmann-twin"};
+                                        [FW_ANALYSIS_BOLTZMANN_REFERENCE] = "boltzmann-reference"};
     const fw_node *what = node->first;
     int kind = 0;
     while (strcmp(kinds[kind], what->key) != 0) ++kind; /* the schema knows no other */
@@ -232,8 +232,8 @@ static fw_status read_analysis(fw_scenario *scenario, const fw_node *node,
         return check_wave(scenario, what, analysis, error);
     case FW_ANALYSIS_BODY_STABILITY:
         return check_rectangle(scenario, what, analysis, error);
-    case FW_ANALYSIS_BOLTZMANN_TWIN:
-        return read_twin(scenario, what, analysis, error);
+    case FW_ANALYSIS_BOLTZMANN_REFERENCE:
+        return read_reference(scenario, what, analysis, error);
     }
     return fw_fail_impossible(error, "an analysis of an unknown kind");
 }

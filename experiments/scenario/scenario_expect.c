@@ -24,11 +24,11 @@ static fw_status read_phase(const fw_scenario *scenario, const fw_node *node, fw
     return FW_OK;
 }
 
-/* What `at` and `take` look at must be measured. */
+/* What `at` and `statistic` look at must be measured. */
 static fw_status check_steps(const fw_scenario *scenario, const fw_node *node,
                              const fw_expectation *e, fw_error *error)
 {
-    static const char *const series_keys[] = {"take", "from", "until", "phase", NULL};
+    static const char *const series_keys[] = {"statistic", "from", "until", "phase", NULL};
     const fw_scenario_run *run = &scenario->run;
     const char *quantity = e->quantity.text;
     if (e->has_at) {

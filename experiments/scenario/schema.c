@@ -20,6 +20,11 @@ typedef struct checker {
     char path[PATH_SIZE]; /* "bodies.sheet.velocity" */
 } checker;
 
+const fw_renamed_key fw_schema_renamed[] = {
+    {"expectation", "take", "statistic"},
+    {"analysis", "boltzmann-twin", "boltzmann-reference"},
+    {.section = NULL}};
+
 const fw_key *fw_schema_find(const char *section, const char *name)
 {
     for (const fw_key *key = fw_schema_keys; key->section; ++key)
@@ -88,7 +93,7 @@ fw_status fw_schema_check_key(const fw_document *document, const char *section, 
                               const char *key, fw_place place, fw_error *error)
 {
     if (fw_schema_find(section, key)) return FW_OK;
-    const char *thing = fw_schema_section(section)->thing;
+    const char *noun = fw_schema_section(section)->noun;
     fw_quote found = fw_text_quote(key, strlen(key));
     fw_suggestion suggestion = fw_suggestion_begin(key);
     char all[EXPECTED_SIZE] = "";
@@ -99,12 +104,17 @@ fw_status fw_schema_check_key(const fw_document *document, const char *section, 
         snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", known->name);
     }
     const char *in = *path ? " in " : "";
+    for (const fw_renamed_key *renamed = fw_schema_renamed; renamed->section; ++renamed)
+        if (!strcmp(renamed->section, section) && !strcmp(renamed->old_name, key))
+            return fw_document_fail(document, place, error,
+                                    "unknown key '%s'%s%s; it is now called '%s'", found.text, in,
+                                    path, renamed->name);
     if (suggestion.best)
         return fw_document_fail(document, place, error, "unknown key '%s'%s%s; did you mean '%s'?",
                                 found.text, in, path, suggestion.best);
     return fw_document_fail(document, place, error,
                             "unknown key '%s'%s%s, expected a key of %s: %s", found.text, in, path,
-                            thing, all);
+                            noun, all);
 }
 
 /* --- single values --- */
@@ -341,7 +351,7 @@ static fw_status check_value(checker *c, const fw_node *node, const fw_key *key)
     if (key->forms & FW_FORM_NAMED) return check_named(c, node, key);
     if (node->kind == FW_SCALAR) return check_scalar(c, node, key);
     if (node->kind == FW_MAPPING)
-        return key->forms & FW_FORM_MAPPING ? check_mapping(c, node, key->inside)
+        return key->forms & FW_FORM_MAPPING ? check_mapping(c, node, key->subsection)
                                             : refuse(c, node, key);
     if (key->forms & FW_FORM_NUMBERS) return check_numbers(c, node, key, false);
     if (key->forms & FW_FORM_INTEGERS) return check_numbers(c, node, key, true);
@@ -390,7 +400,7 @@ static fw_status check_presence(checker *c, const fw_node *mapping, const char *
         if (key->required && !node)
             return fw_document_fail(c->document, mapping->key ? mapping->key_place : mapping->place,
                                     c->error, "%s has no '%s', which %s must have", where(c),
-                                    key->name, fw_schema_section(section)->thing);
+                                    key->name, fw_schema_section(section)->noun);
         if (node && key->needs && !fw_node_find(mapping, key->needs))
             return fw_document_fail(c->document, node->key_place, c->error,
                                     "%s has '%s' but no '%s', without which it means nothing",

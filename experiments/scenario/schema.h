@@ -23,7 +23,7 @@ typedef enum fw_form {
     FW_FORM_INTEGERS = 1 << 8,  /* so many as `layout` has: int[], or fw_site */
     FW_FORM_SYMMETRIC = 1 << 9, /* v, [xx, xy, yy] or [[xx, xy], [xy, yy]]: fw_sym2 */
     FW_FORM_LIST = 1 << 10,     /* of `items`; stored only if they are names: fw_scenario_names */
-    FW_FORM_MAPPING = 1 << 11,  /* with the keys of section `inside`: the section's object */
+    FW_FORM_MAPPING = 1 << 11,  /* with the keys of section `subsection`: the section's object */
     FW_FORM_SELECTION = FW_FORM_WORD | FW_FORM_LIST | FW_FORM_MAPPING, /* not stored */
     FW_FORM_NAMED = 1 << 12, /* names of the user's own, each with a mapping: not stored */
     FW_FORM_PATH = 1 << 13   /* names with '.' between them: as FW_FORM_NAME */
@@ -47,35 +47,44 @@ typedef enum fw_bounds {
 typedef struct fw_key {
     const char *section; /* NULL ends the table */
     const char *name;
-    unsigned forms;     /* several may be allowed */
-    unsigned items;     /* forms of the items of a list */
-    const char *inside; /* section of the mapping, of the named mappings, or of a list's items */
+    unsigned forms; /* several may be allowed */
+    unsigned items; /* forms of the items of a list */
+    const char
+        *subsection;    /* section of the mapping, of the named mappings, or of a list's items */
     const char *words;  /* "left|right" */
     const char *layout; /* "[x, y]": of numbers and integers, and of a list's items */
     unsigned bounds;
     double low, high;
-    int least, most;       /* items of a list, and names; most 0: FW_ITEMS_MAX */
-    bool required;         /* must be there */
-    bool alternative;      /* exactly one of the section's alternatives must be there */
-    const char *needs;     /* makes sense only together with this key */
-    const char *standard;  /* the default, as it would be written */
-    const char *otherwise; /* what happens without the key, where that is not one value */
+    int least, most;             /* items of a list, and names; most 0: FW_ITEMS_MAX */
+    bool required;               /* must be there */
+    bool alternative;            /* exactly one of the section's alternatives must be there */
+    const char *needs;           /* makes sense only together with this key */
+    const char *default_value;   /* the default, as it would be written */
+    const char *default_meaning; /* what happens without the key, where that is not one value */
     const char *unit;
     const char *meaning;
-    size_t at; /* offset in the section's object, or FW_NOT_STORED: the reader takes it up itself */
+    size_t offset; /* offset in the section's object, or FW_NOT_STORED: the reader takes it up
+                      itself */
 } fw_key;
 
 typedef struct fw_section {
     const char *name;    /* NULL ends the table */
     const char *heading; /* in the reference */
-    const char *thing;   /* "a body" */
+    const char *noun;    /* "a body" */
     const char *meaning;
 } fw_section;
 
 enum { FW_ITEMS_MAX = 1 << 20, FW_NAMED_MAX = 1024 };
 
+/* A key that had another name: who writes the old one is told the new one. */
+typedef struct fw_renamed_key {
+    const char *section; /* NULL ends the table */
+    const char *old_name, *name;
+} fw_renamed_key;
+
 extern const fw_key fw_schema_keys[];
 extern const fw_section fw_schema_sections[];
+extern const fw_renamed_key fw_schema_renamed[];
 
 const fw_key *fw_schema_find(const char *section, const char *name);
 const fw_section *fw_schema_section(const char *name);

@@ -120,15 +120,16 @@ static fw_status fill_value(fw_document *document, const fw_key *key, const fw_n
 }
 
 /* The default is written as it would be in a file: as a node it goes the same way. */
-static fw_status fill_standard(fw_document *document, const fw_key *key, void *member,
-                               fw_error *error)
+static fw_status fill_default(fw_document *document, const fw_key *key, void *member,
+                              fw_error *error)
 {
     enum { PARTS = 4 };
-    fw_node node = {.kind = FW_SCALAR, .text = key->standard, .length = strlen(key->standard)};
+    fw_node node = {
+        .kind = FW_SCALAR, .text = key->default_value, .length = strlen(key->default_value)};
     fw_node part[PARTS];
     if (key->forms & (FW_FORM_NUMBERS | FW_FORM_INTEGERS)) {
         node = (fw_node){.kind = FW_LIST};
-        const char *text = key->standard + 1;
+        const char *text = key->default_value + 1;
         while (*text) {
             size_t length = strcspn(text, ",]");
             assert(node.count < PARTS);
@@ -144,17 +145,17 @@ fw_status fw_schema_fill(fw_document *document, const char *section, const fw_no
                          void *object, fw_error *error)
 {
     for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (strcmp(key->section, section) || key->at == FW_NOT_STORED) continue;
+        if (strcmp(key->section, section) || key->offset == FW_NOT_STORED) continue;
         const fw_node *node = mapping ? fw_node_find(mapping, key->name) : NULL;
-        void *member = (char *)object + key->at;
+        void *member = (char *)object + key->offset;
         if (key->forms == FW_FORM_MAPPING) {
             /* Of alternatives only the one that was chosen has a place to go. */
             if (node || !key->alternative)
-                FW_TRY(fw_schema_fill(document, key->inside, node, member, error));
+                FW_TRY(fw_schema_fill(document, key->subsection, node, member, error));
         } else if (node) {
             FW_TRY(fill_value(document, key, node, member, error));
-        } else if (key->standard) {
-            FW_TRY(fill_standard(document, key, member, error));
+        } else if (key->default_value) {
+            FW_TRY(fill_default(document, key, member, error));
         }
     }
     return FW_OK;

@@ -108,9 +108,9 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
     if (forms & FW_FORM_MAPPING) {
         append(out, size, "%s", join);
         if (sentence)
-            append_mapping(key->inside, out, size);
+            append_mapping(key->subsection, out, size);
         else
-            append(out, size, "keys of *%s*", fw_schema_section(key->inside)->heading);
+            append(out, size, "keys of *%s*", fw_schema_section(key->subsection)->heading);
     }
     if (forms & FW_FORM_NAMED) {
         append(out, size, "%snames of your own, each with ", join);
@@ -132,10 +132,10 @@ static void print_default(const fw_key *key, FILE *out)
         fputs("*required*", out);
     else if (key->alternative)
         fputs("*one of these*", out);
-    else if (key->otherwise)
-        fputs(key->otherwise, out);
-    else if (key->standard)
-        fprintf(out, "`%s`", key->standard);
+    else if (key->default_meaning)
+        fputs(key->default_meaning, out);
+    else if (key->default_value)
+        fprintf(out, "`%s`", key->default_value);
 }
 
 /* In a table of Markdown a bar would begin the next column. */

@@ -76,14 +76,14 @@ static fw_status enter_key(step *s, const char *name, bool last, fw_node **child
                                     "there is no '%s' yet; give it as a whole", name);
         FW_TRY(add(s, name, child));
     }
-    s->section = s->key->forms & FW_FORM_MAPPING ? s->key->inside : NULL;
+    s->section = s->key->forms & FW_FORM_MAPPING ? s->key->subsection : NULL;
     return FW_OK;
 }
 
 static fw_status enter_name(step *s, const char *name, bool last, fw_node **child)
 {
     *child = fw_node_find(s->at, name);
-    s->section = s->key->inside;
+    s->section = s->key->subsection;
     if (*child) return FW_OK;
     if (last) return add(s, name, child);
     fw_quote found = fw_text_quote(name, strlen(name));
@@ -102,7 +102,7 @@ static fw_status enter_item(step *s, const char *name, bool last, fw_node **chil
 {
     int64_t number = -1;
     fw_number_fault fault = fw_integer_read(name, strlen(name), &number);
-    s->section = s->key->inside;
+    s->section = s->key->subsection;
     bool append = last && number == s->at->count;
     if (fault != FW_NUMBER_FINE || number < 0 || (number >= s->at->count && !append))
         return fw_document_fail(s->document, s->value->place, s->error,

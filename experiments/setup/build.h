@@ -24,7 +24,7 @@ fw_status fw_build_boltzmann(const fw_scenario *scenario, int body, const fw_sit
 
 /* All bodies of material FW_MOVABLE_PARTICLES together, as one solid in which each is a group of
  * its own, in the order of the scenario. */
-fw_status fw_build_particles(const fw_scenario *scenario, const fw_member *members,
+fw_status fw_build_particles(const fw_scenario *scenario, const fw_body_range *ranges,
                              fw_solid **solid, fw_error *error);
 /* A body of material FW_LINEAR_LATTICE. */
 fw_status fw_build_linear(const fw_scenario *scenario, int body, const fw_sites *sites,

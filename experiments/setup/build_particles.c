@@ -97,7 +97,7 @@ static fw_status add_motion(const fw_scenario *scenario, int number, const fw_si
 /* What is needed while the solid is made. */
 typedef struct fw_gathering {
     const fw_scenario *scenario;
-    const fw_member *members;
+    const fw_body_range *ranges;
     fw_particle_group_def *groups;
     int *body; /* of the scenario, per group */
     int group_count;
@@ -116,7 +116,7 @@ static bool allocate(fw_gathering *gathering)
     const fw_scenario *scenario = gathering->scenario;
     for (int b = 0; b < scenario->body_count; ++b) {
         if (!is_movable(scenario, b)) continue;
-        const size_t count = (size_t)gathering->members[b].sites.count;
+        const size_t count = (size_t)gathering->ranges[b].sites.count;
         gathering->particle_count += count;
         if (count > gathering->largest) gathering->largest = count;
     }
@@ -135,7 +135,7 @@ static fw_status gather(fw_gathering *gathering, fw_error *error)
         if (!is_movable(scenario, b)) continue;
         const fw_scenario_body *body = &scenario->bodies[b];
         const fw_scenario_particles *material = &scenario->materials[body->material].particles;
-        const fw_sites *sites = &gathering->members[b].sites;
+        const fw_sites *sites = &gathering->ranges[b].sites;
         FW_TRY(fw_build_fail(scenario, b, place(scenario, b, sites, positions, error), error));
         FW_TRY(fw_build_patterns(&body->displacement, sites, &body->lattice,
                                  (uint64_t)scenario->run.seed, fw_build_displacement_stream(b),
@@ -184,17 +184,17 @@ static fw_status create(fw_gathering *gathering, fw_solid **solid, fw_error *err
                       fw_particles_create(solid, &def, error), error));
     for (int g = 0; g < def.group_count; ++g) {
         const int b = gathering->body[g];
-        FW_TRY(add_motion(scenario, b, &gathering->members[b].sites, (fw_langevin *)*solid,
+        FW_TRY(add_motion(scenario, b, &gathering->ranges[b].sites, (fw_langevin *)*solid,
                           fw_particles_group(*solid, g)->first, gathering->room, error));
     }
     return FW_OK;
 }
 
-fw_status fw_build_particles(const fw_scenario *scenario, const fw_member *members,
+fw_status fw_build_particles(const fw_scenario *scenario, const fw_body_range *ranges,
                              fw_solid **solid, fw_error *error)
 {
     *solid = NULL;
-    fw_gathering gathering = {.scenario = scenario, .members = members};
+    fw_gathering gathering = {.scenario = scenario, .ranges = ranges};
     fw_status status = FW_OK;
     if (!allocate(&gathering))
         status = fw_fail_memory(error, "the starting state of movable particles");

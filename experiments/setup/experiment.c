@@ -6,8 +6,8 @@
 #include "core/noise.h"
 #include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"
+#include "experiments/setup/body_range.h"
 #include "experiments/setup/build.h"
-#include "experiments/setup/member.h"
 #include "experiments/setup/overlap.h"
 #include "phase.h"
 
@@ -17,17 +17,17 @@
 /* What the scene calls the solid that all movable particles are in; no body can have a blank. */
 static const char PARTICLES[] = "movable particles";
 
-static fw_material_kind kind_of(const fw_experiment *experiment, int member)
+static fw_material_kind kind_of(const fw_experiment *experiment, int number)
 {
     const fw_scenario *scenario = experiment->scenario;
-    return scenario->materials[scenario->bodies[member].material].kind;
+    return scenario->materials[scenario->bodies[number].material].kind;
 }
 
 static fw_status adopt(fw_experiment *experiment, int number, const char *name, fw_solid *solid,
                        fw_error *error)
 {
     fw_status status = fw_scene_adopt_body(experiment->scene, name, solid,
-                                           &experiment->members[number].solid, error);
+                                           &experiment->bodies[number].solid, error);
     return fw_build_fail(experiment->scenario, number, status, error);
 }
 
@@ -35,52 +35,52 @@ static fw_status adopt(fw_experiment *experiment, int number, const char *name, 
 static fw_status add_particles(fw_experiment *experiment, int number, fw_error *error)
 {
     int first = 0, bodies = 0;
-    for (int b = 0; b < experiment->member_count; ++b) {
+    for (int b = 0; b < experiment->body_count; ++b) {
         if (kind_of(experiment, b) != FW_MOVABLE_PARTICLES) continue;
         if (b < number) return FW_OK;
-        experiment->members[b].first = first;
-        first += experiment->members[b].count;
+        experiment->bodies[b].first = first;
+        first += experiment->bodies[b].count;
         bodies += 1;
     }
     fw_solid *solid;
-    FW_TRY(fw_build_particles(experiment->scenario, experiment->members, &solid, error));
-    const char *name = bodies > 1 ? PARTICLES : experiment->members[number].name;
+    FW_TRY(fw_build_particles(experiment->scenario, experiment->bodies, &solid, error));
+    const char *name = bodies > 1 ? PARTICLES : experiment->bodies[number].name;
     FW_TRY(adopt(experiment, number, name, solid, error));
-    for (int b = number + 1; b < experiment->member_count; ++b)
+    for (int b = number + 1; b < experiment->body_count; ++b)
         if (kind_of(experiment, b) == FW_MOVABLE_PARTICLES)
-            experiment->members[b].solid = experiment->members[number].solid;
+            experiment->bodies[b].solid = experiment->bodies[number].solid;
     return FW_OK;
 }
 
 static fw_status add_body(fw_experiment *experiment, int number, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
-    const fw_member *member = &experiment->members[number];
+    const fw_body_range *range = &experiment->bodies[number];
     fw_solid *solid = NULL;
     switch (kind_of(experiment, number)) {
     case FW_LATTICE_BOLTZMANN:
-        FW_TRY(fw_build_boltzmann(scenario, number, &member->sites, &solid, error));
+        FW_TRY(fw_build_boltzmann(scenario, number, &range->sites, &solid, error));
         break;
     case FW_LINEAR_LATTICE:
-        FW_TRY(fw_build_linear(scenario, number, &member->sites, &solid, error));
+        FW_TRY(fw_build_linear(scenario, number, &range->sites, &solid, error));
         break;
     case FW_ELASTIC_AUTOMATON:
-        FW_TRY(fw_build_automaton(scenario, number, &member->sites, &solid, error));
+        FW_TRY(fw_build_automaton(scenario, number, &range->sites, &solid, error));
         break;
     case FW_MOVABLE_PARTICLES:
         return add_particles(experiment, number, error);
     }
     if (!solid) return fw_fail_impossible(error, "a body of an unknown solid");
-    return adopt(experiment, number, member->name, solid, error);
+    return adopt(experiment, number, range->name, solid, error);
 }
 
 static fw_status make_sites(fw_experiment *experiment, int number, fw_error *error)
 {
     const fw_scenario_body *body = &experiment->scenario->bodies[number];
-    fw_member *member = &experiment->members[number];
-    FW_TRY(fw_scenario_sites(body, &member->sites, error));
-    member->name = body->name;
-    member->count = member->sites.count;
+    fw_body_range *range = &experiment->bodies[number];
+    FW_TRY(fw_scenario_sites(body, &range->sites, error));
+    range->name = body->name;
+    range->count = range->sites.count;
     return FW_OK;
 }
 
@@ -93,10 +93,10 @@ static fw_status add_force(fw_experiment *experiment, int number, fw_error *erro
         [FW_FORCE_RANDOM] = FW_LOAD_RANDOM,
     };
     const fw_scenario_force *force = &experiment->scenario->forces[number];
-    const fw_member *member = &experiment->members[force->body];
+    const fw_body_range *range = &experiment->bodies[force->body];
     int *particles, count;
-    FW_TRY(fw_selection_particles(&force->sites, &member->sites, &particles, &count, error));
-    for (int n = 0; n < count; ++n) particles[n] += member->first;
+    FW_TRY(fw_selection_particles(&force->sites, &range->sites, &particles, &count, error));
+    for (int n = 0; n < count; ++n) particles[n] += range->first;
     const fw_load_def def = {.kind = kinds[force->kind],
                              .particles = particles,
                              .particle_count = count,
@@ -110,7 +110,7 @@ static fw_status add_force(fw_experiment *experiment, int number, fw_error *erro
                              .phase = force->phase,
                              .seed = (uint64_t)experiment->scenario->run.seed,
                              .stream = FW_NOISE_FORCE + (uint32_t)number};
-    fw_status status = fw_scene_add_load(experiment->scene, member->solid, &def, error);
+    fw_status status = fw_scene_add_load(experiment->scene, range->solid, &def, error);
     free(particles);
     return status;
 }
@@ -124,26 +124,26 @@ static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, f
     return fw_scenario_fail(experiment->scenario, experiment->scenario->bodies[b].place, error,
                             "body %s starts in body %s: both have a particle near (%g, %g), "
                             "expected at least half a spacing between them",
-                            experiment->members[b].name, experiment->members[a].name, where.x,
+                            experiment->bodies[b].name, experiment->bodies[a].name, where.x,
                             where.y);
 }
 
 /* The scene speaks of solids; of bodies that share one it could not say which is meant. */
 static fw_status refuse_walls(const fw_experiment *experiment, int number, fw_error *error)
 {
-    const fw_member *member = &experiment->members[number];
-    if (member->count == fw_experiment_solid(experiment, number)->count) return FW_OK;
+    const fw_body_range *range = &experiment->bodies[number];
+    if (range->count == fw_experiment_solid(experiment, number)->count) return FW_OK;
     for (int w = 0; w < fw_scene_wall_count(experiment->scene); ++w) {
         double depth;
         const int l = fw_overlap_find_behind(experiment, number, w, &depth);
         if (l < 0) continue;
         const fw_vec2 at =
-            fw_solid_position(fw_experiment_solid(experiment, number), member->first + l);
+            fw_solid_position(fw_experiment_solid(experiment, number), range->first + l);
         return fw_scenario_fail(
             experiment->scenario, experiment->scenario->bodies[number].place, error,
             "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
             "its surface, expected all particles on the free side",
-            member->name, fw_wall_name(fw_scene_wall(experiment->scene, w)), l, at.x, at.y, depth);
+            range->name, fw_wall_name(fw_scene_wall(experiment->scene, w)), l, at.x, at.y, depth);
     }
     return FW_OK;
 }
@@ -172,22 +172,22 @@ static fw_status refuse_reversal(const fw_experiment *experiment, fw_error *erro
 
 static fw_status note_start(fw_experiment *experiment, fw_error *error)
 {
-    size_t count = (size_t)experiment->member_count;
+    size_t count = (size_t)experiment->body_count;
     experiment->energy_at_start = calloc(count + 1, sizeof *experiment->energy_at_start);
     experiment->momentum_at_start = calloc(count + 1, sizeof *experiment->momentum_at_start);
     experiment->start = calloc(count + 1, sizeof *experiment->start);
     if (!experiment->energy_at_start || !experiment->momentum_at_start || !experiment->start)
         return fw_fail_memory(error, "the start of an experiment");
-    for (int b = 0; b < experiment->member_count; ++b) {
-        const fw_member *member = &experiment->members[b];
+    for (int b = 0; b < experiment->body_count; ++b) {
+        const fw_body_range *range = &experiment->bodies[b];
         const fw_solid *solid = fw_experiment_solid(experiment, b);
-        fw_energies energies = fw_member_energies(experiment, b);
+        fw_energies energies = fw_body_range_energies(experiment, b);
         experiment->energy_at_start[b] = energies.kinetic + energies.elastic;
-        experiment->momentum_at_start[b] = fw_member_momentum(experiment, b);
-        experiment->start[b] = calloc((size_t)member->count, sizeof **experiment->start);
+        experiment->momentum_at_start[b] = fw_body_range_momentum(experiment, b);
+        experiment->start[b] = calloc((size_t)range->count, sizeof **experiment->start);
         if (!experiment->start[b]) return fw_fail_memory(error, "the positions at the start");
-        for (int l = 0; l < member->count; ++l)
-            experiment->start[b][l] = fw_solid_position(solid, member->first + l);
+        for (int l = 0; l < range->count; ++l)
+            experiment->start[b][l] = fw_solid_position(solid, range->first + l);
     }
     return FW_OK;
 }
@@ -214,7 +214,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     for (int a = 0; a < scenario->body_count; ++a)
         for (int b = a + 1; b < scenario->body_count; ++b)
             /* Within one solid the energy of overlapping particles was looked at already. */
-            if (experiment->members[a].solid != experiment->members[b].solid)
+            if (experiment->bodies[a].solid != experiment->bodies[b].solid)
                 FW_TRY(refuse_overlap(experiment, a, b, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
@@ -234,16 +234,16 @@ fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *sc
 {
     *experiment = NULL;
     fw_experiment *made = calloc(1, sizeof *made);
-    fw_member *members = calloc((size_t)scenario->body_count + 1, sizeof *members);
-    if (!made || !members) {
+    fw_body_range *bodies = calloc((size_t)scenario->body_count + 1, sizeof *bodies);
+    if (!made || !bodies) {
         free(made);
-        free(members);
+        free(bodies);
         return fw_fail_memory(error, "an experiment");
     }
     made->scenario = scenario;
-    made->members = members;
+    made->bodies = bodies;
     made->phase = -1;
-    made->member_count = scenario->body_count;
+    made->body_count = scenario->body_count;
     fw_status status = fill(made, error);
     if (status != FW_OK) {
         fw_experiment_destroy(made);
@@ -257,14 +257,13 @@ void fw_experiment_destroy(fw_experiment *experiment)
 {
     if (!experiment) return;
     fw_scene_destroy(experiment->scene);
-    for (int b = 0; b < experiment->member_count; ++b)
-        fw_sites_clear(&experiment->members[b].sites);
-    for (int b = 0; experiment->start && b < experiment->member_count; ++b)
+    for (int b = 0; b < experiment->body_count; ++b) fw_sites_clear(&experiment->bodies[b].sites);
+    for (int b = 0; experiment->start && b < experiment->body_count; ++b)
         free(experiment->start[b]);
     free(experiment->start);
     free(experiment->energy_at_start);
     free(experiment->momentum_at_start);
-    free(experiment->members);
+    free(experiment->bodies);
     free(experiment);
 }
 
@@ -279,14 +278,14 @@ fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
     return FW_OK;
 }
 
-const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int member)
+const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int number)
 {
-    return fw_scene_observe_body(experiment->scene, experiment->members[member].solid);
+    return fw_scene_observe_body(experiment->scene, experiment->bodies[number].solid);
 }
 
 const fw_solid *fw_experiment_particles(const fw_experiment *experiment)
 {
-    for (int b = 0; b < experiment->member_count; ++b)
+    for (int b = 0; b < experiment->body_count; ++b)
         if (fw_solid_is_particles(fw_experiment_solid(experiment, b)))
             return fw_experiment_solid(experiment, b);
     return NULL;

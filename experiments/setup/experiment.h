@@ -8,19 +8,19 @@
 
 /* Where a body of the scenario lives in the scene: particles first .. first + count - 1 of one
  * solid. Several bodies may share a solid. */
-typedef struct fw_member {
+typedef struct fw_body_range {
     const char *name;
     int solid; /* number of the scene's body */
     int first, count;
     fw_sites sites; /* in the order of the particles; owned by the experiment */
-} fw_member;
+} fw_body_range;
 
 typedef struct fw_experiment {
     const fw_scenario *scenario; /* observed: must live as long */
     fw_scene *scene;
-    int member_count;
-    fw_member *members; /* one per body of the scenario, same order */
-    int phase;          /* whose parameters the scene has; -1: none yet */
+    int body_count;
+    fw_body_range *bodies; /* one per body of the scenario, same order */
+    int phase;             /* whose parameters the scene has; -1: none yet */
     /* As it was at the start, per body, for what is measured relative to it. */
     double *energy_at_start;
     fw_vec2 *momentum_at_start;
@@ -40,6 +40,6 @@ fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error);
 /* All movable particles of the scenario, or NULL where it has none. */
 const fw_solid *fw_experiment_particles(const fw_experiment *experiment);
 /* The solid in which a body lives. */
-const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int member);
+const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int body);
 
 #endif

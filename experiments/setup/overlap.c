@@ -16,10 +16,10 @@ typedef struct point {
 
 static fw_box frame_of(const fw_experiment *experiment, int body)
 {
-    const fw_member *member = &experiment->members[body];
+    const fw_body_range *range = &experiment->bodies[body];
     const fw_solid *solid = fw_experiment_solid(experiment, body);
     fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (int i = member->first; i < member->first + member->count; ++i) {
+    for (int i = range->first; i < range->first + range->count; ++i) {
         box.low.x = fmin(box.low.x, solid->x[i]);
         box.low.y = fmin(box.low.y, solid->y[i]);
         box.high.x = fmax(box.high.x, solid->x[i]);
@@ -37,10 +37,10 @@ static int compare_points(const void *left, const void *right)
 
 static int collect(const fw_experiment *experiment, int body, fw_box common, point *points)
 {
-    const fw_member *member = &experiment->members[body];
+    const fw_body_range *range = &experiment->bodies[body];
     const fw_solid *solid = fw_experiment_solid(experiment, body);
     int count = 0;
-    for (int i = member->first; i < member->first + member->count; ++i) {
+    for (int i = range->first; i < range->first + range->count; ++i) {
         fw_vec2 at = fw_solid_position(solid, i);
         if (at.x >= common.low.x && at.x <= common.high.x && at.y >= common.low.y &&
             at.y <= common.high.y)
@@ -72,7 +72,7 @@ fw_status fw_overlap_find(const fw_experiment *experiment, int a, int b, bool *f
         {fmin(fa.high.x, fb.high.x) + apart, fmin(fa.high.y, fb.high.y) + apart}};
     *found = false;
     if (!(common.low.x <= common.high.x && common.low.y <= common.high.y)) return FW_OK;
-    size_t most = (size_t)experiment->members[a].count + (size_t)experiment->members[b].count;
+    size_t most = (size_t)experiment->bodies[a].count + (size_t)experiment->bodies[b].count;
     point *points = calloc(most, sizeof *points);
     if (!points) return fw_fail_memory(error, "a look at where bodies overlap");
     int count = collect(experiment, a, common, points);
@@ -86,12 +86,12 @@ fw_status fw_overlap_find(const fw_experiment *experiment, int a, int b, bool *f
 int fw_overlap_find_behind(const fw_experiment *experiment, int body, int wall, double *depth)
 {
     static const double on_surface = 1e-14;
-    const fw_member *member = &experiment->members[body];
+    const fw_body_range *range = &experiment->bodies[body];
     const fw_solid *solid = fw_experiment_solid(experiment, body);
     const fw_wall *of = fw_scene_wall(experiment->scene, wall);
     const fw_vec2 place = fw_wall_displacement(of, 0);
-    for (int l = 0; l < member->count; ++l) {
-        const fw_vec2 at = fw_solid_position(solid, member->first + l);
+    for (int l = 0; l < range->count; ++l) {
+        const fw_vec2 at = fw_solid_position(solid, range->first + l);
         *depth = fw_wall_depth(of, fw_vec2_subtract(at, place));
         if (*depth > on_surface * (1 + fabs(at.x) + fabs(at.y))) return l;
     }

@@ -62,28 +62,28 @@ static int find_shared(const fw_experiment *experiment, const fw_scenario_grip *
 
 static fw_status add_grip(fw_experiment *experiment, const fw_scenario_grip *grip, fw_error *error)
 {
-    const fw_member *member = &experiment->members[grip->body];
+    const fw_body_range *range = &experiment->bodies[grip->body];
     int *particles, count;
-    FW_TRY(fw_selection_particles(&grip->sites, &member->sites, &particles, &count, error));
-    for (int n = 0; n < count; ++n) particles[n] += member->first;
+    FW_TRY(fw_selection_particles(&grip->sites, &range->sites, &particles, &count, error));
+    for (int n = 0; n < count; ++n) particles[n] += range->first;
     if (grip->layer > 0)
         keep_layer(grip, fw_experiment_solid(experiment, grip->body), particles, &count);
     int shared = 0;
     const int earlier = find_shared(experiment, grip, particles, count, &shared);
     if (earlier >= 0) {
-        const fw_site site = member->sites.site[shared - member->first];
+        const fw_site site = range->sites.site[shared - range->first];
         free(particles);
         return fw_scenario_fail(experiment->scenario, grip->place, error,
                                 "grip '%s' holds site [%d, %d] of body '%s', which grip '%s' holds "
                                 "already",
-                                grip->name, site.i, site.j, member->name,
+                                grip->name, site.i, site.j, range->name,
                                 experiment->scenario->grips[earlier].name);
     }
     const fw_grip_def def = {.name = grip->name,
                              .particles = particles,
                              .particle_count = count,
                              .drive = grip->motion.drive};
-    fw_status status = fw_scene_add_grip(experiment->scene, member->solid, &def, error);
+    fw_status status = fw_scene_add_grip(experiment->scene, range->solid, &def, error);
     free(particles);
     if (status != FW_BAD_INPUT) return status;
     const fw_error inner = *error;

@@ -52,25 +52,24 @@ static int64_t frame_count(const fw_scenario *scenario)
 static fw_status describe_bodies(fw_recorder *r, fw_error *error)
 {
     const fw_experiment *experiment = r->experiment;
-    int count = experiment->member_count;
+    int count = experiment->body_count;
     fw_trajectory_body *bodies = calloc((size_t)count, sizeof *bodies);
     r->def.bodies = bodies;
     r->def.body_count = count;
     if (!bodies) return fw_fail_memory(error, "the bodies of a results file");
     for (int b = 0; b < count; ++b) {
-        const fw_member *member = &experiment->members[b];
+        const fw_body_range *range = &experiment->bodies[b];
         const fw_solid *solid = fw_experiment_solid(experiment, b);
         double *mass = calloc((size_t)solid->count, sizeof *mass);
         int *links = calloc(2 * (size_t)solid->link_count + 1, sizeof *links);
         bodies[b] = (fw_trajectory_body){
-            .name = member->name, .count = member->count, .mass = mass, .links = links};
+            .name = range->name, .count = range->count, .mass = mass, .links = links};
         if (!mass || !links) return fw_fail_memory(error, "the bodies of a results file");
         solid->model->masses(solid, mass);
-        memmove(mass, mass + member->first, (size_t)member->count * sizeof *mass);
+        memmove(mass, mass + range->first, (size_t)range->count * sizeof *mass);
         for (int n = 0; n < solid->link_count; ++n) {
-            int one = solid->links[n][0] - member->first,
-                other = solid->links[n][1] - member->first;
-            if (one < 0 || one >= member->count || other < 0 || other >= member->count) continue;
+            int one = solid->links[n][0] - range->first, other = solid->links[n][1] - range->first;
+            if (one < 0 || one >= range->count || other < 0 || other >= range->count) continue;
             links[2 * bodies[b].link_count] = one;
             links[2 * bodies[b].link_count + 1] = other;
             bodies[b].link_count += 1;
@@ -83,7 +82,7 @@ static fw_status describe_bodies(fw_recorder *r, fw_error *error)
 static fw_status refuse_field(const fw_recorder *r, fw_scenario_name name, fw_error *error)
 {
     fw_suggestion suggestion = fw_suggestion_begin(name.text);
-    for (int b = 0; b < r->experiment->member_count; ++b) {
+    for (int b = 0; b < r->experiment->body_count; ++b) {
         const fw_field *field = fw_experiment_solid(r->experiment, b)->model->fields;
         for (; field && field->name; ++field) fw_suggestion_offer(&suggestion, field->name);
     }
@@ -102,7 +101,7 @@ static fw_status add_field(fw_recorder *r, fw_trajectory_field *fields, fw_scena
 {
     for (int n = 0; n < r->def.field_count; ++n)
         if (strcmp(fields[n].name, name.text) == 0) return FW_OK;
-    for (int b = 0; b < r->experiment->member_count; ++b) {
+    for (int b = 0; b < r->experiment->body_count; ++b) {
         const fw_field *field =
             fw_solid_find_field(fw_experiment_solid(r->experiment, b), name.text);
         if (!field) continue;
@@ -118,7 +117,7 @@ static fw_scenario_name standard_field(const fw_recorder *r, const fw_scenario_p
 {
     const char *wanted = fw_picture_rows[picture->kind].field;
     if (r->def.field_count > 0 || !wanted) return (fw_scenario_name){0};
-    for (int b = 0; b < r->experiment->member_count; ++b) {
+    for (int b = 0; b < r->experiment->body_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(r->experiment, b);
         if (wanted[0] && fw_solid_find_field(solid, wanted))
             return (fw_scenario_name){.text = wanted};
@@ -226,14 +225,14 @@ static fw_status allocate_solids(fw_recorder *r, fw_error *error)
 
 static fw_status allocate_frames(fw_recorder *r, fw_error *error)
 {
-    int count = r->experiment->member_count;
+    int count = r->experiment->body_count;
     r->bodies = calloc((size_t)count, sizeof *r->bodies);
     r->frame = calloc((size_t)count, sizeof *r->frame);
     if (!r->bodies || !r->frame) return fw_fail_memory(error, "a frame");
     for (int b = 0; b < count; ++b) {
         body_frame *body = &r->bodies[b];
         const fw_solid *solid = fw_experiment_solid(r->experiment, b);
-        size_t particles = (size_t)r->experiment->members[b].count;
+        size_t particles = (size_t)r->experiment->bodies[b].count;
         body->velocity_x = fw_array_of_doubles(particles);
         body->velocity_y = fw_array_of_doubles(particles);
         body->force_x = fw_array_of_doubles(particles);
@@ -377,9 +376,9 @@ fw_status fw_recorder_write_row(fw_recorder *recorder, int64_t step, double time
     return fw_trajectory_write_sample(recorder->trajectory, step, time, row, error);
 }
 
-static void copy_part(double *to, const double *from, const fw_member *member)
+static void copy_part(double *to, const double *from, const fw_body_range *range)
 {
-    memcpy(to, from + member->first, (size_t)member->count * sizeof *to);
+    memcpy(to, from + range->first, (size_t)range->count * sizeof *to);
 }
 
 static void fill_velocities(fw_recorder *r)
@@ -389,10 +388,10 @@ static void fill_velocities(fw_recorder *r)
         const fw_solid *solid = fw_scene_observe_body(experiment->scene, s);
         solid->model->velocities(solid, r->solid_x[s], r->solid_y[s]);
     }
-    for (int b = 0; b < experiment->member_count; ++b) {
-        const fw_member *member = &experiment->members[b];
-        copy_part(r->bodies[b].velocity_x, r->solid_x[member->solid], member);
-        copy_part(r->bodies[b].velocity_y, r->solid_y[member->solid], member);
+    for (int b = 0; b < experiment->body_count; ++b) {
+        const fw_body_range *range = &experiment->bodies[b];
+        copy_part(r->bodies[b].velocity_x, r->solid_x[range->solid], range);
+        copy_part(r->bodies[b].velocity_y, r->solid_y[range->solid], range);
     }
 }
 
@@ -407,10 +406,10 @@ static void fill_forces(fw_recorder *r)
         memcpy(r->solid_y[s], solid->external_y, bytes);
         fw_scene_add_contact_forces(experiment->scene, s, r->solid_x[s], r->solid_y[s]);
     }
-    for (int b = 0; b < experiment->member_count; ++b) {
-        const fw_member *member = &experiment->members[b];
-        copy_part(r->bodies[b].force_x, r->solid_x[member->solid], member);
-        copy_part(r->bodies[b].force_y, r->solid_y[member->solid], member);
+    for (int b = 0; b < experiment->body_count; ++b) {
+        const fw_body_range *range = &experiment->bodies[b];
+        copy_part(r->bodies[b].force_x, r->solid_x[range->solid], range);
+        copy_part(r->bodies[b].force_y, r->solid_y[range->solid], range);
     }
 }
 
@@ -418,13 +417,13 @@ static void fill_fields(fw_recorder *r)
 {
     const fw_experiment *experiment = r->experiment;
     for (int n = 0; n < r->def.field_count; ++n)
-        for (int b = 0; b < experiment->member_count; ++b) {
-            const fw_member *member = &experiment->members[b];
+        for (int b = 0; b < experiment->body_count; ++b) {
+            const fw_body_range *range = &experiment->bodies[b];
             const fw_solid *solid = fw_experiment_solid(experiment, b);
             const fw_field *field = fw_solid_find_field(solid, r->def.fields[n].name);
             if (!field) continue;
-            field->fill(solid, r->solid_x[member->solid]);
-            copy_part(r->bodies[b].fields[n], r->solid_x[member->solid], member);
+            field->fill(solid, r->solid_x[range->solid]);
+            copy_part(r->bodies[b].fields[n], r->solid_x[range->solid], range);
         }
 }
 
@@ -434,12 +433,12 @@ fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error)
     if (recorder->def.velocity) fill_velocities(recorder);
     if (recorder->def.force) fill_forces(recorder);
     fill_fields(recorder);
-    for (int b = 0; b < experiment->member_count; ++b) {
+    for (int b = 0; b < experiment->body_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(experiment, b);
         const body_frame *body = &recorder->bodies[b];
         recorder->frame[b] = (fw_frame_body){
-            .x = solid->x + experiment->members[b].first,
-            .y = solid->y + experiment->members[b].first,
+            .x = solid->x + experiment->bodies[b].first,
+            .y = solid->y + experiment->bodies[b].first,
             .velocity_x = body->velocity_x,
             .velocity_y = body->velocity_y,
             .force_x = body->force_x,
@@ -472,7 +471,7 @@ fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error
 
 static void destroy_bodies(fw_recorder *r)
 {
-    for (int b = 0; b < r->experiment->member_count; ++b) {
+    for (int b = 0; b < r->experiment->body_count; ++b) {
         if (r->def.bodies) {
             free((double *)r->def.bodies[b].mass);
             free((int *)r->def.bodies[b].links);

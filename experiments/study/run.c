@@ -211,8 +211,8 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error)
 {
     fw_scene *scene = run->experiment->scene;
     double particles = 0;
-    for (int b = 0; b < run->experiment->member_count; ++b)
-        particles += run->experiment->members[b].count;
+    for (int b = 0; b < run->experiment->body_count; ++b)
+        particles += run->experiment->bodies[b].count;
     fw_progress progress =
         fw_progress_begin(run->options.progress, run->options.name, fw_scene_steps(scene),
                           run->scenario->run.steps, particles);

@@ -20,7 +20,7 @@ static const char bounce[] = "title: a sheet bounces\n"
                              "record: {fields: [speed]}\n"
                              "measure: [energy, momentum]\n"
                              "expect:\n"
-                             "  - {quantity: energy-drift, take: largest, below: 1e-12}\n";
+                             "  - {quantity: energy-drift, statistic: largest, below: 1e-12}\n";
 
 /* Files and folders that are not what they should be. */
 static const char *const mess[] = {

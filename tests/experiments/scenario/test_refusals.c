@@ -221,8 +221,8 @@ static const struct {
     {"below: 1e-11", "below: 1, at: 5000",
      "17:44: the expectation of 'energy-drift' is at step 5000, but the run ends at 4000 and "
      "measures at multiples of 1"},
-    {"below: 1e-11", "below: 1, at: 50, take: mean",
-     "17:48: the expectation of 'energy-drift' has both 'at' and 'take', expected one step or a "
+    {"below: 1e-11", "below: 1, at: 50, statistic: mean",
+     "17:48: the expectation of 'energy-drift' has both 'at' and 'statistic', expected one step or a "
      "series"},
     {"below: 1e-11", "below: 1, from: 5, until: 4",
      "17:56: the expectation of 'energy-drift' ends at step 4, expected 5 to 4000"},

@@ -58,7 +58,7 @@ static const char everything[] =
     "  - {quantity: energy-drift, below: 1e-11}\n"
     "  - {quantity: fraction, body: sheet, site: [19, 9], component: x, at: 2000, value: -0.81,\n"
     "     within-relative: 0.01, source: Table 1, note: slow}\n"
-    "  - {quantity: reaction, wall: floor, take: mean, from: 100, until: 200, above: 1, below: 2}\n"
+    "  - {quantity: reaction, wall: floor, statistic: mean, from: 100, until: 200, above: 1, below: 2}\n"
     "pictures:\n"
     "  motion: {kind: motion, instants: [0, 100, 4000], title: Here}\n"
     "  curve: {kind: series, observables: [energy, momentum]}\n";
@@ -198,7 +198,7 @@ static void the_run_and_what_it_should_show_are_what_was_written(void **state)
     const fw_expectation *reaction = &s->expectations[2];
     assert_int_equal(drift->kind, FW_VERDICT_BOUNDS);
     assert_true(drift->has_below && !drift->has_above && !drift->has_at);
-    assert_int_equal(drift->take, FW_STATISTIC_LAST);
+    assert_int_equal(drift->statistic, FW_STATISTIC_LAST);
     assert_true(drift->body_index == -1 && drift->wall_index == -1 && !drift->body.text);
     assert_int_equal(fraction->kind, FW_VERDICT_RELATIVE);
     assert_true(fraction->has_at && fraction->at == 2000 && fraction->has_site);
@@ -207,7 +207,7 @@ static void the_run_and_what_it_should_show_are_what_was_written(void **state)
     assert_close(fraction->within, 0.01, 0);
     assert_string_equal(fraction->component.text, "x");
     assert_string_equal(fraction->source, "Table 1");
-    assert_int_equal(reaction->take, FW_STATISTIC_MEAN);
+    assert_int_equal(reaction->statistic, FW_STATISTIC_MEAN);
     assert_true(reaction->wall_index == 3 && reaction->from == 100 && reaction->until == 200);
     assert_true(reaction->has_above && reaction->has_below);
 
@@ -293,7 +293,7 @@ static void settings_replace_and_add(void **state)
         "walls={}",
         "walls.left={chain: [[0, 9], [0, 0]]}",
         "expect.2.wall=left",
-        "expect.1={quantity: momentum, take: largest, below: 1}",
+        "expect.1={quantity: momentum, statistic: largest, below: 1}",
         "expect.3={quantity: energy, above: 0}",
         "forces.pull.force=[1, 2]",
         "forces.pull.sites=[[2, 1]]",
@@ -310,7 +310,7 @@ static void settings_replace_and_add(void **state)
     assert_int_equal(s->wall_count, 1);
     assert_int_equal(s->walls[0].def.shape, FW_CHAIN);
     assert_int_equal(s->expectation_count, 4);
-    assert_int_equal(s->expectations[1].take, FW_STATISTIC_LARGEST);
+    assert_int_equal(s->expectations[1].statistic, FW_STATISTIC_LARGEST);
     assert_int_equal(s->expectations[2].wall_index, 0);
     assert_true(s->expectations[3].has_above);
     assert_int_equal(s->forces[0].kind, FW_FORCE_EACH); /* one alternative in place of another */

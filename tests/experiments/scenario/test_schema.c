@@ -33,13 +33,13 @@ static void every_key_says_what_it_is(void **state)
         if (!!(all & (FW_FORM_NUMBERS | FW_FORM_INTEGERS)) != !!key->layout)
             fail_msg("%s: layout", key->name);
         if (!!(all & FW_FORM_WORD) != !!key->words) fail_msg("%s: words", key->name);
-        if (!!(all & (FW_FORM_MAPPING | FW_FORM_NAMED)) != !!key->inside)
-            fail_msg("%s: inside", key->name);
+        if (!!(all & (FW_FORM_MAPPING | FW_FORM_NAMED)) != !!key->subsection)
+            fail_msg("%s: subsection", key->name);
         if (!!(key->forms & FW_FORM_LIST) != !!key->items) fail_msg("%s: items", key->name);
-        if (key->inside) assert_true(has_section(key->inside));
+        if (key->subsection) assert_true(has_section(key->subsection));
         if (key->needs) assert_non_null(fw_schema_find(key->section, key->needs));
         /* A key is required, or one of several, or has a default that the reference can tell. */
-        int ways = key->required + key->alternative + (key->standard || key->otherwise);
+        int ways = key->required + key->alternative + (key->default_value || key->default_meaning);
         if (ways != 1) fail_msg("%s.%s: %d defaults", key->section, key->name, ways);
     }
 }
@@ -49,8 +49,8 @@ static int depth_of(const char *section, int depth)
     int deepest = depth;
     if (depth > 20) return depth;
     for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (strcmp(key->section, section) || !key->inside) continue;
-        int below = depth_of(key->inside, depth + 1);
+        if (strcmp(key->section, section) || !key->subsection) continue;
+        int below = depth_of(key->subsection, depth + 1);
         if (below > deepest) deepest = below;
     }
     return deepest;
@@ -68,9 +68,9 @@ static void every_default_is_a_value_that_may_be_written(void **state)
     (void)state;
     int count = 0;
     for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (!key->standard || key->otherwise) continue;
+        if (!key->default_value || key->default_meaning) continue;
         char text[400], sentence[80];
-        snprintf(text, sizeof text, "%s: %s\n", key->name, key->standard);
+        snprintf(text, sizeof text, "%s: %s\n", key->name, key->default_value);
         fw_document *document;
         fw_error error;
         assert_int_equal(fw_document_parse(&document, "default", text, strlen(text), &error),

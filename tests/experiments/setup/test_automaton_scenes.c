@@ -170,20 +170,20 @@ static const struct {
     {HEAD "{chopard: true}" BODY "}\nanalysis: {a: {dispersion: {material: m, size: 7}}}\nrun: "
           "{steps: 1}\n",
      "size is 7, expected an even number"},
-    {HEAD "{c1: 1, c2: 0.3}" BODY "}\nanalysis: {a: {boltzmann-twin: {body: b}}}\nrun: {steps: "
+    {HEAD "{c1: 1, c2: 0.3}" BODY "}\nanalysis: {a: {boltzmann-reference: {body: b}}}\nrun: {steps: "
           "1}\n",
-     "t.yaml:6:39: body 'b' has no lattice Boltzmann twin, expected one of Chopard's automaton"},
+     "t.yaml:6:44: body 'b' has no lattice Boltzmann reference, expected one of Chopard's automaton"},
     {HEAD "{chopard: true}" BODY "}\nforces: {f: {body: b, force: [1, 0]}}\nanalysis: {a: "
-          "{boltzmann-twin: {body: b}}}\nrun: {steps: 1}\n",
+          "{boltzmann-reference: {body: b}}}\nrun: {steps: 1}\n",
      "the force 'f' acts on body 'b', expected none"},
     {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\npictures: {p: {kind: analysis}}\n",
      "pictures.p draws an analysis, of which the scenario has 0"},
-    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nexpect: [{quantity: twin-error, below: 1}]\n",
-     "twin-error is measured of an analysis of kind boltzmann-twin, and the scenario has none"},
-    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-twin: {body: b}}, "
-          "c: {boltzmann-twin: {body: b}}}\nexpect: [{quantity: twin-error, below: 1}]\n",
-     "twin-error is measured of one analysis, expected the key `analysis`"},
-    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-twin: {body: b}}}\n"
+    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nexpect: [{quantity: reference-error, below: 1}]\n",
+     "reference-error is measured of an analysis of kind boltzmann-reference, and the scenario has none"},
+    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-reference: {body: b}}, "
+          "c: {boltzmann-reference: {body: b}}}\nexpect: [{quantity: reference-error, below: 1}]\n",
+     "reference-error is measured of one analysis, expected the key `analysis`"},
+    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-reference: {body: b}}}\n"
           "expect: [{quantity: energy, analysis: a, below: 1}]\n",
      "energy is not measured of an analysis, expected no key `analysis`"},
     {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nexpect: [{quantity: wave-front, below: 1}]\n",
@@ -320,7 +320,7 @@ static void waves_that_cannot_be_told_apart_are_no_numbers(void **state)
              "-1.5707963267948966], branch: slow, amplitude: 1}}]" TAIL);
     fw_experiment *e = build_right(s);
     assert_true(isnan(measured(e, "wave-turn")));
-    assert_true(isnan(measured(e, "wave-way")));
+    assert_true(isnan(measured(e, "wave-path")));
     assert_true(isnan(measured(e, "wave-size")));
     assert_true(isnan(measured(e, "wave-damping")));
     assert_below(measured(e, "mode-error"), 1e-15);

@@ -107,7 +107,7 @@ static const char phased[] =
     " period: 0.05}}}\n"
     "  sample: {until: 24, grips: {right: {hold: both, path: {velocity: [0, -0.5]}}}}\n"
     "profile: {axis: x, phase: sample, every: 3, bin: 0.9, far: [2, 4]}\n"
-    "measure: [energy, momentum, slip, grip-work, grip-way, thermostat-heat, "
+    "measure: [energy, momentum, slip, grip-work, grip-path-length, thermostat-heat, "
     "contact-return-force]\n"
     "record: {velocity: true, force: true, fields: [return-force]}\n" RUN "}\n";
 
@@ -128,7 +128,7 @@ static const char pressed[] =
     " damping: 0}, right: {hold: both, path: {velocity: [-0.5, 0.1]}}}}\n"
     "measure: [energy, momentum, wall-work, friction-heat, wall-energy, piston-velocity, "
     "piston-work, piston-heat,"
-    " piston-way, piston-torque, contacts-so-far]\n"
+    " piston-path-length, piston-torque, contacts-so-far]\n"
     "record: {velocity: true, force: true}\n" RUN "}\n";
 
 /* More particles than one thread takes at a time. */
@@ -335,7 +335,7 @@ static void particles_in_a_heat_bath(void **state)
 static void phases_of_grips_and_their_profile(void **state)
 {
     (void)state;
-    static const char *const labels[] = {"grip-work.left", "grip-way.right", "thermostat-heat",
+    static const char *const labels[] = {"grip-work.left", "grip-path-length.right", "thermostat-heat",
                                          "contact-return-force", NULL};
     check_scenario(phased, labels, any_threads);
 }
@@ -344,7 +344,7 @@ static void pistons_in_phases(void **state)
 {
     (void)state;
     static const char *const labels[] = {"friction-heat",        "wall-energy",
-                                         "piston-heat.left",     "piston-way.right",
+                                         "piston-heat.left",     "piston-path-length.right",
                                          "contacts-so-far.left", NULL};
     check_scenario(pressed, labels, any_threads);
 }

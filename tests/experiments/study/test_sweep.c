@@ -23,7 +23,7 @@ static const char flights[] =
     "    values: [0.1, 0.05, 0.2]\n"
     "    set: ['bodies.sheet.velocity=[-v, 0.5*v]']\n"
     "expect:\n"
-    "  - {quantity: energy-drift, take: largest, below: 1e-12}\n"
+    "  - {quantity: energy-drift, statistic: largest, below: 1e-12}\n"
     /* The ends of 24 links: M = 24 in all, and E = M (v^2 + v^2/4)/2 = 15 v^2. */
     "  - {quantity: energy, when: 0.2, value: 0.6, within: 1e-9}\n"
     "  - {quantity: energy, trend: rises}\n"
@@ -221,7 +221,7 @@ static void sweep_words_without_a_sweep_are_refused(void **state)
                    FW_BAD_INPUT, "pictures.speeds is of kind 'sweep', but the study has no");
     free(text);
     text = change("expect:\n"
-                  "  - {quantity: energy-drift, take: largest, below: 1e-12}\n"
+                  "  - {quantity: energy-drift, statistic: largest, below: 1e-12}\n"
                   "  - {quantity: energy, when: 0.2, value: 0.6, within: 1e-9}\n"
                   "  - {quantity: energy, trend: rises}\n",
                   "");
@@ -438,7 +438,7 @@ static const char rubbing[] =
     "    values: [1, 0.5, 2]\n"
     "    set: ['phases.sample.grips.left.amplitude=[0, 6*A]']\n"
     "expect:\n"
-    "  - {quantity: momentum-error, component: x, take: largest, below: 1}\n"
+    "  - {quantity: momentum-error, component: x, statistic: largest, below: 1}\n"
     "  - {quantity: layer-slip-path, above: 0}\n";
 
 static void interrupted_sweep_comes_to_the_same_bytes(void **state)
