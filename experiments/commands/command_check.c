@@ -211,7 +211,7 @@ static fw_status check_boltzmann(const fw_experiment *experiment, int number, in
     const bool meets = fw_scene_wall_count(experiment->scene) > 0 || experiment->body_count > 1;
     double speed, fastest = FW_LB_FASTEST * body->lattice.spacing;
     FW_TRY(find_speed(experiment, number, &speed, error));
-    printf("  %-14s stable: damping %g, expected above 0.5 and up to 1\n", body->name,
+    printf("  %-14s stable: damping %g, expected below 0.5\n", body->name,
            material->damping);
     printf("  %-14s largest speed at the start %.3g, where something is hit it should stay below "
            "%.3g\n",

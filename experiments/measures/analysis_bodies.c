@@ -50,7 +50,8 @@ static fw_status make_reference(fw_solid **reference, const fw_scenario *scenari
         fw_lb_solid_def def = fw_lb_solid_def_default();
         def.sites = sites;
         def.lattice = body->lattice;
-        def.damping = (1 + scenario->materials[body->material].automaton.damping) / 2;
+        const double a = 1 - scenario->materials[body->material].automaton.damping;
+        def.damping = (1 + a) / 2; /* mu */
         def.displacement = u;
         def.velocity = v;
         status = fw_lb_solid_create(reference, &def, error);

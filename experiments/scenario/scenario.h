@@ -32,7 +32,7 @@ typedef struct fw_scenario_names {
 
 typedef struct fw_scenario_boltzmann {
     fw_sym2 rest_mass;
-    double damping;
+    double damping; /* 1 - mu, 0 <= damping < 1/2 */
     fw_sym2 link_stiffness;
     double break_at; /* stretch beyond which a link breaks; 0: never */
 } fw_scenario_boltzmann;
@@ -60,7 +60,7 @@ typedef enum fw_automaton_edges {
 typedef struct fw_scenario_automaton {
     fw_automaton_speeds speeds; /* inside the disc of stability */
     fw_automaton_edges boundary;
-    double damping;  /* a */
+    double damping;  /* 1 - a, 0 <= damping < 1 */
     int black;       /* which sites move first: 0 those with i + j even, 1 odd */
     double break_at; /* 0: never */
 } fw_scenario_automaton;

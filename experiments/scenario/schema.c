@@ -20,10 +20,9 @@ typedef struct checker {
     char path[PATH_SIZE]; /* "bodies.sheet.velocity" */
 } checker;
 
-const fw_renamed_key fw_schema_renamed[] = {
-    {"expectation", "take", "statistic"},
-    {"analysis", "boltzmann-twin", "boltzmann-reference"},
-    {.section = NULL}};
+const fw_renamed_key fw_schema_renamed[] = {{"expectation", "take", "statistic"},
+                                            {"analysis", "boltzmann-twin", "boltzmann-reference"},
+                                            {.section = NULL}};
 
 const fw_key *fw_schema_find(const char *section, const char *name)
 {
@@ -85,8 +84,9 @@ static fw_status refuse(checker *c, const fw_node *node, const fw_key *key)
 {
     char expected[EXPECTED_SIZE];
     fw_schema_expected(key, expected, sizeof expected);
-    return fw_document_fail(c->document, node->place, c->error, "%s is %s, expected %s", c->path,
-                            describe(node).text, expected);
+    return fw_document_fail(c->document, node->place, c->error, "%s is %s, expected %s%s%s",
+                            c->path, describe(node).text, expected, key->hint ? "; " : "",
+                            key->hint ? key->hint : "");
 }
 
 fw_status fw_schema_check_key(const fw_document *document, const char *section, const char *path,
@@ -124,6 +124,7 @@ static bool in_bounds(const fw_key *key, double value)
     if ((key->bounds & FW_ABOVE) && !(value > key->low)) return false;
     if ((key->bounds & FW_FROM) && !(value >= key->low)) return false;
     if ((key->bounds & FW_UP_TO) && !(value <= key->high)) return false;
+    if ((key->bounds & FW_BELOW) && !(value < key->high)) return false;
     return true;
 }
 
@@ -152,7 +153,7 @@ static fw_status check_number(checker *c, const fw_node *node, const fw_key *key
                                 "%s is '%s', expected %s, written without point, exponent or "
                                 "leading zeros",
                                 c->path, found.text, expected);
-    if (huge && !(key->bounds & FW_UP_TO))
+    if (huge && !(key->bounds & (FW_UP_TO | FW_BELOW)))
         return fw_document_fail(c->document, node->place, c->error,
                                 "%s is '%s', expected %s, finite and at most %.15g in size",
                                 c->path, found.text, expected, most);

@@ -33,7 +33,8 @@ typedef enum fw_bounds {
     FW_UNBOUNDED = 0,
     FW_ABOVE = 1, /* low < value; for a symmetric matrix with low = 0: positive definite */
     FW_FROM = 2,  /* low <= value */
-    FW_UP_TO = 4  /* value <= high */
+    FW_UP_TO = 4, /* value <= high */
+    FW_BELOW = 8  /* value < high */
 } fw_bounds;
 
 /* The largest size of a number whatever its bounds: no length, speed or force anybody means is
@@ -55,6 +56,7 @@ typedef struct fw_key {
     const char *layout; /* "[x, y]": of numbers and integers, and of a list's items */
     unsigned bounds;
     double low, high;
+    const char *hint;            /* ends the sentence that refuses a value */
     int least, most;             /* items of a list, and names; most 0: FW_ITEMS_MAX */
     bool required;               /* must be there */
     bool alternative;            /* exactly one of the section's alternatives must be there */

@@ -12,6 +12,8 @@
 #define ABOVE_ZERO           .bounds = FW_ABOVE, .low = 0
 #define AT_LEAST(least)      .bounds = FW_FROM, .low = (least)
 #define FROM_TO(least, most) .bounds = FW_FROM | FW_UP_TO, .low = (least), .high = (most)
+#define FROM_TO_BELOW(least, high_end)                                                             \
+    .bounds = FW_FROM | FW_BELOW, .low = (least), .high = (high_end)
 #define SELECTION                                                                                  \
     FW_FORM_SELECTION, .items = FW_FORM_INTEGERS, .layout = "[i, j]", .least = 1,                  \
                        .words = "all|left|right|bottom|top", .subsection = "selection"
@@ -255,8 +257,10 @@ const fw_key fw_schema_keys[] = {
      .meaning = "M0 of Chopard and Marconi: inertia beside that of the links. As a matrix it must "
                 "be symmetric: another one would create energy"},
     {"lattice-boltzmann", "damping", FW_FORM_NUMBER, AT(fw_scenario_boltzmann, damping),
-     .bounds = FW_ABOVE | FW_UP_TO, .low = 0.5, .high = 1, .default_value = "1",
-     .meaning = "mu: each step leaves 2 mu - 1 of the momentum; at 1 nothing is lost"},
+     FROM_TO_BELOW(0, 0.5), .hint = "0 is none, and what was mu is 1 - damping",
+     .default_value = "0",
+     .meaning = "each step takes twice this part of the momentum. 0 is none; the mu of the "
+                "paper is 1 - damping"},
     {"lattice-boltzmann", "link-stiffness", FW_FORM_SYMMETRIC,
      AT(fw_scenario_boltzmann, link_stiffness), ABOVE_ZERO, .default_value = "1",
      .unit = "force/length",
@@ -359,9 +363,9 @@ const fw_key fw_schema_keys[] = {
          "opposite neighbour does; keeps neither. periodic: the body's frame closes upon "
          "itself, its columns and rows must be even"},
     {"elastic-automaton", "damping", FW_FORM_NUMBER, AT(fw_scenario_automaton, damping),
-     .bounds = FW_ABOVE | FW_UP_TO, .low = 0, .high = 1, .default_value = "1",
-     .meaning = "a: each step leaves this part of a wave; at 1 nothing is lost. The lattice "
-                "Boltzmann solid's mu is (1 + a)/2"},
+     FROM_TO_BELOW(0, 1), .hint = "0 is none, and what was a is 1 - damping", .default_value = "0",
+     .meaning = "part of a wave that each step takes. 0 is none; the a of the paper is "
+                "1 - damping. A lattice Boltzmann solid with half of it is damped alike"},
     {"elastic-automaton", "black", FW_FORM_WORD, .words = "even|odd",
      AT(fw_scenario_automaton, black), .default_value = "even",
      .meaning = "the sites [i, j] that move first: those with i + j even, or odd"},

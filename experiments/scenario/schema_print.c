@@ -28,15 +28,19 @@ void fw_schema_list_words(const char *words, char *out, size_t size)
     }
 }
 
-/* " above 0 and up to 1", or "". */
+/* " above 0 and up to 1", " from 0 to below 1", or "". */
 static void list_bounds(const fw_key *key, char *out, size_t size)
 {
     out[0] = '\0';
     if (key->bounds & FW_ABOVE) append(out, size, " above %.13g", key->low);
     if (key->bounds & FW_FROM)
-        append(out, size, key->bounds & FW_UP_TO ? " from %.13g" : " of at least %.13g", key->low);
+        append(out, size,
+               key->bounds & (FW_UP_TO | FW_BELOW) ? " from %.13g" : " of at least %.13g",
+               key->low);
     if (key->bounds & FW_UP_TO)
         append(out, size, "%s %.13g", key->bounds & FW_ABOVE ? " and up to" : " to", key->high);
+    if (key->bounds & FW_BELOW)
+        append(out, size, "%s below %.13g", key->bounds & FW_ABOVE ? " and" : " to", key->high);
 }
 
 /* "a mapping with 'material', 'shape' and others": what must be in it. */

@@ -27,7 +27,7 @@ fw_elastic_automaton_def fw_build_automaton_def(const fw_scenario *scenario, int
         def.period_rows = body->shape.last_row - body->shape.first_row + 1;
     }
     def.black_is_odd = material->black;
-    def.reflection = material->damping;
+    def.reflection = 1 - material->damping;
     if (material->break_at > 0) def.break_at = material->break_at;
     return def;
 }

@@ -14,9 +14,9 @@ static const struct {
     const char *material, *lattice;
 } bodies[] = {
     {"lattice-boltzmann: {}", "square"},
-    {"lattice-boltzmann: {rest-mass: 0.8, damping: 0.99}", "square"},
+    {"lattice-boltzmann: {rest-mass: 0.8, damping: 0.01}", "square"},
     {"elastic-automaton: {c1: 0.9, c2: 0.5}", "square"},
-    {"elastic-automaton: {c1: 0.9, c2: 0.5, damping: 0.99}", "square"},
+    {"elastic-automaton: {c1: 0.9, c2: 0.5, damping: 0.01}", "square"},
     {"elastic-automaton: {c1: 0.9, c2: 0.5, break-at: 1}", "square"},
     {"linear-lattice: {}", "hexagonal"},
     {"movable-particles: {}", "hexagonal"},

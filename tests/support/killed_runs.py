@@ -18,7 +18,7 @@ import h5py
 # Some tenths of a second: noise, friction, breaking links, frames and checkpoints at odds.
 SCENARIO = """
 title: a bar is shaken to pieces on a rough floor
-materials: {glass: {lattice-boltzmann: {rest-mass: 0.6, damping: 0.99, break-at: 0.6}}}
+materials: {glass: {lattice-boltzmann: {rest-mass: 0.6, damping: 0.01, break-at: 0.6}}}
 bodies: {bar: {material: glass, shape: {rectangle: [40, 5]}, origin: [0, 0.2], velocity: [0.1, -0.02]}}
 walls: {floor: {chain: [[-500, 0], [500, 0]], surface: {coulomb: 0.4}}}
 forces:

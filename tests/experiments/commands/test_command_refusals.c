@@ -7,7 +7,7 @@
 
 static const char bounce[] = "title: a sheet bounces\n"
                              "materials:\n"
-                             "  rubber: {lattice-boltzmann: {rest-mass: 0, damping: 1}}\n"
+                             "  rubber: {lattice-boltzmann: {rest-mass: 0, damping: 0}}\n"
                              "  dust: {lattice-boltzmann: {rest-mass: 1}}\n"
                              "bodies:\n"
                              "  sheet: {material: rubber, shape: {rectangle: [6, 6]}, origin: "
@@ -86,8 +86,8 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set run.steps", 2, "--set run.steps: expected KEY=VALUE, such as run.steps=1000"},
     {"run bounce.yaml --set run.steps=", 2, "--set run.steps=: nothing is written there, expected a value after '='"},
     {"run bounce.yaml --set 'walls.container.box=[0, 0'", 2, "--set walls.container.box=[0, 0: a ',' or the closing ']' is missing"},
-    {"run bounce.yaml --set materials.rubber.lattice-boltzmann.damping=0.5", 2, "--set materials.rubber.lattice-boltzmann.damping=0.5: materials.rubber.lattice-boltzmann.damping is '0.5', expected a number above 0.5 and up to 1"},
-    {"run bounce.yaml --set materials.rubber.lattice-boltzmann.damping=1.1", 2, "--set materials.rubber.lattice-boltzmann.damping=1.1: materials.rubber.lattice-boltzmann.damping is '1.1', expected a number above 0.5 and up to 1"},
+    {"run bounce.yaml --set materials.rubber.lattice-boltzmann.damping=0.5", 2, "--set materials.rubber.lattice-boltzmann.damping=0.5: materials.rubber.lattice-boltzmann.damping is '0.5', expected a number from 0 to below 0.5; 0 is none, and what was mu is 1 - damping"},
+    {"run bounce.yaml --set materials.rubber.lattice-boltzmann.damping=1.1", 2, "--set materials.rubber.lattice-boltzmann.damping=1.1: materials.rubber.lattice-boltzmann.damping is '1.1', expected a number from 0 to below 0.5; 0 is none, and what was mu is 1 - damping"},
     {"run bounce.yaml --set materials.rubber.lattice-boltzmann.rest-mass=[[1,2],[3,4]]", 2, "--set materials.rubber.lattice-boltzmann.rest-mass=[[1,2],[3,4]]: materials.rubber.lattice-boltzmann.rest-mass is a matrix with 2 to the right of 1 on its diagonal but 3 below it, expected a symmetric one: any other would create energy from nothing"},
     {"run bounce.yaml --set bodies.speck.material=rubber", 2, "bounce.yaml:7:3: body speck: site [0, 0] has no links and a rest mass that leaves it without mass, expected a rest mass that is not singular"},
     {"run bounce.yaml --set bodies.sheet.lattice=hexagonal", 2, "--set bodies.sheet.lattice=hexagonal: bodies.sheet.lattice is 'hexagonal', expected 'square': the lattice Boltzmann solid has four links per site"},

@@ -20,7 +20,7 @@
 static const char scenario_text[] =
     "title: A short run\n"
     "materials:\n"
-    "  felt: {lattice-boltzmann: {damping: 0.8}}\n"
+    "  felt: {lattice-boltzmann: {damping: 0.2}}\n"
     "  steel: {lattice-boltzmann: {rest-mass: 0.5}}\n"
     "bodies:\n"
     "  sheet:\n"

@@ -10,7 +10,7 @@
 static const char right[] =
     "title: A sheet in a box\n"
     "materials:\n"
-    "  rubber: {lattice-boltzmann: {rest-mass: 0, damping: 1}}\n"
+    "  rubber: {lattice-boltzmann: {rest-mass: 0, damping: 0}}\n"
     "bodies:\n"
     "  sheet:\n"
     "    material: rubber\n"
@@ -32,9 +32,9 @@ static const char right[] =
 static const struct {
     const char *written, *instead, *sentence; /* after "scenario.yaml:" */
 } mistakes[] = {
-    {"damping: 1}", "dampng: 1}",
+    {"damping: 0}", "dampng: 1}",
      "3:46: unknown key 'dampng' in materials.rubber.lattice-boltzmann; did you mean 'damping'?"},
-    {"damping: 1}", "viscosity: 1}",
+    {"damping: 0}", "viscosity: 1}",
      "3:46: unknown key 'viscosity' in materials.rubber.lattice-boltzmann, expected a key of a "
      "lattice Boltzmann material: rest-mass, damping, link-stiffness, break-at"},
     {"title:", "titel:", "1:1: unknown key 'titel'; did you mean 'title'?"},
@@ -58,18 +58,19 @@ static const struct {
      "14:9: forces.pull is incomplete, expected one of force, total, acceleration, random"},
     {"until: 20", "until: 20, phase: 90",
      "14:75: forces.pull has 'phase' but no 'period', without which it means nothing"},
-    {"damping: 1}", "damping: [1]}",
-     "3:55: materials.rubber.lattice-boltzmann.damping is a list of 1, expected a number above 0.5 "
-     "and up to 1"},
-    {"damping: 1}", "damping: \"1\"}",
-     "3:55: materials.rubber.lattice-boltzmann.damping is the text '1', expected a number above "
-     "0.5 and up to 1"},
-    {"damping: 1}", "damping: high}",
-     "3:55: materials.rubber.lattice-boltzmann.damping is 'high', expected a number above 0.5 and "
-     "up to 1"},
-    {"damping: 1}", "damping: }",
-     "3:55: materials.rubber.lattice-boltzmann.damping is empty, expected a number above 0.5 and "
-     "up to 1"},
+    {"damping: 0}", "damping: [1]}",
+     "3:55: materials.rubber.lattice-boltzmann.damping is a list of 1, expected a number from 0 to "
+     "below 0.5; 0 is none, and what was mu is 1 - damping"},
+    {"damping: 0}", "damping: \"1\"}",
+     "3:55: materials.rubber.lattice-boltzmann.damping is the text '1', expected a number from 0 "
+     "to "
+     "below 0.5; 0 is none, and what was mu is 1 - damping"},
+    {"damping: 0}", "damping: high}",
+     "3:55: materials.rubber.lattice-boltzmann.damping is 'high', expected a number from 0 to "
+     "below 0.5; 0 is none, and what was mu is 1 - damping"},
+    {"damping: 0}", "damping: }",
+     "3:55: materials.rubber.lattice-boltzmann.damping is empty, expected a number from 0 to "
+     "below 0.5; 0 is none, and what was mu is 1 - damping"},
     {"steps: 4000", "steps: 4e3",
      "15:14: run.steps is '4e3', expected a whole number of at least 1, written without point, "
      "exponent or leading zeros"},
@@ -120,12 +121,15 @@ static const struct {
      "and at most 1000000000000 in size"},
     {"4000", "-4000", "15:14: run.steps is '-4000', expected a whole number of at least 1"},
     {"4000", "0", "15:14: run.steps is '0', expected a whole number of at least 1"},
-    {"damping: 1}", "damping: 0.5}",
-     "3:55: materials.rubber.lattice-boltzmann.damping is '0.5', expected a number above 0.5 and "
-     "up to 1"},
-    {"damping: 1}", "damping: 1.1}",
-     "3:55: materials.rubber.lattice-boltzmann.damping is '1.1', expected a number above 0.5 and "
-     "up to 1"},
+    {"damping: 0}", "damping: 1}",
+     "3:55: materials.rubber.lattice-boltzmann.damping is '1', expected a number from 0 to "
+     "below 0.5; 0 is none, and what was mu is 1 - damping"},
+    {"damping: 0}", "damping: 0.5}",
+     "3:55: materials.rubber.lattice-boltzmann.damping is '0.5', expected a number from 0 to "
+     "below 0.5; 0 is none, and what was mu is 1 - damping"},
+    {"damping: 0}", "damping: -0.1}",
+     "3:55: materials.rubber.lattice-boltzmann.damping is '-0.1', expected a number from 0 to "
+     "below 0.5; 0 is none, and what was mu is 1 - damping"},
     {"rest-mass: 0", "rest-mass: [[1, 2], [3, 1]]",
      "3:43: materials.rubber.lattice-boltzmann.rest-mass is a matrix with 2 to the right of 1 on "
      "its diagonal but 3 below it, expected a symmetric one: any other would create energy from "
@@ -133,9 +137,9 @@ static const struct {
     {"rest-mass: 0", "rest-mass: [1, 2]",
      "3:43: materials.rubber.lattice-boltzmann.rest-mass is a list of 2, expected a number, [xx, "
      "xy, yy] or [[xx, xy], [xy, yy]]"},
-    {"damping: 1}", "link-stiffness: 0}",
+    {"damping: 0}", "link-stiffness: 0}",
      "3:62: materials.rubber.lattice-boltzmann.link-stiffness is '0', expected a number above 0"},
-    {"damping: 1}", "link-stiffness: [1, 2, 1]}",
+    {"damping: 0}", "link-stiffness: [1, 2, 1]}",
      "3:62: materials.rubber.lattice-boltzmann.link-stiffness is [[1, 2], [2, 1]], expected a "
      "positive definite matrix: this one is zero or negative in some direction"},
     {"[20, 10]", "[0, 10]",
@@ -222,7 +226,8 @@ static const struct {
      "17:44: the expectation of 'energy-drift' is at step 5000, but the run ends at 4000 and "
      "measures at multiples of 1"},
     {"below: 1e-11", "below: 1, at: 50, statistic: mean",
-     "17:48: the expectation of 'energy-drift' has both 'at' and 'statistic', expected one step or a "
+     "17:48: the expectation of 'energy-drift' has both 'at' and 'statistic', expected one step or "
+     "a "
      "series"},
     {"below: 1e-11", "below: 1, from: 5, until: 4",
      "17:56: the expectation of 'energy-drift' ends at step 4, expected 5 to 4000"},

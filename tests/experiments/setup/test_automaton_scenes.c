@@ -48,17 +48,17 @@ static void materials_are_what_was_written(void **state)
     const fw_scenario_automaton *m = automaton_of(s);
     assert_true(m->speeds.transverse == 0.4 && m->speeds.coupling == 0.58);
     assert_int_equal(m->boundary, FW_EDGES_BOND);
-    assert_true(m->damping == 1 && m->black == 0 && m->break_at == 0);
+    assert_true(m->damping == 0 && m->black == 0 && m->break_at == 0);
     fw_scenario_destroy(s);
     s = read_right(HEAD "{shear-modulus: 0.16, poisson-ratio: 0.35, boundary: trapezoid, "
-                        "damping: 0.9, black: odd}" BODY TAIL);
+                        "damping: 0.1, black: odd}" BODY TAIL);
     m = automaton_of(s);
     const double mu = m->speeds.transverse * m->speeds.transverse;
     const double lambda = m->speeds.coupling * m->speeds.coupling - mu;
     assert_close(mu, 0.16, 1e-15);
     assert_close(lambda / (lambda + 2 * mu), 0.35, 1e-15);
     assert_int_equal(m->boundary, FW_EDGES_TRAPEZOID);
-    assert_true(m->damping == 0.9 && m->black == 1);
+    assert_true(m->damping == 0.1 && m->black == 1);
     fw_scenario_destroy(s);
     s = read_right(HEAD "{chopard: true, break-at: 0.2}" BODY TAIL);
     m = automaton_of(s);
@@ -73,7 +73,7 @@ static void settings_reach_every_key(void **state)
     const char *const text = HEAD "{c1: 0.4, c2: 0.5}" BODY TAIL;
     const char *const settings[] = {"materials.m.elastic-automaton.c2=0.3",
                                     "materials.m.elastic-automaton.boundary=mirror",
-                                    "materials.m.elastic-automaton.damping=0.97",
+                                    "materials.m.elastic-automaton.damping=0.03",
                                     "materials.m.elastic-automaton.black=odd",
                                     "bodies.b.displacement=[{sites: [[2, 1]], by: [-0.3, 0]}]",
                                     "bodies.b.displaced-as-given=true",
@@ -81,7 +81,7 @@ static void settings_reach_every_key(void **state)
     fw_scenario *s;
     assert_fine(fw_scenario_read(&s, "t.yaml", text, strlen(text), settings, 7, &error));
     const fw_scenario_automaton *m = automaton_of(s);
-    assert_true(m->speeds.coupling == 0.3 && m->damping == 0.97 && m->black == 1);
+    assert_true(m->speeds.coupling == 0.3 && m->damping == 0.03 && m->black == 1);
     assert_int_equal(m->boundary, FW_EDGES_MIRROR);
     assert_true(s->bodies[0].displaced_as_given);
     assert_int_equal(s->walls[0].def.surface.law, FW_COMPONENTWISE);
@@ -115,8 +115,9 @@ static const struct {
                                          "least 0"},
     {HEAD "{c1: 0.4, c2: 0.5, boundry: bond}" BODY TAIL, "did you mean 'boundary'?"},
     {HEAD "{c1: 0.4, c2: 0.5, boundary: bnod}" BODY TAIL, "did you mean 'bond'?"},
-    {HEAD "{c1: 0.4, c2: 0.5, damping: 1.1}" BODY TAIL, "damping is '1.1', expected a number above "
-                                                        "0 and up to 1"},
+    {HEAD "{c1: 0.4, c2: 0.5, damping: 1.1}" BODY TAIL,
+     "damping is '1.1', expected a number from 0 to "
+     "below 1; 0 is none, and what was a is 1 - damping"},
     {HEAD "{c1: 0.4, c2: 0.58}" BODY TAIL,
      "t.yaml:5:3: body b: boundary rule 'bond' with c1 = 0.4, c2 = 0.58 is unstable for this body "
      "of 36 cells: its own update grows by 1.08459 in every step (expected 1)"},
@@ -170,20 +171,26 @@ static const struct {
     {HEAD "{chopard: true}" BODY "}\nanalysis: {a: {dispersion: {material: m, size: 7}}}\nrun: "
           "{steps: 1}\n",
      "size is 7, expected an even number"},
-    {HEAD "{c1: 1, c2: 0.3}" BODY "}\nanalysis: {a: {boltzmann-reference: {body: b}}}\nrun: {steps: "
+    {HEAD "{c1: 1, c2: 0.3}" BODY
+          "}\nanalysis: {a: {boltzmann-reference: {body: b}}}\nrun: {steps: "
           "1}\n",
-     "t.yaml:6:44: body 'b' has no lattice Boltzmann reference, expected one of Chopard's automaton"},
+     "t.yaml:6:44: body 'b' has no lattice Boltzmann reference, expected one of Chopard's "
+     "automaton"},
     {HEAD "{chopard: true}" BODY "}\nforces: {f: {body: b, force: [1, 0]}}\nanalysis: {a: "
           "{boltzmann-reference: {body: b}}}\nrun: {steps: 1}\n",
      "the force 'f' acts on body 'b', expected none"},
     {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\npictures: {p: {kind: analysis}}\n",
      "pictures.p draws an analysis, of which the scenario has 0"},
-    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nexpect: [{quantity: reference-error, below: 1}]\n",
-     "reference-error is measured of an analysis of kind boltzmann-reference, and the scenario has none"},
-    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-reference: {body: b}}, "
+    {HEAD "{chopard: true}" BODY
+          "}\nrun: {steps: 1}\nexpect: [{quantity: reference-error, below: 1}]\n",
+     "reference-error is measured of an analysis of kind boltzmann-reference, and the scenario has "
+     "none"},
+    {HEAD "{chopard: true}" BODY
+          "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-reference: {body: b}}, "
           "c: {boltzmann-reference: {body: b}}}\nexpect: [{quantity: reference-error, below: 1}]\n",
      "reference-error is measured of one analysis, expected the key `analysis`"},
-    {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-reference: {body: b}}}\n"
+    {HEAD "{chopard: true}" BODY
+          "}\nrun: {steps: 1}\nanalysis: {a: {boltzmann-reference: {body: b}}}\n"
           "expect: [{quantity: energy, analysis: a, below: 1}]\n",
      "energy is not measured of an analysis, expected no key `analysis`"},
     {HEAD "{chopard: true}" BODY "}\nrun: {steps: 1}\nexpect: [{quantity: wave-front, below: 1}]\n",
@@ -366,7 +373,7 @@ static void torn_bar_counts_its_bonds(void **state)
 {
     (void)state;
     fw_scenario *s = read_right(
-        HEAD "{c1: 0.9, c2: 0.5, break-at: 0.2, damping: 0.97}}\nbodies:\n  b: {material: m, shape:"
+        HEAD "{c1: 0.9, c2: 0.5, break-at: 0.2, damping: 0.03}}\nbodies:\n  b: {material: m, shape:"
              " {rectangle: [12, 3]}}\nforces:\n  l: {body: b, sites: left, force: [-0.3, 0]}\n  r: "
              "{body: b, sites: right, force: [0.3, 0]}\nrun: {steps: 60}\n");
     fw_experiment *e = build_right(s);

@@ -16,7 +16,7 @@
 
 static const char rubs[] =
     "title: a sheet rubs on two floors under random forces\n"
-    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.4, damping: 0.98}}}\n"
+    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.4, damping: 0.02}}}\n"
     "bodies: {sheet: {material: felt, shape: {rectangle: [5, 4]}, origin: [0, 0.13],"
     " velocity: [0.11, -0.05], velocities: [{random: 0.15}]}}\n"
     "walls:\n"
@@ -40,7 +40,7 @@ static const char shoved[] =
     "title: two bodies in a ring that shakes\n"
     "materials:\n"
     "  light: {lattice-boltzmann: {}}\n"
-    "  heavy: {lattice-boltzmann: {rest-mass: 1.2, damping: 0.97}}\n"
+    "  heavy: {lattice-boltzmann: {rest-mass: 1.2, damping: 0.03}}\n"
     "bodies:\n"
     "  one: {material: light, shape: {disc: 2}, origin: [-3, 0.2], velocity: [-0.1, 0.05]}\n"
     "  two: {material: heavy, shape: {rectangle: [3, 3]}, origin: [2.1, -1], velocity: [0.2, 0]}\n"
@@ -134,7 +134,7 @@ static const char pressed[] =
 /* More particles than one thread takes at a time. */
 static const char large[] =
     "title: a large sheet rubs\n"
-    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.4, damping: 0.97, break-at: 0.3}}}\n"
+    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.4, damping: 0.03, break-at: 0.3}}}\n"
     "bodies: {sheet: {material: felt, shape: {rectangle: [96, 90]}, origin: [0, 0.07],"
     " velocity: [0.1, -0.08], velocities: [{random: 0.2}]}}\n"
     "walls: {floor: {chain: [[-500, 0], [500, 0]], surface: {coulomb: 0.3}}}\n"
@@ -144,7 +144,7 @@ static const char large[] =
 
 static const char ticks[] =
     "title: an automaton is torn on a floor that swings\n"
-    "materials: {foam: {elastic-automaton: {c1: 0.8, c2: 0.4, damping: 0.98, black: odd,"
+    "materials: {foam: {elastic-automaton: {c1: 0.8, c2: 0.4, damping: 0.02, black: odd,"
     " break-at: 0.45}}}\n"
     "bodies: {block: {material: foam, shape: {rectangle: [9, 5]}, origin: [0, 0.7],"
     " velocity: [0.1, -0.1], velocities: [{random: 0.2}]}}\n"
@@ -162,7 +162,7 @@ static const char ticks[] =
 /* Colours of more cells than one thread takes. */
 static const char large_ticks[] =
     "title: a large automaton rubs\n"
-    "materials: {foam: {elastic-automaton: {c1: 1, c2: 0.6, damping: 0.97}}}\n"
+    "materials: {foam: {elastic-automaton: {c1: 1, c2: 0.6, damping: 0.03}}}\n"
     "bodies: {block: {material: foam, shape: {rectangle: [190, 180]}, origin: [0, 0.16],"
     " velocity: [0.1, -0.08], velocities: [{random: 0.2}]}}\n"
     "walls: {floor: {chain: [[-500, 0], [500, 0]], surface: {coulomb: 0.3}}}\n"

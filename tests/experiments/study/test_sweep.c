@@ -12,7 +12,7 @@
 
 static const char flights[] =
     "title: a sheet flies at several speeds\n"
-    "materials: {rubber: {lattice-boltzmann: {rest-mass: 0, damping: 1}}}\n"
+    "materials: {rubber: {lattice-boltzmann: {rest-mass: 0, damping: 0}}}\n"
     "bodies: {sheet: {material: rubber, shape: {rectangle: [4, 4]}, origin: [3.3, 4.7]}}\n"
     "walls: {box: {box: [0, 0, 20, 20]}}\n"
     "run: {steps: 40, record-every: 10}\n"
