@@ -769,7 +769,7 @@ const fw_key fw_schema_keys[] = {
      .meaning = "field of the solid that is drawn as colour; it is recorded without being "
                 "named in `record`"},
     {"picture", "range", FW_FORM_NUMBERS, .layout = "[low, high]", AT(fw_scenario_picture, range),
-     .otherwise = "from the least to the greatest value of all recorded frames",
+     .default_meaning = "from the least to the greatest value of all recorded frames",
      .meaning = "ends of the colour scale"},
     {"picture", "observables", FW_FORM_LIST, .items = FW_FORM_PATH, .most = 64,
      AT(fw_scenario_picture, observables),
