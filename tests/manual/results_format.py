@@ -113,7 +113,7 @@ for row in rows_after(page, "## trajectory.h5"):
         names += names_of(row[0])
 faults = [f"the page does not name {dataset}" for dataset in sorted(found)
           if not any(pattern_of(name).fullmatch(dataset) for name in names)
-          and not re.fullmatch(r"(particles/trajectory|observables)/[^/]+/(step|time)", dataset)]
+          and not re.fullmatch(r"(particles/trajectory|observables|parameters/series)/[^/]+/(step|time)", dataset)]
 faults += [f"no result has {name}" for name in names
            if not any(pattern_of(name).fullmatch(dataset) for dataset in found)]
 told = [names_of(row[0])[0] for row in rows_after(page, "Quantities of `profile.csv`")]
