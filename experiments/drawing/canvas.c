@@ -1,16 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* canvas.c - the only file that knows cairo.
+/* canvas.c - lines and areas on a cairo surface, and the file that it becomes.
  * State: a cairo surface and its context; for SVG and PDF the bytes written so far. Invariant: the
  * context measures in millimetres from the upper left corner, whatever it draws on; nothing reaches
  * the disk before fw_canvas_save. Start reading at fw_canvas_create() and fw_canvas_save(). */
-#include "experiments/drawing/canvas.h"
+#include "canvas_parts.h"
 
 #include "experiments/storage/whole_file.h"
-#include "experiments/text/markup.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
-#include <cairo.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -18,29 +16,6 @@
 #include <strings.h>
 
 static const double mm_per_inch = 25.4;
-static const double mm_per_point = 25.4 / 72;
-
-/* Cairo counts in 1/256 of a device unit in 32 bits; this is far outside of any page and inside of
- * that at any resolution one can ask for. */
-static const double farthest = 1e5;
-
-typedef enum canvas_format { PNG, SVG, PDF } canvas_format;
-
-typedef struct byte_store {
-    unsigned char *bytes; /* owned */
-    size_t count, room;
-} byte_store;
-
-struct fw_canvas {
-    char *name; /* owned */
-    canvas_format format;
-    double width, height, resolution;
-    byte_store store;
-    cairo_surface_t *surface;
-    cairo_t *context; /* what is drawn on: the page, or a raster on its way there */
-    cairo_t *page;    /* the page while a raster is being drawn, else NULL */
-    fw_rect raster;
-};
 
 #ifdef __SANITIZE_ADDRESS__
 #define WITH_LEAK_CHECKER
@@ -103,7 +78,7 @@ static void set_up_text(cairo_t *context)
     cairo_font_options_destroy(options);
 }
 
-static cairo_t *context_in_mm(cairo_surface_t *surface, double units_per_mm)
+cairo_t *fw_canvas_context(cairo_surface_t *surface, double units_per_mm)
 {
     cairo_t *context = cairo_create(surface);
     cairo_scale(context, units_per_mm, units_per_mm);
@@ -120,7 +95,7 @@ static int pixels(double length, double resolution)
 
 static cairo_surface_t *surface_for(fw_canvas *canvas)
 {
-    double width = canvas->width / mm_per_point, height = canvas->height / mm_per_point;
+    double width = canvas->width / FW_MM_PER_POINT, height = canvas->height / FW_MM_PER_POINT;
     switch (canvas->format) {
     case SVG:
         return cairo_svg_surface_create_for_stream(keep_bytes, &canvas->store, width, height);
@@ -182,8 +157,8 @@ fw_status fw_canvas_create(fw_canvas **canvas, const char *name, double width, d
     made->height = height;
     made->resolution = resolution;
     made->surface = surface_for(made);
-    made->context =
-        context_in_mm(made->surface, format == PNG ? resolution / mm_per_inch : 1 / mm_per_point);
+    made->context = fw_canvas_context(made->surface, format == PNG ? resolution / mm_per_inch
+                                                                   : 1 / FW_MM_PER_POINT);
     if (cairo_status(made->context) != CAIRO_STATUS_SUCCESS) {
         fw_status status = fw_fail(error, FW_SYSTEM_FAILED, "cannot draw '%s': %s", name,
                                    cairo_status_to_string(cairo_status(made->context)));
@@ -238,33 +213,33 @@ static bool is_finite(fw_vec2 point)
     return isfinite(point.x) && isfinite(point.y);
 }
 
-static fw_vec2 within_reach(fw_vec2 point)
+fw_vec2 fw_canvas_within_reach(fw_vec2 point)
 {
-    return (fw_vec2){fmin(fmax(point.x, -farthest), farthest),
-                     fmin(fmax(point.y, -farthest), farthest)};
+    return (fw_vec2){fmin(fmax(point.x, -FW_CANVAS_FARTHEST), FW_CANVAS_FARTHEST),
+                     fmin(fmax(point.y, -FW_CANVAS_FARTHEST), FW_CANVAS_FARTHEST)};
 }
 
-static void set_colour(fw_canvas *canvas, fw_colour colour)
+void fw_canvas_set_colour(fw_canvas *canvas, fw_colour colour)
 {
     cairo_set_source_rgba(canvas->context, colour.red, colour.green, colour.blue, colour.alpha);
 }
 
 static void move_to(fw_canvas *canvas, fw_vec2 point)
 {
-    point = within_reach(point);
+    point = fw_canvas_within_reach(point);
     cairo_move_to(canvas->context, point.x, point.y);
 }
 
 static void line_to(fw_canvas *canvas, fw_vec2 point)
 {
-    point = within_reach(point);
+    point = fw_canvas_within_reach(point);
     cairo_line_to(canvas->context, point.x, point.y);
 }
 
 static void stroke_path(fw_canvas *canvas, fw_stroke stroke)
 {
     double dashes[2] = {1.8, 1.1}, dots[2] = {.35, .75};
-    set_colour(canvas, stroke.colour);
+    fw_canvas_set_colour(canvas, stroke.colour);
     cairo_set_line_width(canvas->context, stroke.width);
     if (stroke.dash == FW_DASH_NONE) {
         cairo_set_dash(canvas->context, NULL, 0, 0);
@@ -325,7 +300,7 @@ void fw_canvas_polygon(fw_canvas *canvas, const fw_vec2 *points, int count, fw_c
         }
     }
     cairo_close_path(canvas->context);
-    set_colour(canvas, fill);
+    fw_canvas_set_colour(canvas, fill);
     if (rim > 0) {
         cairo_fill_preserve(canvas->context);
         stroke_path(canvas, (fw_stroke){fill, rim, FW_DASH_NONE});
@@ -337,7 +312,7 @@ void fw_canvas_polygon(fw_canvas *canvas, const fw_vec2 *points, int count, fw_c
 void fw_canvas_rectangle(fw_canvas *canvas, fw_rect rect, fw_colour fill)
 {
     cairo_rectangle(canvas->context, rect.left, rect.top, rect.width, rect.height);
-    set_colour(canvas, fill);
+    fw_canvas_set_colour(canvas, fill);
     cairo_set_antialias(canvas->context, CAIRO_ANTIALIAS_NONE);
     cairo_fill(canvas->context);
     cairo_set_antialias(canvas->context, CAIRO_ANTIALIAS_DEFAULT);
@@ -351,8 +326,8 @@ void fw_canvas_frame(fw_canvas *canvas, fw_rect rect, fw_stroke stroke)
 
 static bool trace_circle(fw_canvas *canvas, fw_vec2 centre, double radius)
 {
-    if (!is_finite(centre) || !(radius > 0 && radius <= farthest)) return false;
-    centre = within_reach(centre);
+    if (!is_finite(centre) || !(radius > 0 && radius <= FW_CANVAS_FARTHEST)) return false;
+    centre = fw_canvas_within_reach(centre);
     cairo_new_sub_path(canvas->context);
     cairo_arc(canvas->context, centre.x, centre.y, radius, 0, 2 * M_PI);
     cairo_close_path(canvas->context);
@@ -362,7 +337,7 @@ static bool trace_circle(fw_canvas *canvas, fw_vec2 centre, double radius)
 void fw_canvas_disc(fw_canvas *canvas, fw_vec2 centre, double radius, fw_colour fill)
 {
     if (!trace_circle(canvas, centre, radius)) return;
-    set_colour(canvas, fill);
+    fw_canvas_set_colour(canvas, fill);
     cairo_fill(canvas->context);
 }
 
@@ -377,7 +352,7 @@ void fw_canvas_annulus(fw_canvas *canvas, fw_vec2 centre, double inner, double o
     cairo_set_fill_rule(canvas->context, CAIRO_FILL_RULE_EVEN_ODD);
     trace_circle(canvas, centre, inner);
     trace_circle(canvas, centre, outer);
-    set_colour(canvas, fill);
+    fw_canvas_set_colour(canvas, fill);
     cairo_fill(canvas->context);
     cairo_set_fill_rule(canvas->context, CAIRO_FILL_RULE_WINDING);
 }
@@ -395,77 +370,6 @@ void fw_canvas_arrow(fw_canvas *canvas, fw_vec2 from, fw_vec2 to, fw_stroke stro
     fw_canvas_line(canvas, from, neck, stroke);
     fw_vec2 tip[4] = {to, fw_vec2_add(back, across), neck, fw_vec2_subtract(back, across)};
     fw_canvas_polygon(canvas, tip, 4, stroke.colour, 0);
-}
-
-/* Walks along a text from the context's origin, drawing it or not; returns its width. */
-static double walk_text(cairo_t *context, const char *text, double size, bool bold, bool draw)
-{
-    double place = 0;
-    int level = 0;
-    char run[FW_MARKUP_RUN];
-    cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    while (*text) {
-        fw_markup_take(&text, &level, run);
-        if (run[0] == '\0') continue;
-        double run_size = (level == 0 ? 1 : .72) * size * mm_per_point;
-        double rise = (level == 0 ? 0 : level > 0 ? .36 : -.16) * size * mm_per_point;
-        cairo_text_extents_t extents;
-        cairo_set_font_size(context, run_size);
-        cairo_text_extents(context, run, &extents);
-        if (draw) {
-            cairo_move_to(context, place, -rise);
-            cairo_show_text(context, run);
-        }
-        place += extents.x_advance;
-    }
-    return place;
-}
-
-double fw_canvas_text_width(const char *text, double size, bool bold)
-{
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
-    /* A fine scale: advances are rounded to 1/64 of a unit somewhere below. */
-    cairo_t *context = context_in_mm(surface, 32);
-    double width = walk_text(context, text, size, bold, false);
-    cairo_destroy(context);
-    cairo_surface_destroy(surface);
-    return width;
-}
-
-double fw_canvas_fitting_size(const char *text, double size, double width)
-{
-    double taken = fw_canvas_text_width(text, size, false);
-    return taken > width ? fmax(size * width / taken, size / 2) : size;
-}
-
-double fw_canvas_line_height(double size)
-{
-    return 1.25 * size * mm_per_point;
-}
-
-void fw_canvas_text(fw_canvas *canvas, fw_vec2 at, const char *text, fw_text_look look)
-{
-    if (!is_finite(at)) return;
-    cairo_t *context = canvas->context;
-    double width =
-        look.across == FW_TEXT_LEFT ? 0 : fw_canvas_text_width(text, look.size, look.bold);
-    double capital = .73 * look.size * mm_per_point; /* height of a capital letter */
-    at = within_reach(at);
-    cairo_save(context);
-    cairo_translate(context, at.x, at.y);
-    cairo_rotate(context, -look.angle * M_PI / 180);
-    cairo_translate(context,
-                    look.across == FW_TEXT_RIGHT    ? -width
-                    : look.across == FW_TEXT_CENTRE ? -width / 2
-                                                    : 0,
-                    look.along == FW_TEXT_TOP      ? capital
-                    : look.along == FW_TEXT_MIDDLE ? capital / 2
-                                                   : 0);
-    set_colour(canvas, look.colour);
-    walk_text(context, text, look.size, look.bold, true);
-    cairo_restore(context);
-    cairo_new_path(context);
 }
 
 void fw_canvas_clip(fw_canvas *canvas, fw_rect rect)
@@ -487,7 +391,7 @@ void fw_canvas_raster_begin(fw_canvas *canvas, fw_rect rect)
                                    pixels(rect.height, canvas->resolution));
     canvas->page = canvas->context;
     canvas->raster = rect;
-    canvas->context = context_in_mm(image, canvas->resolution / mm_per_inch);
+    canvas->context = fw_canvas_context(image, canvas->resolution / mm_per_inch);
     cairo_translate(canvas->context, -rect.left, -rect.top);
     cairo_surface_destroy(image);
 }
