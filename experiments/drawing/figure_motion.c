@@ -130,7 +130,7 @@ static fw_status draw_instants(const fw_figure_motion_plan *plan, const fw_panel
             const fw_view_body *body = &plan->views[k].bodies[b];
             double spacing = fw_view_spacing(body) * fw_panel_scale(panel);
             /* Without links a body that lies on another one could not be told from it. */
-            if (body->link_count == 0 && !lone && plan->view_count > 1)
+            if (body->link_count == 0 && body->count > 1 && !lone && plan->view_count > 1)
                 status = fw_view_draw_silhouette(body, panel, with_white(colour, .78, .7), error);
             fw_view_draw_links(
                 body, panel,

@@ -154,7 +154,7 @@ fw_status fw_plot_draw_motion(const fw_plot_result *result, const fw_plot_pictur
     fw_status status = load_frames(&shown, result, picture, false, error);
     if (status == FW_OK) status = fw_plot_paths_find(&paths, result, picture, error);
     /* Single instants of a result have the same axes. */
-    if (status == FW_OK && picture->frame_count == 1)
+    if (status == FW_OK && picture->fixed_axes && picture->frame_count == 1)
         status = fw_plot_bounds_find(&bounds, result, error);
     if (status == FW_OK) {
         const fw_figure_motion_plan plan = {.views = shown.views,
@@ -185,18 +185,13 @@ static fw_page page_with_meaning(const fw_plot_result *result, const fw_plot_pic
     return page;
 }
 
-/* A liquid does not fill its plane: cells would say that it does. */
+/* Movable particles may leave their places and each other: cells would hide that. */
 static fw_view_look look_of(const fw_plot_result *result)
 {
     const fw_scenario *scenario = result->scenario;
-    for (int b = 0; b < scenario->body_count; ++b) {
-        const fw_scenario_body *body = &scenario->bodies[b];
-        const fw_scenario_material *material = &scenario->materials[body->material];
-        if (body->shape.kind == FW_SHAPE_PLACED) return FW_VIEW_DISCS;
-        if (material->kind == FW_MOVABLE_PARTICLES &&
-            material->particles.return_force.amplitude == 0)
+    for (int b = 0; b < scenario->body_count; ++b)
+        if (scenario->materials[scenario->bodies[b].material].kind == FW_MOVABLE_PARTICLES)
             return FW_VIEW_DISCS;
-    }
     return FW_VIEW_CELLS;
 }
 
@@ -209,7 +204,8 @@ fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture
     fw_figure_field_plan plan = {.view = &loaded.view, .look = look_of(result)};
     fw_status status =
         fw_plot_view_load(&loaded, result, picture->frames[0], picture->asked.field.text, error);
-    if (status == FW_OK) status = fw_plot_bounds_find(&plan.bounds, result, error);
+    if (status == FW_OK && picture->fixed_axes)
+        status = fw_plot_bounds_find(&plan.bounds, result, error);
     if (status == FW_OK) status = fw_plot_colours_find(&plan.colouring, result, picture, error);
     if (status == FW_OK) status = fw_figure_field(&page, &plan, error);
     fw_plot_view_clear(&loaded);

@@ -273,6 +273,7 @@ static fw_status choose_kind(draft *d, fw_error *error)
         if (fw_plot_is_of_case(&scenario->pictures[n])) d->own = &scenario->pictures[n];
     *asked = d->own ? *d->own : (fw_scenario_picture){.kind = kind, .until = INT64_MAX};
     d->choice->name = d->own ? d->own->name : fw_picture_rows[kind].name;
+    d->picture->fixed_axes = wish->step_count > 0 || asked->instant_count == 0;
     if (wish->step_count > 0) {
         asked->instant_count = wish->step_count;
         asked->instants = (int64_t *)wish->steps;

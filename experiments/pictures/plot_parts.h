@@ -55,6 +55,7 @@ void fw_plot_view_clear(fw_plot_view *view);
 typedef struct fw_plot_picture {
     fw_scenario_picture asked; /* by the scenario, the command line, or usual */
     fw_page page;
+    bool fixed_axes; /* of the whole result: the scenario did not choose the instants */
     int frame_count; /* >= 1 where its kind shows frames */
     int64_t *frames; /* ascending */
     int observable_count;

@@ -234,7 +234,9 @@ static bool lies_on(const series *s, const curve *one, const curve *other, fw_ra
 {
     const double unseen = .004 * (values.high - values.low);
     for (int k = s->first; k < s->first + s->shown; ++k)
-        if (!(fabs(one->values[k] - other->values[k]) <= unseen)) return false;
+        if (!(fabs(one->values[k] - other->values[k]) <= unseen) &&
+            isfinite(one->values[k]) + isfinite(other->values[k]) > 0)
+            return false;
     return true;
 }
 

@@ -248,6 +248,9 @@ static void cases_are_asked_and_compared(void **state)
     shell(folder, "test \"$(ls it)\" = \"$(printf 'speeds.png\\nsweep-as-run.yaml\\nsweep.csv\\n"
                   "v=0.05\\nv=0.1\\nv=0.2')\"");
     shell(folder, "head -c 4 it/speeds.png | grep -q PNG");
+    /* The pictures of single runs are drawn in each case. */
+    shell(folder,
+          "for v in 0.05 0.1 0.2; do head -c 4 it/v=$v/way.png | grep -q PNG || exit 1; done");
     /* Each case is a result like any other. */
     seen = run_program(folder, "plot it/v=0.05");
     expect_end(&seen, 0, "");
