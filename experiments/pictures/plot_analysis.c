@@ -149,7 +149,7 @@ static fw_status draw_dispersion(const fw_plot_result *result, const fw_plot_pic
 }
 
 static fw_status draw_reference(const fw_plot_result *result, const fw_plot_picture *picture,
-                           fw_error *error)
+                                fw_error *error)
 {
     static const char *const names[] = {"half-step", "difference"};
     fw_table t[TABLES] = {{.rank = 0}};

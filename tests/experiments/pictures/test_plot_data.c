@@ -16,7 +16,7 @@ static void open_result(void)
 }
 
 /* At rest the forces of the links balance the external ones at every particle. The residual of the
- * sheet falls by far more than 1e-12 in 800 steps at mu = 0.8. */
+ * sheet falls by far more than 1e-12 in 800 steps at a damping of 0.2. */
 static void forces_on_a_resting_body_add_up_to_zero(void **state)
 {
     (void)state;
