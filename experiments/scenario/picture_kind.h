@@ -55,11 +55,9 @@ typedef struct fw_picture_row {
 } fw_picture_row;
 extern const fw_picture_row fw_picture_rows[FW_PICTURE_KINDS];
 
-/* "motion|forces|...", "motion: the bodies ...; forces: ..." and "motion, forces, ...". */
-#define FW_PICTURE_WORD(id, name, meaning, keys, needs, frames, field)    "|" name
+/* "motion: the bodies ...; forces: ..." and "motion, forces, ...". */
 #define FW_PICTURE_MEANING(id, name, meaning, keys, needs, frames, field) "; " name ": " meaning
 #define FW_PICTURE_NAME(id, name, meaning, keys, needs, frames, field)    ", " name
-#define FW_PICTURE_WORDS                                                  (&(FW_PICTURE_ROWS(FW_PICTURE_WORD))[1])
 #define FW_PICTURE_MEANINGS                                               (&(FW_PICTURE_ROWS(FW_PICTURE_MEANING))[2])
 #define FW_PICTURE_NAMES                                                  (&(FW_PICTURE_ROWS(FW_PICTURE_NAME))[2])
 

@@ -14,6 +14,55 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const fw_key scenario_keys[] = {
+    {"title", AT_TEXT(fw_scenario, title), REQUIRED,
+     .meaning = "what the experiment shows, in one line"},
+    {"source", AT_TEXT(fw_scenario, source), .default_meaning = "none",
+     .meaning = "paper and figure that it reproduces"},
+    {"figure", AT_TEXT(fw_scenario, figure), .default_meaning = "none",
+     .meaning = "short name of that figure, for `fretwork list`"},
+    {"about", AT_TEXT(fw_scenario, about), .default_meaning = "none",
+     .meaning = "anything else a reader should know"},
+    {"materials", FW_FORM_NAMED, .subsection = &fw_material_section, .least = 1,
+     .most = FW_NAMED_MAX, REQUIRED, NOT_STORED, .meaning = "materials by name"},
+    {"bodies", FW_FORM_NAMED, .subsection = &fw_body_section, .least = 1, .most = FW_NAMED_MAX,
+     REQUIRED, NOT_STORED, .meaning = "bodies by name"},
+    {"walls", FW_FORM_NAMED, .subsection = &fw_wall_section, .most = FW_NAMED_MAX, NOT_STORED,
+     .default_meaning = "none", .meaning = "walls by name"},
+    {"forces", FW_FORM_NAMED, .subsection = &fw_force_section, .most = FW_NAMED_MAX, NOT_STORED,
+     .default_meaning = "none", .meaning = "forces by name; those on the same particle add up"},
+    {"grips", FW_FORM_NAMED, .subsection = &fw_grip_section, .most = FW_NAMED_MAX, NOT_STORED,
+     .default_meaning = "none", .meaning = "rigid blocks of particles by name"},
+    {"phases", FW_FORM_NAMED, .subsection = &fw_phase_section, .most = FW_NAMED_MAX, NOT_STORED,
+     .default_meaning = "one phase, the whole run",
+     .meaning = "parts of the run by name, in order"},
+    {"profile", FW_FORM_MAPPING, .subsection = &fw_profile_section, NOT_STORED,
+     .default_meaning = "none", .meaning = "what is averaged across the scene"},
+    {"study", FW_FORM_MAPPING, .subsection = &fw_study_section, NOT_STORED,
+     .default_meaning = "one run", .meaning = "replicas over seeds, and a control"},
+    {"dynamics", AT_OBJECT(fw_scenario, dynamics), .subsection = &fw_dynamics_section,
+     .default_meaning = "its defaults",
+     .meaning = "how movable particles and linear lattices move"},
+    {"run", AT_OBJECT(fw_scenario, run), .subsection = &fw_run_section, REQUIRED,
+     .meaning = "how long, and what happens on the way"},
+    {"record", AT_OBJECT(fw_scenario, record), .subsection = &fw_record_section,
+     .default_meaning = "positions and velocities",
+     .meaning = "what the results file holds of each particle"},
+    {"measure", AT_NAMES(FW_FORM_NAME, fw_scenario, measure), .most = 256,
+     .default_meaning = "a standard set",
+     .meaning = "observables to be measured, beside those that `expect` and `pictures` name"},
+    {"expect", FW_FORM_LIST, .items = FW_FORM_MAPPING, .subsection = &fw_expectation_section,
+     .most = FW_NAMED_MAX, NOT_STORED, .default_meaning = "nothing",
+     .meaning = "what must come out"},
+    {"pictures", FW_FORM_NAMED, .subsection = &fw_picture_section, .most = 64, NOT_STORED,
+     .default_meaning = "the motion", .meaning = "pictures by name"},
+    {"analysis", FW_FORM_NAMED, .subsection = &fw_analysis_section, .most = 64, NOT_STORED,
+     .default_meaning = "none", .meaning = "what is computed without running, by name"},
+    {.name = NULL}};
+
+const fw_section fw_scenario_section = {
+    "The scenario", "a scenario", "The keys at the beginning of a line.", .keys = scenario_keys};
+
 fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error *error,
                            const char *format, ...)
 {
@@ -65,25 +114,6 @@ fw_status fw_scenario_find(const fw_scenario *scenario, const fw_node *named, co
                             kind, name->text, named->first->key);
 }
 
-static const fw_node *run_key(const fw_scenario *scenario, const char *key)
-{
-    int count;
-    return fw_node_find(fw_scenario_part(scenario, "run", &count), key);
-}
-
-static fw_status complete_run(fw_scenario *scenario, fw_error *error)
-{
-    enum { FRAMES = 200 };
-    fw_scenario_run *run = &scenario->run;
-    if (!run->record_every) run->record_every = (run->steps + FRAMES - 1) / FRAMES;
-    if (run->reverse_at >= run->steps)
-        return fw_scenario_fail(scenario, run_key(scenario, "reverse-at")->place, error,
-                                "run.reverse-at is %lld, expected less than the %lld steps of the "
-                                "run",
-                                (long long)run->reverse_at, (long long)run->steps);
-    return FW_OK;
-}
-
 static fw_status refuse_lines(const fw_scenario *scenario, const char *key, fw_error *error)
 {
     int count;
@@ -111,18 +141,19 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
 {
     fw_document *document = scenario->document;
     FW_TRY(fw_settings_apply(document, settings, setting_count, error));
-    FW_TRY(fw_schema_check(document, "scenario", error));
+    FW_TRY(fw_schema_check(document, &fw_scenario_section, error));
     FW_TRY(fw_scenario_read_sweep(scenario, error));
-    FW_TRY(fw_schema_fill(document, "scenario", fw_document_root(document), scenario, error));
+    FW_TRY(fw_schema_fill(document, &fw_scenario_section, fw_document_root(document), scenario,
+                          error));
     FW_TRY(refuse_lines(scenario, "title", error));
     FW_TRY(refuse_lines(scenario, "figure", error));
-    FW_TRY(complete_run(scenario, error));
+    FW_TRY(fw_scenario_complete_run(scenario, error));
     FW_TRY(refuse_twins(scenario, "measure", &scenario->measure, error));
     FW_TRY(refuse_twins(scenario, "record.fields", &scenario->record.fields, error));
     FW_TRY(fw_scenario_read_materials(scenario, error));
     FW_TRY(fw_scenario_read_bodies(scenario, error));
+    FW_TRY(fw_scenario_check_materials(scenario, error));
     FW_TRY(fw_scenario_check_dynamics(scenario, error));
-    FW_TRY(fw_scenario_check_clock(scenario, error));
     FW_TRY(fw_scenario_read_walls(scenario, error));
     FW_TRY(fw_scenario_read_forces(scenario, error));
     FW_TRY(fw_scenario_read_grips(scenario, error));

@@ -4,6 +4,71 @@
 
 #include <string.h>
 
+static const fw_word trend_words[] = {
+    {"rises", FW_VERDICT_RISES}, {"falls", FW_VERDICT_FALLS}, {NULL, 0}};
+
+static const fw_key expectation_keys[] = {
+    {"quantity", AT_NAME(fw_expectation, quantity), REQUIRED, .meaning = "an observable"},
+    {"body", AT_NAME(fw_expectation, body), .default_meaning = "the whole scene, or the only body",
+     .meaning = "of which body"},
+    {"wall", AT_NAME(fw_expectation, wall), .default_meaning = "the only one",
+     .meaning = "of which wall"},
+    {"grip", AT_NAME(fw_expectation, grip), .default_meaning = "the only one",
+     .meaning = "of which grip"},
+    {"phase", AT_NAME(fw_expectation, phase), .default_meaning = "the whole run",
+     .meaning = "during which phase, in place of `from` and `until`"},
+    {"analysis", AT_NAME(fw_expectation, analysis), .default_meaning = "the only one",
+     .meaning = "of which analysis"},
+    {"site", AT_SITE(fw_expectation, site), .layout = "[i, j]", .needs = "body",
+     .default_meaning = "not of a single site", .meaning = "of which of the body's sites"},
+    {"component", AT_NAME(fw_expectation, component), .default_meaning = "the only one",
+     .meaning = "`x`, `y`, `xx`, ..."},
+    {"at", AT_INTEGER(fw_expectation, at), AT_LEAST(0), .default_meaning = "see `statistic`",
+     .unit = "steps", .meaning = "its value after so many steps, which must be measured there"},
+    {"statistic", AT_WORD(fw_expectation, statistic),
+     WORDS({"last", FW_STATISTIC_LAST}, {"first", FW_STATISTIC_FIRST},
+           {"maximum", FW_STATISTIC_MAXIMUM}, {"minimum", FW_STATISTIC_MINIMUM},
+           {"largest", FW_STATISTIC_LARGEST}, {"mean", FW_STATISTIC_MEAN},
+           {"spread", FW_STATISTIC_SPREAD}, {"change", FW_STATISTIC_CHANGE},
+           {"rate", FW_STATISTIC_RATE}, {"time-of-maximum", FW_STATISTIC_TIME_OF_MAXIMUM},
+           {"time-of-minimum", FW_STATISTIC_TIME_OF_MINIMUM}),
+     .default_value = "last",
+     .meaning = "what of its values over time; largest: in magnitude; spread: standard deviation; "
+                "change: last minus first; rate: least-squares slope against time",
+     .old_name = "take"},
+    {"from", AT_INTEGER(fw_expectation, from), AT_LEAST(0), .default_value = "0", .unit = "steps",
+     .meaning = "first step that `statistic` looks at"},
+    {"until", AT_INTEGER(fw_expectation, until), AT_LEAST(0),
+     .default_value = "9223372036854775807", .default_meaning = "the end", .unit = "steps",
+     .meaning = "last step that `statistic` looks at"},
+    {"when", FW_FORM_NUMBER, NOT_STORED, .default_meaning = "every case of a sweep",
+     .meaning = "the value of a sweep's parameter for which it is expected"},
+    {"value", AT_NUMBER(fw_expectation, value), .default_meaning = "only bounds",
+     .meaning = "what it should be"},
+    {"within", FW_FORM_NUMBER, .needs = "value", AT_LEAST(0), NOT_STORED,
+     .default_meaning = "see `within-relative`", .meaning = "by how much it may differ"},
+    {"within-relative", FW_FORM_NUMBER, .needs = "value", AT_LEAST(0), NOT_STORED,
+     .default_meaning = "see `within`",
+     .meaning = "by how much it may differ, as a part of `value`"},
+    {"below", AT_NUMBER(fw_expectation, below), .default_meaning = "no bound",
+     .meaning = "it must be smaller"},
+    {"above", AT_NUMBER(fw_expectation, above), .default_meaning = "no bound",
+     .meaning = "it must be larger"},
+    {"trend", FW_FORM_WORD, .words = trend_words, NOT_STORED, .default_meaning = "none",
+     .meaning = "over a sweep: from each value to the next larger one its mean rises (falls) by "
+                "more than the standard error of the difference, and than 1e-9 of its size"},
+    {"source", AT_TEXT(fw_expectation, source), .default_meaning = "none",
+     .meaning = "where the expected number comes from"},
+    {"note", AT_TEXT(fw_expectation, note), .default_meaning = "none",
+     .meaning = "a remark for the table of results"},
+    {.name = NULL}};
+
+const fw_section fw_expectation_section = {
+    "Items of `expect`", "an expectation",
+    "A number that the run must show, or it ends with exit code 1. Either `value` with `within` "
+    "or `within-relative`, or `below`, `above` or both, or the `trend` of a sweep.",
+    .keys = expectation_keys};
+
 /* A phase in place of the steps that it takes. */
 static fw_status read_phase(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
                             fw_error *error)
@@ -80,7 +145,7 @@ static fw_status read_trend(const fw_scenario *scenario, const fw_node *node, co
                                 "the expectation of '%s' has a 'trend', but the study has no "
                                 "'sweep' of two values or more",
                                 e->quantity.text);
-    e->kind = fw_node_word(trend, "rises|falls") == 0 ? FW_VERDICT_RISES : FW_VERDICT_FALLS;
+    e->kind = (fw_verdict_kind)fw_node_word(trend, trend_words);
     return FW_OK;
 }
 
@@ -132,7 +197,7 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
                                   fw_error *error)
 {
     e->place = node->place;
-    FW_TRY(fw_schema_fill(scenario->document, "expectation", node, e, error));
+    FW_TRY(fw_schema_fill(scenario->document, &fw_expectation_section, node, e, error));
     e->has_at = fw_node_find(node, "at") != NULL;
     e->has_site = fw_node_find(node, "site") != NULL;
     const fw_node *when = fw_node_find(node, "when");

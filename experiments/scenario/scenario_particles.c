@@ -1,7 +1,120 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_particles.c - what a scenario says of movable particles: their material, where they are
- * placed, and the dynamics that all of them share. Keeps no state. */
+/* scenario_particles.c - materials of movable particles and linear lattices, and where movable
+ * particles are placed. Keeps no state. */
 #include "scenario_parts.h"
+
+/* Where something is led to zero: only its first two members are written. */
+#define AT_CUT(object, member)                                                                     \
+    .forms = FW_FORM_NUMBERS, FW_PLACE(object, member, FW_IS(object, member, fw_smooth_cut))
+
+static const fw_key lennard_jones_keys[] = {
+    {"depth", AT_NUMBER(fw_pair_potential, depth), AT_LEAST(0), .default_value = "1",
+     .unit = "energy", .meaning = "epsilon, of the minimum"},
+    {"distance", AT_NUMBER(fw_pair_potential, distance), ABOVE_ZERO, .default_value = "1",
+     .unit = "length", .meaning = "r0, of the minimum"},
+    {"cut", AT_CUT(fw_pair_potential, cut), .layout = "[from, to]", AT_LEAST(0),
+     .default_value = "[1.4, 1.7]", .unit = "length", .meaning = "where it is led to zero"},
+    {.name = NULL}};
+
+static const fw_section fw_lennard_jones_section = {
+    "`potential.lennard-jones`", "a Lennard-Jones potential",
+    "depth [(distance/r)^12 - 2 (distance/r)^6].", .keys = lennard_jones_keys};
+
+static const fw_key morse_keys[] = {
+    {"depth", AT_NUMBER(fw_pair_potential, depth), AT_LEAST(0), .default_value = "1",
+     .unit = "energy", .meaning = "of the minimum"},
+    {"distance", AT_NUMBER(fw_pair_potential, distance), ABOVE_ZERO, .default_value = "1",
+     .unit = "length", .meaning = "r0, of the minimum"},
+    {"steepness", AT_NUMBER(fw_pair_potential, steepness), ABOVE_ZERO, .default_value = "6",
+     .unit = "1/length", .meaning = "6/r0 has the curvature of Lennard-Jones"},
+    {"cut", AT_CUT(fw_pair_potential, cut), .layout = "[from, to]", AT_LEAST(0),
+     .default_value = "[1.4, 1.7]", .unit = "length", .meaning = "where it is led to zero"},
+    {.name = NULL}};
+
+static const fw_section fw_morse_section = {"`potential.morse`", "a Morse potential",
+                                            "depth [(1 - e^(-steepness (r - distance)))^2 - 1].",
+                                            .keys = morse_keys};
+
+static const fw_key potential_keys[] = {{"lennard-jones", AT_SAME,
+                                         .subsection = &fw_lennard_jones_section, ALTERNATIVE,
+                                         .meaning = "the paper's"},
+                                        {"morse", AT_SAME, .subsection = &fw_morse_section,
+                                         ALTERNATIVE, .meaning = "with a steepness of its own"},
+                                        {.name = NULL}};
+
+static const fw_section fw_potential_section = {
+    "`potential`", "a pair potential",
+    "Led smoothly to zero over its cut; its minimum must lie where it has its full strength.",
+    .keys = potential_keys};
+
+static const fw_key return_force_keys[] = {
+    {"symmetry", AT_INTEGER(fw_scenario_particles, symmetry), FROM_TO(2, 24), .default_value = "6",
+     .meaning =
+         "n: how many axes there are around; even, 6 for hexagonal bodies, 4 for square ones"},
+    {"amplitude", AT_NUMBER(fw_scenario_particles, return_force.amplitude), REQUIRED, AT_LEAST(0),
+     .unit = "force", .meaning = "f0"},
+    {"variant", AT_WORD(fw_scenario_particles, return_force.variant),
+     WORDS({"conservative", FW_RETURN_CONSERVATIVE}, {"constant", FW_RETURN_CONSTANT}),
+     .default_value = "conservative",
+     .meaning =
+         "conservative: with a potential; constant: the paper's, of constant amplitude, which "
+         "heats whatever flows"},
+    {"axes", AT_WORD(fw_scenario_particles, return_force.axes),
+     WORDS({"lab", FW_AXES_LAB}, {"corotating", FW_AXES_COROTATING}, {"surface", FW_AXES_SURFACE}),
+     .default_value = "corotating",
+     .meaning =
+         "lab: fixed, the body is a torsion pendulum, as in the paper; corotating: they turn "
+         "with the body, whose angular momentum is kept; surface: fixed, and forces at the "
+         "surface take the torque off"},
+    {"angle", AT_ANGLE(fw_scenario_particles, return_force.angle), FROM_TO(-360, 360),
+     .default_meaning = "that of the body's lattice", .unit = "degrees",
+     .meaning = "of the axes, where they are fixed"},
+    {"reach", AT_CUT(fw_scenario_particles, return_force.cut), .layout = "[from, to]", AT_LEAST(0),
+     .default_value = "[1.2, 1.4]", .unit = "length",
+     .meaning = "where it is led to zero; must end before 2^(1/2) r0, where diagonals are"},
+    {.name = NULL}};
+
+static const fw_section fw_return_force_section = {
+    "`return-force`", "a return force",
+    "On each bond of direction phi: -amplitude sin(symmetry (phi - axes)) across the bond.",
+    .keys = return_force_keys};
+
+static const fw_key movable_particles_keys[] = {
+    {"potential", AT_OBJECT(fw_scenario_particles, potential), .subsection = &fw_potential_section,
+     .default_meaning = "Lennard-Jones with its defaults", .meaning = "between any two particles"},
+    {"return-force", AT_SAME, .subsection = &fw_return_force_section, .default_meaning = "none",
+     .meaning = "on bonds inside a body"},
+    {"mass", AT_NUMBER(fw_scenario_particles, mass), ABOVE_ZERO, .default_value = "1",
+     .unit = "mass", .meaning = "of each particle"},
+    {"strength", AT_NUMBER(fw_scenario_particles, strength), AT_LEAST(0), .default_value = "1",
+     .meaning = "factor on the potential inside a body; at 0 its particles are a gas"},
+    {.name = NULL}};
+
+const fw_section fw_movable_particles_section = {
+    "`materials.NAME.movable-particles`", "a material of movable particles",
+    "The solid of Popov and Filippov (2006): particles that attract and repel each other, across "
+    "bodies too, and within a body return forces that turn bonds towards the body's axes. It can "
+    "flow and melt. All such bodies of a scenario have the same potential.",
+    .keys = movable_particles_keys};
+
+static const fw_key linear_lattice_keys[] = {
+    {"k1", AT_NUMBER(fw_scenario_linear, k1), .default_value = "10", .unit = "force/length",
+     .meaning = "of a bond against any displacement"},
+    {"k2", AT_NUMBER(fw_scenario_linear, k2), .default_value = "50", .unit = "force/length",
+     .meaning = "of a bond against displacement along it, beyond k1"},
+    {"compensated", AT_FLAG(fw_scenario_linear, compensated), .default_value = "true",
+     .meaning = "surface forces make up for what k1 does to a body that turns; without them a "
+                "specimen with free sides shows another Poisson ratio"},
+    {"mass", AT_NUMBER(fw_scenario_linear, mass), ABOVE_ZERO, .default_value = "1", .unit = "mass",
+     .meaning = "of each particle"},
+    {.name = NULL}};
+
+const fw_section fw_linear_lattice_section = {
+    "`materials.NAME.linear-lattice`", "a linear lattice",
+    "Popov and Filippov's Eqs 1-12: particles on a hexagonal lattice, tied for ever to their "
+    "neighbours, F = k1 u + k2 e (e . u) for a bond of direction e whose ends are displaced by u "
+    "against each other.",
+    .keys = linear_lattice_keys};
 
 /* The sentence of a part of the solid, at the place where its cause was written. */
 static fw_status pass_on(const fw_scenario *scenario, fw_place place, const fw_error *inner,
@@ -58,42 +171,12 @@ static fw_status read_return_force(const fw_scenario *scenario, const fw_node *n
 }
 
 fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,
-                                     fw_scenario_particles *particles, fw_error *error)
+                                     fw_scenario_material *material, fw_error *error)
 {
+    fw_scenario_particles *particles = &material->particles;
     FW_TRY(read_potential(scenario, fw_node_find(node, "potential"), particles, error));
     return read_return_force(scenario, fw_node_find(node, "return-force"), particles, error);
 }
-
-/* --- bodies --- */
-
-fw_status fw_scenario_read_placed(const fw_scenario *scenario, const fw_node *node,
-                                  fw_scenario_body *body, fw_error *error)
-{
-    fw_scenario_shape *shape = &body->shape;
-    double box[4];
-    if (scenario->materials[body->material].kind != FW_MOVABLE_PARTICLES)
-        return fw_scenario_fail(scenario, node->key_place, error,
-                                "bodies.%s is placed at random, which only movable particles can "
-                                "be: the others live on a lattice",
-                                body->name);
-    FW_TRY(fw_schema_fill(scenario->document, "placed", node, shape, error));
-    const fw_node *corners = fw_node_find(node, "box");
-    fw_node_numbers(corners, box);
-    shape->kind = FW_SHAPE_PLACED;
-    shape->low = (fw_vec2){box[0], box[1]};
-    shape->high = (fw_vec2){box[2], box[3]};
-    shape->count = fw_node_integer(fw_node_find(node, "count"));
-    shape->columns = (int)shape->count;
-    shape->rows = 1;
-    shape->last_column = shape->columns - 1;
-    if (shape->low.x < shape->high.x && shape->low.y < shape->high.y) return FW_OK;
-    return fw_scenario_fail(scenario, corners->place, error,
-                            "bodies.%s.shape.placed.box goes from [%g, %g] to [%g, %g], expected "
-                            "the lower left corner first and the upper right one next",
-                            body->name, box[0], box[1], box[2], box[3]);
-}
-
-/* --- dynamics --- */
 
 static bool same_potential(const fw_pair_potential *a, const fw_pair_potential *b)
 {
@@ -102,13 +185,11 @@ static bool same_potential(const fw_pair_potential *a, const fw_pair_potential *
            a->cut.outer == b->cut.outer;
 }
 
-fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error)
+fw_status fw_scenario_check_particles(const fw_scenario *scenario, fw_error *error)
 {
     const fw_scenario_material *first = NULL;
-    bool moves = false;
     for (int b = 0; b < scenario->body_count; ++b) {
         const fw_scenario_material *material = &scenario->materials[scenario->bodies[b].material];
-        moves |= material->kind == FW_MOVABLE_PARTICLES || material->kind == FW_LINEAR_LATTICE;
         if (material->kind != FW_MOVABLE_PARTICLES) continue;
         if (!first) first = material;
         if (!same_potential(&first->particles.potential, &material->particles.potential))
@@ -117,29 +198,5 @@ fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error)
                                     "same: movable particles of all bodies attract each other",
                                     material->name, first->name);
     }
-    int count;
-    const fw_node *dynamics = fw_scenario_part(scenario, "dynamics", &count);
-    const fw_node *time_step = dynamics ? fw_node_find(dynamics, "time-step") : NULL;
-    if (time_step) scenario->dynamics.time_step_place = time_step->place;
-    if (moves && scenario->run.reverse_at > 0 && scenario->dynamics.damping > 0)
-        return fw_scenario_fail(
-            scenario, fw_node_find(dynamics, "damping")->place, error,
-            "dynamics.damping is %g in a run that is reversed, expected 0: what "
-            "damping took does not come back",
-            scenario->dynamics.damping);
-    const fw_node *phases = fw_scenario_part(scenario, "phases", &count);
-    for (const fw_node *phase = phases ? phases->first : NULL; phase && !moves;
-         phase = phase->next) {
-        const fw_node *bath = fw_node_find(phase, "damping");
-        if (!bath) bath = fw_node_find(phase, "temperature");
-        if (bath)
-            return fw_scenario_fail(scenario, bath->key_place, error,
-                                    "phase '%s' has '%s', which is for movable particles and "
-                                    "linear lattices, and no body is one",
-                                    phase->key, bath->key);
-    }
-    if (!dynamics || moves) return FW_OK;
-    return fw_scenario_fail(scenario, dynamics->key_place, error,
-                            "'dynamics' is for movable particles and linear lattices, and no body "
-                            "is one");
+    return FW_OK;
 }

@@ -8,6 +8,87 @@
 #include "experiments/scenario/scenario.h"
 #include "experiments/scenario/schema.h"
 
+/* --- keys --- */
+
+extern const fw_section fw_material_section;
+extern const fw_section fw_lattice_boltzmann_section;
+extern const fw_section fw_movable_particles_section;
+extern const fw_section fw_linear_lattice_section;
+extern const fw_section fw_elastic_automaton_section;
+extern const fw_section fw_body_section;
+extern const fw_section fw_shape_section;
+extern const fw_section fw_pattern_section;
+extern const fw_section fw_mass_change_section;
+extern const fw_section fw_stiffness_change_section;
+extern const fw_section fw_selection_section;
+extern const fw_section fw_wall_section;
+extern const fw_section fw_path_section;
+extern const fw_section fw_force_section;
+extern const fw_section fw_grip_section;
+extern const fw_section fw_phase_section;
+extern const fw_section fw_profile_section;
+extern const fw_section fw_study_section;
+extern const fw_section fw_sweep_section;
+extern const fw_section fw_dynamics_section;
+extern const fw_section fw_run_section;
+extern const fw_section fw_record_section;
+extern const fw_section fw_expectation_section;
+extern const fw_section fw_picture_section;
+extern const fw_section fw_analysis_section;
+
+/* A key whose value is a selection of a body's sites: see fw_scenario_read_selection. */
+#define SELECTION                                                                                  \
+    .forms = FW_FORM_SELECTION, .items = FW_FORM_INTEGERS, .layout = "[i, j]", .least = 1,         \
+    WORDS({"all", 0}, {"left", 0}, {"right", 0}, {"bottom", 0}, {"top", 0}),                       \
+    .subsection = &fw_selection_section
+
+/* The keys of what moves a grip or piston, whole: in itself and in each phase. `object` has a
+ * fw_scenario_drive called `motion`; what is read with them: fw_scenario_read_drive. */
+#define DRIVE_KEYS(object)                                                                         \
+    {"force",                                                                                      \
+     AT_VEC2(object, motion.drive.force),                                                          \
+     .layout = "[x, y]",                                                                           \
+     .default_value = "[0, 0]",                                                                    \
+     .unit = "force",                                                                              \
+     .meaning = "on the whole of it, constant"},                                                   \
+        {"amplitude",                                                                              \
+         AT_VEC2(object, motion.drive.amplitude),                                                  \
+         .layout = "[x, y]",                                                                       \
+         .needs = "period",                                                                        \
+         .default_value = "[0, 0]",                                                                \
+         .unit = "force",                                                                          \
+         .meaning = "on top of it, times sin(360 t / period + phase)"},                            \
+        {"period",       AT_NUMBER(object, motion.drive.period),                                   \
+         ABOVE_ZERO,     .default_meaning = "no oscillation",                                      \
+         .unit = "time", .meaning = "of the oscillation"},                                         \
+        {"phase",                                                                                  \
+         AT_ANGLE(object, motion.drive.phase),                                                     \
+         .needs = "period",                                                                        \
+         FROM_TO(-360, 360),                                                                       \
+         .default_value = "0",                                                                     \
+         .unit = "degrees",                                                                        \
+         .meaning = "of the oscillation at time 0 of the run"},                                    \
+        {"tether",                                                                                 \
+         AT_VEC2(object, motion.drive.tether),                                                     \
+         .layout = "[x, y]",                                                                       \
+         AT_LEAST(0),                                                                              \
+         .default_value = "[0, 0]",                                                                \
+         .unit = "force/length",                                                                   \
+         .meaning = "a spring to where it began, per component"},                                  \
+        {"hold", AT_WORD(object, motion.hold),                                                     \
+         WORDS({"none", FW_HOLD_NONE}, {"x", FW_HOLD_X}, {"y", FW_HOLD_Y},                         \
+               {"both", FW_HOLD_BOTH}),                                                            \
+         .default_value = "none",                                                                  \
+         .meaning = "components that follow the path whatever force it takes, or stay at rest "    \
+                    "without one"},                                                                \
+    {                                                                                              \
+        "path", AT_OBJECT(object, motion.drive.path),                                              \
+            .subsection = &fw_path_section, .default_meaning = "at rest",                          \
+            .meaning = "of the components that `hold` names"                                       \
+    }
+
+/* --- readers --- */
+
 fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_bodies(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error);
@@ -29,20 +110,23 @@ fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error);
 
 /* What belongs together in a material of movable particles, from the mapping with its keys. */
 fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,
-                                     fw_scenario_particles *particles, fw_error *error);
-/* Dynamics, and that bodies that share it go together. */
+                                     fw_scenario_material *material, fw_error *error);
+/* That the bodies among which they move share one potential. */
+fw_status fw_scenario_check_particles(const fw_scenario *scenario, fw_error *error);
+/* What the models have to say of the bodies together. */
+fw_status fw_scenario_check_materials(const fw_scenario *scenario, fw_error *error);
+/* The run, its defaults filled in. */
+fw_status fw_scenario_complete_run(fw_scenario *scenario, fw_error *error);
+/* That there are bodies which `dynamics` moves, and phases change only theirs. */
 fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error);
-/* A random placement from the mapping under `placed`. */
-fw_status fw_scenario_read_placed(const fw_scenario *scenario, const fw_node *node,
-                                  fw_scenario_body *body, fw_error *error);
 fw_status fw_scenario_read_analyses(fw_scenario *scenario, fw_error *error);
 
 /* The rest of a material from the mapping under its key `elastic-automaton`: speeds, checked. */
 fw_status fw_scenario_read_automaton(const fw_scenario *scenario, const fw_node *node,
-                                     fw_scenario_automaton *material, fw_error *error);
+                                     fw_scenario_material *material, fw_error *error);
 /* What the schema could not see about an automaton's body, once all of it is read. */
-fw_status fw_scenario_check_automaton(const fw_scenario *scenario, const fw_node *node,
-                                      const fw_scenario_body *body, fw_error *error);
+fw_status fw_scenario_check_automaton(const fw_scenario *scenario, const fw_scenario_body *body,
+                                      fw_error *error);
 
 /* That all bodies move in half-steps, or none does. */
 fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error);
@@ -58,6 +142,16 @@ fw_status fw_scenario_read_drive(const fw_scenario *scenario, const fw_node *nod
 fw_status fw_scenario_read_selection(const fw_scenario *scenario, const fw_node *owner,
                                      const fw_scenario_body *body, fw_selection *selection,
                                      fw_error *error);
+/* Values of single sites; NULL: none. */
+fw_status fw_scenario_read_patterns(fw_scenario *scenario, const fw_node *list,
+                                    const fw_scenario_body *body, fw_patterns *patterns,
+                                    fw_error *error);
+/* The same for other masses or stiffnesses, the section says which. */
+fw_status fw_scenario_read_replacements(fw_scenario *scenario, const fw_node *list,
+                                        const fw_section *section, const fw_scenario_body *body,
+                                        fw_replacements *replacements, fw_error *error);
+/* Has the body a site in that row from column `first` to `last`? */
+bool fw_scenario_meets_row(const fw_scenario_body *body, int row, int first, int last);
 /* Is it a site of the body? Looks at the shape only. */
 bool fw_scenario_has_site(const fw_scenario_body *body, fw_site site);
 

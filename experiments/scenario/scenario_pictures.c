@@ -3,6 +3,44 @@
  * fw_scenario_read_pictures(). */
 #include "scenario_parts.h"
 
+#define PICTURE_WORD(id, name, meaning, keys, needs, frames, field) {name, FW_PICTURE_##id},
+static const fw_key picture_keys[] = {
+    {"kind", AT_WORD(fw_scenario_picture, kind), REQUIRED,
+     .words = (const fw_word[]){FW_PICTURE_ROWS(PICTURE_WORD){NULL, 0}},
+     .meaning = FW_PICTURE_MEANINGS},
+    {"title", AT_TEXT(fw_scenario_picture, title), .default_meaning = "the scenario's",
+     .meaning = "written above it"},
+    {"instants", FW_FORM_LIST, .items = FW_FORM_INTEGER, .least = 1, .most = 1024, AT_LEAST(0),
+     NOT_STORED, .default_meaning = "chosen by the program", .unit = "steps",
+     .meaning = "which are drawn, ascending"},
+    {"field", AT_NAME(fw_scenario_picture, field),
+     .default_meaning = "the first that is recorded, else return-force or the solid's first",
+     .meaning = "field of the solid that is drawn as colour; it is recorded without being "
+                "named in `record`"},
+    {"range", AT_NUMBERS(fw_scenario_picture, range), .layout = "[low, high]",
+     .default_meaning = "from the least to the greatest value of all recorded frames",
+     .meaning = "ends of the colour scale"},
+    {"observables", AT_NAMES(FW_FORM_PATH, fw_scenario_picture, observables), .most = 64,
+     .default_meaning = "the energies; of a sweep, what is expected",
+     .meaning =
+         "curves of a series: a quantity, as `elongation`, of one body or wall, as "
+         "`elongation.chain`, or one component, as `elongation.x`, `elongation.chain.x`; of a "
+         "sweep: quantities of `expect`, or measures of the layer"},
+    {"from", AT_INTEGER(fw_scenario_picture, from), AT_LEAST(0), .default_value = "0",
+     .unit = "steps", .meaning = "first step of a series"},
+    {"until", AT_INTEGER(fw_scenario_picture, until), AT_LEAST(1),
+     .default_value = "9223372036854775807", .default_meaning = "the end", .unit = "steps",
+     .meaning = "last step of a series"},
+    {"logarithmic", AT_FLAG(fw_scenario_picture, logarithmic), .default_value = "false",
+     .meaning = "the values of a series on logarithmic axes"},
+    {"analysis", AT_NAME(fw_scenario_picture, analysis), .default_meaning = "the only one",
+     .meaning = "which analysis is drawn"},
+    {.name = NULL}};
+
+const fw_section fw_picture_section = {"`pictures.NAME`", "a picture",
+                                       "What `fretwork plot` draws unless told otherwise.",
+                                       .keys = picture_keys};
+
 /* Keys that mean nothing for a picture of this kind are refused, not passed over. */
 static fw_status check_keys(const fw_scenario *scenario, const fw_node *node,
                             const fw_scenario_picture *picture, fw_error *error)
@@ -119,7 +157,7 @@ fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
         fw_scenario_picture *picture = &scenario->pictures[scenario->picture_count++];
         picture->name = node->key;
         picture->place = node->key_place;
-        FW_TRY(fw_schema_fill(scenario->document, "picture", node, picture, error));
+        FW_TRY(fw_schema_fill(scenario->document, &fw_picture_section, node, picture, error));
         FW_TRY(check_keys(scenario, node, picture, error));
         FW_TRY(check_needs(scenario, node, picture, error));
         FW_TRY(check_span(scenario, node, picture, error));

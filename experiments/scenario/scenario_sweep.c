@@ -11,6 +11,28 @@
 
 #include <string.h>
 
+static const fw_key sweep_keys[] = {
+    {"parameter", AT_NAME(fw_scenario_sweep, parameter), REQUIRED,
+     .meaning = "a name of your own for what is varied"},
+    {"unit", AT_TEXT(fw_scenario_sweep, unit), .default_meaning = "none",
+     .meaning = "of the parameter, for the axis of pictures"},
+    {"values", FW_FORM_LIST, .items = FW_FORM_NUMBER, .least = 1, .most = 1024, REQUIRED,
+     NOT_STORED, .meaning = "of the parameter, all different, in the order in which they are run"},
+    {"set", FW_FORM_LIST, .items = FW_FORM_TEXT, .least = 1, .most = 64, NOT_STORED,
+     .default_meaning = "required without `case`",
+     .meaning = "changes, as `--set` has them; in their values the parameter, or a number times it "
+                "as `24*A`, stands for its value"},
+    {"case", FW_FORM_NUMBER, NOT_STORED, .default_meaning = "all of them",
+     .meaning = "the only value to be run, as a study by itself"},
+    {.name = NULL}};
+
+const fw_section fw_sweep_section = {
+    "`study.sweep`", "a sweep",
+    "One study after the other, each with its results in `DIR/PARAMETER=VALUE`. "
+    "`DIR/sweep.csv` has means and standard errors of what is expected, and of the layer's "
+    "measures, against the parameter.",
+    .keys = sweep_keys};
+
 /* --- the sweep --- */
 
 static fw_status read_values(fw_scenario *scenario, const fw_node *list, fw_error *error)
@@ -126,7 +148,7 @@ static fw_status apply_case(fw_scenario *scenario, fw_node *node, const fw_node 
         FW_TRY(substitute(scenario, item, sweep->values[sweep->number], &settings[count++], error));
     FW_TRY(fw_settings_apply(scenario->document, settings, count, error));
     fw_node_remove(node, set);
-    return fw_schema_check(scenario->document, "scenario", error);
+    return fw_schema_check(scenario->document, &fw_scenario_section, error);
 }
 
 fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error)
@@ -137,7 +159,7 @@ fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error)
     fw_node *node = study ? fw_node_find(study, "sweep") : NULL;
     if (!node) return FW_OK;
     sweep->place = node->key_place;
-    FW_TRY(fw_schema_fill(scenario->document, "sweep", node, sweep, error));
+    FW_TRY(fw_schema_fill(scenario->document, &fw_sweep_section, node, sweep, error));
     FW_TRY(check_unit(scenario, fw_node_find(node, "unit"), error));
     FW_TRY(read_values(scenario, fw_node_find(node, "values"), error));
     const fw_node *set = fw_node_find(node, "set"), *one = fw_node_find(node, "case");

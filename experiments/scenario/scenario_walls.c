@@ -1,8 +1,97 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_walls.c - walls and external forces of a scenario. Keeps no state. */
+/* scenario_walls.c - walls of a scenario. Keeps no state. */
 #include "scenario_parts.h"
 
-/* --- walls --- */
+static const fw_key surface_keys[] = {
+    {"coulomb", FW_FORM_NUMBER, ALTERNATIVE, FROM_TO(0, 1000), NOT_STORED,
+     .meaning = "friction coefficient: the tangential force is at most this times the reaction"},
+    {"penalty", FW_FORM_NUMBER, ALTERNATIVE, ABOVE_ZERO, NOT_STORED, .unit = "force/length",
+     .meaning =
+         "soft: a particle behind the surface by d is pushed back with this times d; not for "
+         "chains"},
+    {.name = NULL}};
+
+static const fw_section fw_surface_section = {
+    "`walls.NAME.surface`", "a surface",
+    "`frictionless`, `stick` (a particle that touches is held), `componentwise` (of an elastic "
+    "automaton: what would pass is frozen, the rest of the motion left alone, which does not "
+    "conserve energy), or a mapping:",
+    .keys = surface_keys};
+
+static const fw_key path_keys[] = {
+    {"velocity", AT_VEC2(fw_path, velocity), .layout = "[x, y]", .default_value = "[0, 0]",
+     .unit = "length/time", .meaning = "constant during the window"},
+    {"from", AT_NUMBER(fw_path, from), .needs = "velocity", .default_value = "0", .unit = "time",
+     .meaning = "when the velocity begins"},
+    {"until", AT_NUMBER(fw_path, until), .needs = "velocity", .default_value = "1e15",
+     .default_meaning = "never", .unit = "time", .meaning = "when it ends"},
+    {"amplitude", AT_VEC2(fw_path, amplitude), .layout = "[x, y]", .needs = "period",
+     .default_value = "[0, 0]", .unit = "length", .meaning = "of an oscillation on top"},
+    {"period", AT_NUMBER(fw_path, period), .needs = "amplitude", ABOVE_ZERO,
+     .default_meaning = "no oscillation", .unit = "time", .meaning = "of the oscillation"},
+    {"phase", AT_ANGLE(fw_path, phase), .needs = "period", FROM_TO(-360, 360), .default_value = "0",
+     .unit = "degrees", .meaning = "of the oscillation at time 0"},
+    {.name = NULL}};
+
+const fw_section fw_path_section = {
+    "`walls.NAME.path`", "a path",
+    "The wall is displaced by velocity (t - from) while from <= t <= until, plus amplitude "
+    "sin(360 t / period + phase).",
+    .keys = path_keys};
+
+static const fw_key piston_keys[] = {
+    {"mass", AT_NUMBER(fw_scenario_piston, mass), REQUIRED, ABOVE_ZERO, .unit = "mass",
+     .meaning = "of the whole wall"},
+    {"damping", AT_NUMBER(fw_scenario_piston, damping), AT_LEAST(0), .default_value = "0",
+     .unit = "1/time", .meaning = "rate at which its velocity decays"},
+    {"velocity", AT_VEC2(fw_scenario_piston, velocity), .layout = "[x, y]",
+     .default_value = "[0, 0]", .unit = "length/time", .meaning = "at the start"},
+    DRIVE_KEYS(fw_scenario_piston),
+    {.name = NULL}};
+
+static const fw_section fw_piston_section = {
+    "`walls.NAME.piston`", "a piston",
+    "The wall has a mass and is moved by a drive and by what touches it; it does not turn, and "
+    "passes through other walls. Energy and momentum of bodies and pistons together are exact. "
+    "Not for automata, which move in half-steps.",
+    .keys = piston_keys};
+
+static const fw_word surface_words[] = {{"frictionless", FW_FRICTIONLESS},
+                                        {"stick", FW_STICK},
+                                        {"componentwise", FW_COMPONENTWISE},
+                                        {NULL, 0}};
+
+static const fw_key wall_keys[] = {
+    {"box", FW_FORM_NUMBERS, .layout = "[x0, y0, x1, y1]", ALTERNATIVE, NOT_STORED,
+     .unit = "length", .meaning = "two opposite corners"},
+    {"polygon", FW_FORM_LIST, .items = FW_FORM_NUMBERS, .layout = "[x, y]", .least = 3,
+     .most = 65536, ALTERNATIVE, NOT_STORED, .unit = "length",
+     .meaning = "corners in order; must be convex"},
+    {"circle", FW_FORM_NUMBERS, .layout = "[x, y, radius]", ALTERNATIVE, NOT_STORED,
+     .unit = "length", .meaning = "centre and radius"},
+    {"chain", FW_FORM_LIST, .items = FW_FORM_NUMBERS, .layout = "[x, y]", .least = 2, .most = 65536,
+     ALTERNATIVE, NOT_STORED, .unit = "length",
+     .meaning = "straight pieces from point to point; particles are free to the left of the way "
+                "along it, and pass from behind"},
+    {"closed", AT_FLAG(fw_scenario_wall, def.closed), .needs = "chain", .default_value = "false",
+     .meaning = "the chain returns to its first point"},
+    {"side", AT_WORD(fw_scenario_wall, def.side),
+     WORDS({"inside", FW_INSIDE}, {"outside", FW_OUTSIDE}), .default_value = "inside",
+     .meaning = "where particles are free: of boxes, polygons and circles"},
+    {"surface", FW_FORM_WORD | FW_FORM_MAPPING, .words = surface_words,
+     .subsection = &fw_surface_section, NOT_STORED, .default_value = "frictionless",
+     .meaning = "what it does along its tangent"},
+    {"path", AT_OBJECT(fw_scenario_wall, def.path), .subsection = &fw_path_section,
+     .default_meaning = "at rest", .meaning = "how it moves"},
+    {"piston", AT_OBJECT(fw_scenario_wall, piston), .subsection = &fw_piston_section,
+     .default_meaning = "moved by nothing but its path",
+     .meaning = "its mass, and the forces on it"},
+    {.name = NULL}};
+
+const fw_section fw_wall_section = {
+    "`walls.NAME`", "a wall",
+    "A rigid wall, at rest, on a prescribed path, or with a mass that forces move.",
+    .keys = wall_keys};
 
 static const fw_node *find_geometry(const fw_node *wall)
 {
@@ -59,10 +148,8 @@ static fw_status read_geometry(const fw_scenario *scenario, const fw_node *node,
 static fw_surface read_surface(const fw_node *node)
 {
     if (!node) return (fw_surface){.law = FW_FRICTIONLESS};
-    static const fw_surface_law laws[] = {FW_FRICTIONLESS, FW_STICK, FW_COMPONENTWISE};
     if (node->kind == FW_SCALAR)
-        return (fw_surface){.law =
-                                laws[fw_node_word(node, fw_schema_find("wall", "surface")->words)]};
+        return (fw_surface){.law = (fw_surface_law)fw_node_word(node, surface_words)};
     const fw_node *penalty = fw_node_find(node, "penalty");
     if (penalty) return (fw_surface){.law = FW_PENALTY, .stiffness = fw_node_number(penalty)};
     return (fw_surface){.law = FW_COULOMB,
@@ -100,7 +187,7 @@ static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenar
 {
     fw_wall_def *def = &wall->def;
     wall->place = node->key_place;
-    FW_TRY(fw_schema_fill(scenario->document, "wall", node, wall, error));
+    FW_TRY(fw_schema_fill(scenario->document, &fw_wall_section, node, wall, error));
     def->name = node->key;
     FW_TRY(read_geometry(scenario, node, def, error));
     def->surface = read_surface(fw_node_find(node, "surface"));
@@ -125,50 +212,5 @@ fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error)
                                 error));
     for (const fw_node *node = part->first; node; node = node->next)
         FW_TRY(read_wall(scenario, node, &scenario->walls[scenario->wall_count++], error));
-    return FW_OK;
-}
-
-/* --- forces --- */
-
-static fw_status read_force(fw_scenario *scenario, const fw_node *node, fw_scenario_force *force,
-                            fw_error *error)
-{
-    static const struct {
-        const char *key;
-        fw_force_kind kind;
-    } kinds[] = {{"force", FW_FORCE_EACH},
-                 {"total", FW_FORCE_TOTAL},
-                 {"acceleration", FW_FORCE_ACCELERATION}};
-    force->name = node->key;
-    force->place = node->key_place;
-    FW_TRY(fw_schema_fill(scenario->document, "force", node, force, error));
-    int count;
-    FW_TRY(fw_scenario_find(scenario, fw_scenario_part(scenario, "bodies", &count), "body",
-                            fw_node_find(node, "body"), &force->body, error));
-    FW_TRY(fw_scenario_read_selection(scenario, node, &scenario->bodies[force->body], &force->sites,
-                                      error));
-    force->kind = FW_FORCE_RANDOM;
-    for (size_t n = 0; n < sizeof kinds / sizeof kinds[0]; ++n) {
-        const fw_node *vector = fw_node_find(node, kinds[n].key);
-        if (!vector) continue;
-        force->kind = kinds[n].kind;
-        force->vector = (fw_vec2){fw_node_number(vector->first), fw_node_number(vector->last)};
-    }
-    if (force->until <= force->from)
-        return fw_scenario_fail(scenario, fw_node_find(node, "until")->place, error,
-                                "forces.%s.until is %lld, expected more than 'from', which is %lld",
-                                node->key, (long long)force->until, (long long)force->from);
-    return FW_OK;
-}
-
-fw_status fw_scenario_read_forces(fw_scenario *scenario, fw_error *error)
-{
-    int count;
-    const fw_node *part = fw_scenario_part(scenario, "forces", &count);
-    if (!part) return FW_OK;
-    FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->forces,
-                                &scenario->forces, error));
-    for (const fw_node *node = part->first; node; node = node->next)
-        FW_TRY(read_force(scenario, node, &scenario->forces[scenario->force_count++], error));
     return FW_OK;
 }

@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { PATH_SIZE = 320, EXPECTED_SIZE = 400 };
+enum { PATH_SIZE = 320, EXPECTED_SIZE = 400, ALTERNATIVES_MAX = 16 };
 
 typedef struct checker {
     const fw_document *document;
@@ -20,23 +20,52 @@ typedef struct checker {
     char path[PATH_SIZE]; /* "bodies.sheet.velocity" */
 } checker;
 
-const fw_renamed_key fw_schema_renamed[] = {{"expectation", "take", "statistic"},
-                                            {"analysis", "boltzmann-twin", "boltzmann-reference"},
-                                            {.section = NULL}};
+/* --- sections and their keys --- */
 
-const fw_key *fw_schema_find(const char *section, const char *name)
+static bool is_row(const fw_section *section, const fw_key *key)
 {
-    for (const fw_key *key = fw_schema_keys; key->section; ++key)
-        if (!strcmp(key->section, section) && !strcmp(key->name, name)) return key;
+    const char *first = (const char *)section->rows, *at = (const char *)key;
+    return first && at >= first && at < first + section->row_count * section->row_size;
+}
+
+static const fw_key *first_plain(const fw_section *section)
+{
+    return section->keys && section->keys->name ? section->keys : NULL;
+}
+
+const fw_key *fw_section_first(const fw_section *section)
+{
+    return section->rows ? section->rows : first_plain(section);
+}
+
+const fw_key *fw_section_next(const fw_section *section, const fw_key *key)
+{
+    if (!is_row(section, key)) return key[1].name ? key + 1 : NULL;
+    const fw_key *next = (const fw_key *)(const void *)((const char *)key + section->row_size);
+    return is_row(section, next) ? next : first_plain(section);
+}
+
+const fw_key *fw_section_find(const fw_section *section, const char *name)
+{
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key))
+        if (!strcmp(key->name, name)) return key;
     return NULL;
 }
 
-const fw_section *fw_schema_section(const char *name)
+static int collect(const fw_section *section, const fw_section **sections, int count)
 {
-    const fw_section *section = fw_schema_sections;
-    while (section->name && strcmp(section->name, name)) ++section;
-    assert(section->name);
-    return section;
+    for (int n = 0; n < count; ++n)
+        if (sections[n] == section) return count;
+    assert(count < FW_SECTIONS_MAX);
+    sections[count++] = section;
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key))
+        if (key->subsection) count = collect(key->subsection, sections, count);
+    return count;
+}
+
+int fw_schema_sections(const fw_section *sections[FW_SECTIONS_MAX])
+{
+    return collect(&fw_scenario_section, sections, 0);
 }
 
 /* --- the path to where we are --- */
@@ -89,32 +118,32 @@ static fw_status refuse(checker *c, const fw_node *node, const fw_key *key)
                             key->hint ? key->hint : "");
 }
 
-fw_status fw_schema_check_key(const fw_document *document, const char *section, const char *path,
-                              const char *key, fw_place place, fw_error *error)
+fw_status fw_schema_check_key(const fw_document *document, const fw_section *section,
+                              const char *path, const char *key, fw_place place, fw_error *error)
 {
-    if (fw_schema_find(section, key)) return FW_OK;
-    const char *noun = fw_schema_section(section)->noun;
+    if (fw_section_find(section, key)) return FW_OK;
     fw_quote found = fw_text_quote(key, strlen(key));
     fw_suggestion suggestion = fw_suggestion_begin(key);
     char all[EXPECTED_SIZE] = "";
-    for (const fw_key *known = fw_schema_keys; known->section; ++known) {
-        if (strcmp(known->section, section)) continue;
+    const char *renamed = NULL;
+    for (const fw_key *known = fw_section_first(section); known;
+         known = fw_section_next(section, known)) {
+        if (known->old_name && !strcmp(known->old_name, key)) renamed = known->name;
         fw_suggestion_offer(&suggestion, known->name);
         size_t used = strlen(all);
         snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", known->name);
     }
     const char *in = *path ? " in " : "";
-    for (const fw_renamed_key *renamed = fw_schema_renamed; renamed->section; ++renamed)
-        if (!strcmp(renamed->section, section) && !strcmp(renamed->old_name, key))
-            return fw_document_fail(document, place, error,
-                                    "unknown key '%s'%s%s; it is now called '%s'", found.text, in,
-                                    path, renamed->name);
+    if (renamed)
+        return fw_document_fail(document, place, error,
+                                "unknown key '%s'%s%s; it is now called '%s'", found.text, in, path,
+                                renamed);
     if (suggestion.best)
         return fw_document_fail(document, place, error, "unknown key '%s'%s%s; did you mean '%s'?",
                                 found.text, in, path, suggestion.best);
     return fw_document_fail(document, place, error,
                             "unknown key '%s'%s%s, expected a key of %s: %s", found.text, in, path,
-                            noun, all);
+                            section->noun, all);
 }
 
 /* --- single values --- */
@@ -223,29 +252,12 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
     return FW_OK;
 }
 
-static bool is_word(const char *text, size_t length, const char *words)
-{
-    for (const char *word = words; *word;) {
-        size_t size = strcspn(word, "|");
-        if (size == length && !memcmp(word, text, length)) return true;
-        word += size + (word[size] == '|');
-    }
-    return false;
-}
-
 static fw_status check_word(checker *c, const fw_node *node, const fw_key *key)
 {
-    if (is_word(node->text, node->length, key->words)) return FW_OK;
-    enum { WORDS_MAX = 16 };
-    char words[WORDS_MAX][FW_NAME_BYTES];
     fw_suggestion suggestion = fw_suggestion_begin(node->text);
-    const char *word = key->words;
-    for (int count = 0; *word; ++count) {
-        assert(count < WORDS_MAX);
-        size_t size = strcspn(word, "|");
-        snprintf(words[count], FW_NAME_BYTES, "%.*s", (int)size, word);
-        fw_suggestion_offer(&suggestion, words[count]);
-        word += size + (word[size] == '|');
+    for (const fw_word *word = key->words; word->name; ++word) {
+        if (!strcmp(word->name, node->text)) return FW_OK;
+        fw_suggestion_offer(&suggestion, word->name);
     }
     if (!suggestion.best) return refuse(c, node, key);
     char expected[EXPECTED_SIZE];
@@ -282,7 +294,7 @@ static bool is_path(const char *text, size_t length)
 
 /* --- values made of others --- */
 
-static fw_status check_mapping(checker *c, const fw_node *mapping, const char *section);
+static fw_status check_mapping(checker *c, const fw_node *mapping, const fw_section *section);
 static fw_status check_value(checker *c, const fw_node *node, const fw_key *key);
 
 static fw_status check_list(checker *c, const fw_node *node, const fw_key *key)
@@ -337,7 +349,7 @@ static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key
     if (key->forms & FW_FORM_TEXT) return FW_OK;
     if (key->forms & FW_FORM_WORD) return check_word(c, node, key);
     if (key->forms & FW_FORM_FLAG)
-        return !node->quoted && is_word(node->text, node->length, "true|false")
+        return !node->quoted && (!strcmp(node->text, "true") || !strcmp(node->text, "false"))
                    ? FW_OK
                    : refuse(c, node, key);
     if (key->forms & FW_FORM_NAME)
@@ -367,14 +379,15 @@ static const char *where(const checker *c)
     return *c->path ? c->path : "the scenario";
 }
 
-static fw_status check_alternatives(checker *c, const fw_node *mapping, const char *section)
+static fw_status check_alternatives(checker *c, const fw_node *mapping, const fw_section *section)
 {
     const fw_node *given = NULL;
-    char all[EXPECTED_SIZE] = "";
-    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (strcmp(key->section, section) || !key->alternative) continue;
-        size_t used = strlen(all);
-        snprintf(all + used, sizeof all - used, "%s%s", used ? "|" : "", key->name);
+    fw_word all[ALTERNATIVES_MAX + 1] = {{NULL, 0}};
+    int count = 0;
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key)) {
+        if (!key->alternative) continue;
+        assert(count < ALTERNATIVES_MAX);
+        all[count++].name = key->name;
         const fw_node *node = fw_node_find(mapping, key->name);
         if (node && given) {
             bool later = node->key_place.line > given->key_place.line ||
@@ -386,22 +399,21 @@ static fw_status check_alternatives(checker *c, const fw_node *mapping, const ch
         }
         if (node) given = node;
     }
-    if (given || !*all) return FW_OK;
+    if (given || count == 0) return FW_OK;
     char expected[EXPECTED_SIZE];
     fw_schema_list_words(all, expected, sizeof expected);
     return fw_document_fail(c->document, mapping->place, c->error, "%s is incomplete, expected %s",
                             where(c), expected);
 }
 
-static fw_status check_presence(checker *c, const fw_node *mapping, const char *section)
+static fw_status check_presence(checker *c, const fw_node *mapping, const fw_section *section)
 {
-    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (strcmp(key->section, section)) continue;
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key)) {
         const fw_node *node = fw_node_find(mapping, key->name);
         if (key->required && !node)
             return fw_document_fail(c->document, mapping->key ? mapping->key_place : mapping->place,
                                     c->error, "%s has no '%s', which %s must have", where(c),
-                                    key->name, fw_schema_section(section)->noun);
+                                    key->name, section->noun);
         if (node && key->needs && !fw_node_find(mapping, key->needs))
             return fw_document_fail(c->document, node->key_place, c->error,
                                     "%s has '%s' but no '%s', without which it means nothing",
@@ -410,7 +422,7 @@ static fw_status check_presence(checker *c, const fw_node *mapping, const char *
     return check_alternatives(c, mapping, section);
 }
 
-static fw_status check_mapping(checker *c, const fw_node *mapping, const char *section)
+static fw_status check_mapping(checker *c, const fw_node *mapping, const fw_section *section)
 {
     /* Unknown keys first: a misspelt one would also be missed as required. */
     for (const fw_node *child = mapping->first; child; child = child->next)
@@ -418,13 +430,13 @@ static fw_status check_mapping(checker *c, const fw_node *mapping, const char *s
                                    c->error));
     for (const fw_node *child = mapping->first; child; child = child->next) {
         size_t before = enter(c, child->key);
-        FW_TRY(check_value(c, child, fw_schema_find(section, child->key)));
+        FW_TRY(check_value(c, child, fw_section_find(section, child->key)));
         leave(c, before);
     }
     return check_presence(c, mapping, section);
 }
 
-fw_status fw_schema_check(const fw_document *document, const char *section, fw_error *error)
+fw_status fw_schema_check(const fw_document *document, const fw_section *section, fw_error *error)
 {
     const fw_node *root = fw_document_root(document);
     checker c = {.document = document, .error = error};

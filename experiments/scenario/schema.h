@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* schema.h - one table says what every key of a scenario is; checking, filling in, and the printed
- * reference all follow it.
+/* schema.h - what every key of a scenario is; checking, filling in, and the printed reference all
+ * follow it.
  *
- * A section is a set of keys that may stand together in a mapping; the scenario itself is the
- * section "scenario", and a key whose value is a mapping names the section inside. The table is in
- * schema_keys.c, which is where to start reading. */
+ * A section is a set of keys that may stand together in a mapping; a key whose value is a mapping
+ * points to the section of its keys. Each part of a scenario has its sections beside its reader,
+ * scenario_PART.c; that of the whole, from which all others can be reached, is in scenario.c. To
+ * add a key: a row in the section it belongs to, and the member that it is stored in. */
 #ifndef FW_SCHEMA_H
 #define FW_SCHEMA_H
 
@@ -13,7 +14,7 @@
 /* What the value of a key may be, and what fw_schema_fill stores for it. */
 typedef enum fw_form {
     FW_FORM_TEXT = 1 << 0,      /* const char * */
-    FW_FORM_WORD = 1 << 1,      /* one of `words`: int, counted from 0 */
+    FW_FORM_WORD = 1 << 1,      /* one of `words`: int, its value */
     FW_FORM_NAME = 1 << 2,      /* fw_scenario_name */
     FW_FORM_FLAG = 1 << 3,      /* true or false: bool */
     FW_FORM_NUMBER = 1 << 4,    /* double */
@@ -43,16 +44,21 @@ typedef enum fw_bounds {
 /* The same for whole numbers, and for those that come in a list, which are sites. */
 #define FW_INTEGER_MAX    1e12
 #define FW_COORDINATE_MAX 16777216
-#define FW_NOT_STORED     SIZE_MAX
+
+/* A word, and what it is stored as: of some enum, whose order need not be that of the words. */
+typedef struct fw_word {
+    const char *name; /* NULL ends a list */
+    int value;
+} fw_word;
+
+typedef struct fw_section fw_section;
 
 typedef struct fw_key {
-    const char *section; /* NULL ends the table */
-    const char *name;
-    unsigned forms; /* several may be allowed */
-    unsigned items; /* forms of the items of a list */
-    const char
-        *subsection;    /* section of the mapping, of the named mappings, or of a list's items */
-    const char *words;  /* "left|right" */
+    const char *name;             /* NULL ends the keys of a section */
+    unsigned forms;               /* several may be allowed */
+    unsigned items;               /* forms of the items of a list */
+    const fw_section *subsection; /* of the mapping, of the named mappings, or of a list's items */
+    const fw_word *words;
     const char *layout; /* "[x, y]": of numbers and integers, and of a list's items */
     unsigned bounds;
     double low, high;
@@ -65,55 +71,129 @@ typedef struct fw_key {
     const char *default_meaning; /* what happens without the key, where that is not one value */
     const char *unit;
     const char *meaning;
-    size_t offset; /* offset in the section's object, or FW_NOT_STORED: the reader takes it up
-                      itself */
+    const char *old_name; /* what it was called before: who writes that is told the new name */
+    size_t place;         /* in the section's object: 1 + offset, or FW_NOT_STORED; 0: forgotten */
+    size_t size;          /* of what is stored there; 0: an object with the keys of `subsection` */
 } fw_key;
 
-typedef struct fw_section {
-    const char *name;    /* NULL ends the table */
+/* Where a value goes. Each of these sets the form too, and does not compile where the member is of
+ * another type than the form is stored as. */
+#define FW_NOT_STORED SIZE_MAX
+#define FW_FITS(fits) (0 * sizeof(char[(fits) ? 1 : -1]))
+#define FW_PLACE(object, member, fits)                                                             \
+    .place = 1 + offsetof(object, member) + FW_FITS(fits), .size = sizeof(((object *)0)->member)
+#define FW_IS(object, member, type) _Generic(((object *)0)->member, type : 1, default : 0)
+#define AT_TEXT(object, member)                                                                    \
+    .forms = FW_FORM_TEXT, FW_PLACE(object, member, FW_IS(object, member, const char *))
+#define AT_NAME(object, member)                                                                    \
+    .forms = FW_FORM_NAME, FW_PLACE(object, member, FW_IS(object, member, fw_scenario_name))
+#define AT_NAMES(form, object, member)                                                             \
+    .forms = FW_FORM_LIST, .items = (form),                                                        \
+    FW_PLACE(object, member, FW_IS(object, member, fw_scenario_names))
+#define AT_FLAG(object, member)                                                                    \
+    .forms = FW_FORM_FLAG, FW_PLACE(object, member, FW_IS(object, member, bool))
+#define AT_NUMBER(object, member)                                                                  \
+    .forms = FW_FORM_NUMBER, FW_PLACE(object, member, FW_IS(object, member, double))
+#define AT_ANGLE(object, member)                                                                   \
+    .forms = FW_FORM_ANGLE, FW_PLACE(object, member, FW_IS(object, member, double))
+#define AT_INTEGER(object, member)                                                                 \
+    .forms = FW_FORM_INTEGER, FW_PLACE(object, member, FW_IS(object, member, int64_t))
+#define AT_NUMBERS(object, member)                                                                 \
+    .forms = FW_FORM_NUMBERS, FW_PLACE(object, member, FW_IS(object, member, double *))
+#define AT_VEC2(object, member)                                                                    \
+    .forms = FW_FORM_NUMBERS, FW_PLACE(object, member, FW_IS(object, member, fw_vec2))
+#define AT_INTEGERS(object, member)                                                                \
+    .forms = FW_FORM_INTEGERS, FW_PLACE(object, member, FW_IS(object, member, int *))
+#define AT_SITE(object, member)                                                                    \
+    .forms = FW_FORM_INTEGERS, FW_PLACE(object, member, FW_IS(object, member, fw_site))
+#define AT_SYMMETRIC(object, member)                                                               \
+    .forms = FW_FORM_SYMMETRIC, FW_PLACE(object, member, FW_IS(object, member, fw_sym2))
+/* An enum, which is an int or unsigned. */
+#define AT_WORD(object, member)                                                                    \
+    .forms = FW_FORM_WORD,                                                                         \
+    FW_PLACE(object, member, _Generic(((object *)0)->member, int : 1, unsigned : 1, default : 0))
+/* The object of the subsection. */
+#define AT_OBJECT(object, member) .forms = FW_FORM_MAPPING, .place = 1 + offsetof(object, member)
+/* The keys of the subsection go into the same object. */
+#define AT_SAME    .forms = FW_FORM_MAPPING, .place = 1
+#define NOT_STORED .place = FW_NOT_STORED
+
+#define WORDS(...)                                                                                 \
+    .words = (const fw_word[])                                                                     \
+    {                                                                                              \
+        __VA_ARGS__,                                                                               \
+        {                                                                                          \
+            NULL, 0                                                                                \
+        }                                                                                          \
+    }
+#define REQUIRED                  .required = true
+#define ALTERNATIVE               .alternative = true
+#define ABOVE_ZERO                .bounds = FW_ABOVE, .low = 0
+#define AT_LEAST(least)           .bounds = FW_FROM, .low = (least)
+#define FROM_TO(least, most)      .bounds = FW_FROM | FW_UP_TO, .low = (least), .high = (most)
+#define FROM_TO_BELOW(least, end) .bounds = FW_FROM | FW_BELOW, .low = (least), .high = (end)
+
+struct fw_section {
     const char *heading; /* in the reference */
     const char *noun;    /* "a body" */
     const char *meaning;
-} fw_section;
+    const fw_key *keys;
+    /* Keys that stand in the rows of a table, before the others; see FW_ROWS. */
+    const fw_key *rows;
+    size_t row_count, row_size;
+};
 
-enum { FW_ITEMS_MAX = 1 << 20, FW_NAMED_MAX = 1024 };
+/* The member `key` of each row of a table, which has as many rows as it is declared with. */
+#define FW_ROWS(table)                                                                             \
+    .rows = &(table)[0].key, .row_count = sizeof(table) / sizeof((table)[0]),                      \
+    .row_size = sizeof((table)[0])
 
-/* A key that had another name: who writes the old one is told the new one. */
-typedef struct fw_renamed_key {
-    const char *section; /* NULL ends the table */
-    const char *old_name, *name;
-} fw_renamed_key;
+enum { FW_ITEMS_MAX = 1 << 20, FW_NAMED_MAX = 1024, FW_SECTIONS_MAX = 128 };
 
-extern const fw_key fw_schema_keys[];
-extern const fw_section fw_schema_sections[];
-extern const fw_renamed_key fw_schema_renamed[];
+/* A text that is looked up later, and where it stands. */
+typedef struct fw_scenario_name {
+    const char *text; /* NULL: not given */
+    fw_place place;
+} fw_scenario_name;
 
-const fw_key *fw_schema_find(const char *section, const char *name);
-const fw_section *fw_schema_section(const char *name);
+typedef struct fw_scenario_names {
+    int count;
+    fw_scenario_name *item;
+} fw_scenario_names;
 
-/* Is the whole tree what the table says of that section ("scenario")? FW_BAD_INPUT with place,
+/* The keys of a section in order: `for (key = first(s); key; key = next(s, key))`. */
+const fw_key *fw_section_first(const fw_section *section);
+const fw_key *fw_section_next(const fw_section *section, const fw_key *key); /* NULL: the last */
+const fw_key *fw_section_find(const fw_section *section, const char *name);  /* NULL: none */
+
+/* The section of a whole scenario, from which all others can be reached. */
+extern const fw_section fw_scenario_section;
+/* That section and all below it, each once, in the order of the reference; returns how many. */
+int fw_schema_sections(const fw_section *sections[FW_SECTIONS_MAX]);
+
+/* Is the whole tree what the table says of that section? FW_BAD_INPUT with place,
  * value and what was expected. */
-fw_status fw_schema_check(const fw_document *document, const char *section, fw_error *error);
+fw_status fw_schema_check(const fw_document *document, const fw_section *section, fw_error *error);
 
 /* Is `key` one of the section? FW_BAD_INPUT with the key that may have been meant; `path` leads
  * to the mapping ("" for the root). */
-fw_status fw_schema_check_key(const fw_document *document, const char *section, const char *path,
-                              const char *key, fw_place place, fw_error *error);
+fw_status fw_schema_check_key(const fw_document *document, const fw_section *section,
+                              const char *path, const char *key, fw_place place, fw_error *error);
 
 /* Stores the values of a checked mapping, and the defaults of keys that are not there, in `object`.
  * Mapping NULL: all defaults. Memory for lists is the document's; FW_SYSTEM_FAILED without. */
-fw_status fw_schema_fill(fw_document *document, const char *section, const fw_node *mapping,
+fw_status fw_schema_fill(fw_document *document, const fw_section *section, const fw_node *mapping,
                          void *object, fw_error *error);
 
 /* Values of a checked node. */
 double fw_node_number(const fw_node *node);
 int64_t fw_node_integer(const fw_node *node);
-int fw_node_word(const fw_node *node, const char *words);
+int fw_node_word(const fw_node *node, const fw_word *words); /* its value */
 /* Writes the items of a list of numbers. */
 void fw_node_numbers(const fw_node *list, double *values);
 
 /* "one of left, right, top" for the sentences; writes at most `size` bytes. */
-void fw_schema_list_words(const char *words, char *out, size_t size);
+void fw_schema_list_words(const fw_word *words, char *out, size_t size);
 /* "a number above 0": what a key's value should be. */
 void fw_schema_expected(const fw_key *key, char *out, size_t size);
 

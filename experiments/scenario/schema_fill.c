@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* schema_fill.c - from checked nodes to plain data, defaults included, at the offsets that the
- * table gives. Keeps no state. Start reading at fw_schema_fill(). */
-#include "experiments/scenario/scenario.h"
+/* schema_fill.c - from checked nodes to plain data, defaults included, at the places that the
+ * keys give. Keeps no state. Start reading at fw_schema_fill(). */
+#include "core/vec2.h"
 #include "experiments/scenario/schema.h"
 #include "experiments/text/number.h"
 
@@ -29,14 +29,10 @@ int64_t fw_node_integer(const fw_node *node)
     return value;
 }
 
-int fw_node_word(const fw_node *node, const char *words)
+int fw_node_word(const fw_node *node, const fw_word *words)
 {
-    int number = 0;
-    for (const char *word = words; *word; ++number) {
-        size_t size = strcspn(word, "|");
-        if (size == node->length && !memcmp(word, node->text, size)) return number;
-        word += size + (word[size] == '|');
-    }
+    for (const fw_word *word = words; word->name; ++word)
+        if (!strcmp(word->name, node->text)) return word->value;
     assert(false && "a word that passed the check");
     return 0;
 }
@@ -141,13 +137,14 @@ static fw_status fill_default(fw_document *document, const fw_key *key, void *me
     return fill_value(document, key, &node, member, error);
 }
 
-fw_status fw_schema_fill(fw_document *document, const char *section, const fw_node *mapping,
+fw_status fw_schema_fill(fw_document *document, const fw_section *section, const fw_node *mapping,
                          void *object, fw_error *error)
 {
-    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (strcmp(key->section, section) || key->offset == FW_NOT_STORED) continue;
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key)) {
+        assert(key->place > 0 && "a key says where it is stored, or that it is not");
+        if (key->place == FW_NOT_STORED) continue;
         const fw_node *node = mapping ? fw_node_find(mapping, key->name) : NULL;
-        void *member = (char *)object + key->offset;
+        void *member = (char *)object + key->place - 1;
         if (key->forms == FW_FORM_MAPPING) {
             /* Of alternatives only the one that was chosen has a place to go. */
             if (node || !key->alternative)

@@ -3,6 +3,7 @@
  * Keeps no state. */
 #include "experiments/scenario/schema.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <string.h>
@@ -18,14 +19,11 @@ static void append(char *out, size_t size, const char *format, ...)
     va_end(arguments);
 }
 
-void fw_schema_list_words(const char *words, char *out, size_t size)
+void fw_schema_list_words(const fw_word *words, char *out, size_t size)
 {
-    snprintf(out, size, "%s", strchr(words, '|') ? "one of " : "");
-    for (const char *word = words; *word;) {
-        size_t length = strcspn(word, "|");
-        append(out, size, "%s%.*s", word == words ? "" : ", ", (int)length, word);
-        word += length + (word[length] == '|');
-    }
+    snprintf(out, size, "%s", words[0].name && words[1].name ? "one of " : "");
+    for (const fw_word *word = words; word->name; ++word)
+        append(out, size, "%s%s", word == words ? "" : ", ", word->name);
 }
 
 /* " above 0 and up to 1", " from 0 to below 1", or "". */
@@ -44,19 +42,21 @@ static void list_bounds(const fw_key *key, char *out, size_t size)
 }
 
 /* "a mapping with 'material', 'shape' and others": what must be in it. */
-static void append_mapping(const char *section, char *out, size_t size)
+static void append_mapping(const fw_section *section, char *out, size_t size)
 {
+    enum { ALTERNATIVES_MAX = 16 };
     append(out, size, "a mapping");
-    char alternatives[256] = "", required[256] = "";
-    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (strcmp(key->section, section)) continue;
-        if (key->alternative)
-            append(alternatives, sizeof alternatives, "%s%s", *alternatives ? "|" : "", key->name);
+    fw_word alternatives[ALTERNATIVES_MAX + 1] = {{NULL, 0}};
+    char required[256] = "";
+    int count = 0;
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key)) {
+        assert(count < ALTERNATIVES_MAX);
+        if (key->alternative) alternatives[count++].name = key->name;
         if (key->required)
             append(required, sizeof required, "%s%s", *required ? ", " : "", key->name);
     }
     if (*required) append(out, size, " with %s", required);
-    if (!*alternatives) return;
+    if (count == 0) return;
     char words[300];
     fw_schema_list_words(alternatives, words, sizeof words);
     append(out, size, "%s%s", *required ? " and " : " with ", words);
@@ -114,7 +114,7 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
         if (sentence)
             append_mapping(key->subsection, out, size);
         else
-            append(out, size, "keys of *%s*", fw_schema_section(key->subsection)->heading);
+            append(out, size, "keys of *%s*", key->subsection->heading);
     }
     if (forms & FW_FORM_NAMED) {
         append(out, size, "%snames of your own, each with ", join);
@@ -173,11 +173,15 @@ fw_status fw_schema_print(FILE *out, fw_error *error)
             "letter followed by letters, digits, `-` or `_`. Whatever is not in these tables is "
             "refused.\n",
             FW_NUMBER_MAX, FW_INTEGER_MAX, FW_COORDINATE_MAX);
-    for (const fw_section *section = fw_schema_sections; section->name; ++section) {
+    const fw_section *sections[FW_SECTIONS_MAX];
+    const int count = fw_schema_sections(sections);
+    for (int n = 0; n < count; ++n) {
+        const fw_section *section = sections[n];
         fprintf(out, "\n### %s\n\n%s\n\n", section->heading, section->meaning);
         fputs("| key | value | unit | default | meaning |\n|---|---|---|---|---|\n", out);
-        for (const fw_key *key = fw_schema_keys; key->section; ++key)
-            if (!strcmp(key->section, section->name)) print_key(key, out);
+        for (const fw_key *key = fw_section_first(section); key;
+             key = fw_section_next(section, key))
+            print_key(key, out);
     }
     if (!ferror(out)) return FW_OK;
     return fw_fail(error, FW_SYSTEM_FAILED, "the reference cannot be written: %s", strerror(errno));

@@ -15,9 +15,10 @@ enum { PATH_SIZE = 256 };
 typedef struct step {
     fw_document *document;
     fw_error *error;
-    fw_node *value;       /* what the option gives */
-    fw_node *at;          /* where the walk is */
-    const char *section;  /* of the keys of `at`; NULL where these are names, or it is a list */
+    fw_node *value; /* what the option gives */
+    fw_node *at;    /* where the walk is */
+    const fw_section
+        *section;         /* of the keys of `at`; NULL where these are names, or it is a list */
     const fw_key *key;    /* that led here */
     char path[PATH_SIZE]; /* the same in words */
 } step;
@@ -54,10 +55,11 @@ static fw_status add(step *s, const char *key, fw_node **child)
     return FW_OK;
 }
 
-static void remove_other_alternatives(fw_node *mapping, const fw_key *chosen)
+static void remove_other_alternatives(fw_node *mapping, const fw_section *section,
+                                      const fw_key *chosen)
 {
-    for (const fw_key *key = fw_schema_keys; key->section; ++key) {
-        if (key == chosen || !key->alternative || strcmp(key->section, chosen->section)) continue;
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key)) {
+        if (key == chosen || !key->alternative) continue;
         const fw_node *other = fw_node_find(mapping, key->name);
         if (other) fw_node_remove(mapping, other);
     }
@@ -66,9 +68,9 @@ static void remove_other_alternatives(fw_node *mapping, const fw_key *chosen)
 static fw_status enter_key(step *s, const char *name, bool last, fw_node **child)
 {
     FW_TRY(fw_schema_check_key(s->document, s->section, s->path, name, s->value->place, s->error));
-    s->key = fw_schema_find(s->section, name);
+    s->key = fw_section_find(s->section, name);
     *child = fw_node_find(s->at, name);
-    if (s->key->alternative) remove_other_alternatives(s->at, s->key);
+    if (s->key->alternative) remove_other_alternatives(s->at, s->section, s->key);
     if (!*child) {
         bool can_grow = last || (s->key->forms & (FW_FORM_MAPPING | FW_FORM_NAMED));
         if (!can_grow)
@@ -159,7 +161,7 @@ static fw_status apply(fw_document *document, const char *setting, fw_error *err
     step s = {.document = document,
               .error = error,
               .at = fw_document_root(document),
-              .section = "scenario"};
+              .section = &fw_scenario_section};
     FW_TRY(fw_document_parse_value(document, setting, equals + 1, &s.value, error));
     FW_TRY(walk(&s, setting, equals));
     replace(s.at, s.value);

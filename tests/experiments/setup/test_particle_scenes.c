@@ -147,23 +147,23 @@ static void movable_bodies_share_one_solid(void **state)
     /* Axes of a body follow its lattice unless told otherwise. */
     assert_close(fw_particles_group(solid, 1)->return_force.angle, FW_PI / 6, 1e-15);
     /* Of each body what its own particles have; of all together what the solid has. */
-    assert_close(fw_body_range_mass(e, 2).xx, 9 * 2.5, 1e-12);
-    assert_close(fw_body_range_momentum(e, 0).x, 12 * 0.3, 1e-12);
-    assert_close(fw_body_range_momentum(e, 2).x, -9 * 2.5 * 0.2, 1e-12);
-    assert_close(fw_body_range_momentum(e, 3).x, 0, 1e-12);
-    assert_close(fw_body_range_centre_of_mass(e, 0).y, 0.5 * sqrt(3), 1e-12);
+    assert_close(fw_body_range_mass(e->scene, &e->bodies[2]).xx, 9 * 2.5, 1e-12);
+    assert_close(fw_body_range_momentum(e->scene, &e->bodies[0]).x, 12 * 0.3, 1e-12);
+    assert_close(fw_body_range_momentum(e->scene, &e->bodies[2]).x, -9 * 2.5 * 0.2, 1e-12);
+    assert_close(fw_body_range_momentum(e->scene, &e->bodies[3]).x, 0, 1e-12);
+    assert_close(fw_body_range_centre_of_mass(e->scene, &e->bodies[0]).y, 0.5 * sqrt(3), 1e-12);
     double kinetic = 0, elastic = 0;
     for (int b = 0; b < 4; ++b)
         if (b != 1) {
-            kinetic += fw_body_range_energies(e, b).kinetic;
-            elastic += fw_body_range_energies(e, b).elastic;
+            kinetic += fw_body_range_energies(e->scene, &e->bodies[b]).kinetic;
+            elastic += fw_body_range_energies(e->scene, &e->bodies[b]).elastic;
         }
     assert_close(kinetic, fw_solid_energies(solid).kinetic, 1e-12 * kinetic);
     assert_close(elastic, fw_solid_energies(solid).elastic, 1e-12 * fabs(elastic));
     /* They do feel each other: nobody acts on them from outside, yet momentum passes over. */
-    const fw_vec2 before = fw_body_range_momentum(e, 0);
+    const fw_vec2 before = fw_body_range_momentum(e->scene, &e->bodies[0]);
     for (int t = 0; t < 200; ++t) assert_fine(fw_experiment_step(e, &error));
-    assert_true(fabs(fw_body_range_momentum(e, 0).x - before.x) > 0.01);
+    assert_true(fabs(fw_body_range_momentum(e->scene, &e->bodies[0]).x - before.x) > 0.01);
     assert_close(number(e, "momentum-error", 0), 0, 1e-11);
     fw_experiment_destroy(e);
     fw_scenario_destroy(s);

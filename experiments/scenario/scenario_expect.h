@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario_expect.h - what must come out, as plain data. */
+#ifndef FW_SCENARIO_EXPECT_H
+#define FW_SCENARIO_EXPECT_H
+
+#include "core/lattice.h"
+#include "experiments/scenario/schema.h"
+
+typedef enum fw_statistic {
+    FW_STATISTIC_LAST,
+    FW_STATISTIC_FIRST,
+    FW_STATISTIC_MAXIMUM,
+    FW_STATISTIC_MINIMUM,
+    FW_STATISTIC_LARGEST, /* in magnitude */
+    FW_STATISTIC_MEAN,
+    FW_STATISTIC_SPREAD, /* standard deviation */
+    FW_STATISTIC_CHANGE, /* last minus first */
+    FW_STATISTIC_RATE,   /* least-squares slope against time */
+    FW_STATISTIC_TIME_OF_MAXIMUM,
+    FW_STATISTIC_TIME_OF_MINIMUM
+} fw_statistic;
+
+typedef enum fw_verdict_kind {
+    FW_VERDICT_VALUE,
+    FW_VERDICT_RELATIVE,
+    FW_VERDICT_BOUNDS,
+    FW_VERDICT_RISES, /* from each value of a sweep to the next */
+    FW_VERDICT_FALLS
+} fw_verdict_kind;
+
+typedef struct fw_expectation {
+    fw_place place;
+    fw_scenario_name quantity; /* an observable */
+    fw_scenario_name body;     /* text NULL: the whole scene, or the only body */
+    int body_index;            /* -1: none given */
+    fw_scenario_name wall;
+    int wall_index; /* -1: none given */
+    fw_scenario_name grip;
+    int grip_index; /* -1: none given */
+    fw_scenario_name analysis;
+    int analysis_index; /* -1: none given */
+    bool has_site;      /* of that body; checked */
+    fw_site site;
+    fw_scenario_name component; /* "x", "y", "xx", ...; text NULL: none given */
+    bool has_at;
+    int64_t at;             /* in that step */
+    fw_statistic statistic; /* otherwise this of the series ... */
+    int64_t from, until;    /* ... over the steps from <= step <= until */
+    fw_scenario_name phase; /* that gives these; text NULL: none given */
+    int when;               /* number of the only case of a sweep that it speaks of; -1: all */
+    fw_verdict_kind kind;
+    double value, within; /* within: absolute, or relative to |value| */
+    bool has_below, has_above;
+    double below, above;
+    const char *source; /* NULL: none given */
+    const char *note;   /* NULL: none given */
+} fw_expectation;
+
+static inline bool fw_expectation_is_trend(const fw_expectation *expectation)
+{
+    return expectation->kind == FW_VERDICT_RISES || expectation->kind == FW_VERDICT_FALLS;
+}
+
+#endif

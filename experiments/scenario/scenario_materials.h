@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario_materials.h - what bodies are made of, as plain data. */
+#ifndef FW_SCENARIO_MATERIALS_H
+#define FW_SCENARIO_MATERIALS_H
+
+#include "experiments/scenario/scenario_automaton.h"
+#include "experiments/scenario/scenario_boltzmann.h"
+#include "experiments/scenario/scenario_particles.h"
+#include "experiments/scenario/schema.h"
+
+typedef struct fw_scenario fw_scenario;
+typedef struct fw_scenario_body fw_scenario_body;
+
+/* A row of fw_material_models. */
+typedef enum fw_material_kind {
+    FW_LATTICE_BOLTZMANN,
+    FW_MOVABLE_PARTICLES,
+    FW_LINEAR_LATTICE,
+    FW_ELASTIC_AUTOMATON
+} fw_material_kind;
+
+enum { FW_MATERIAL_KINDS = FW_ELASTIC_AUTOMATON + 1 };
+
+typedef struct fw_scenario_material {
+    const char *name;
+    fw_place place;
+    fw_material_kind kind;
+    union {
+        fw_scenario_boltzmann boltzmann;
+        fw_scenario_particles particles;
+        fw_scenario_linear linear;
+        fw_scenario_automaton automaton;
+    };
+} fw_scenario_material;
+
+/* One model of a solid, as a scenario asks for it. What is built of it: experiments/setup/solids.h,
+ * which has a row for each row here. */
+typedef struct fw_material_model {
+    fw_key key;            /* of a material; its subsection has the model's own keys */
+    const char *bodies;    /* "elastic automata" */
+    unsigned lattices;     /* bits 1 << FW_SQUARE, 1 << FW_HEXAGONAL */
+    const char *why;       /* no other lattice will do */
+    const char *body_keys; /* keys of a body that not all models have, each between blanks */
+    bool can_be_placed;    /* without a lattice, at random */
+    bool has_modes;        /* displacements that are a mode of its endless lattice */
+    bool has_dynamics;     /* moves by `dynamics` */
+    /* What belongs together in a material, from the mapping with its keys; NULL: nothing. */
+    fw_status (*read)(const fw_scenario *scenario, const fw_node *node,
+                      fw_scenario_material *material, fw_error *error);
+    /* What the schema could not see about one of its bodies, once all of it is read; or NULL. */
+    fw_status (*check_body)(const fw_scenario *scenario, const fw_scenario_body *body,
+                            fw_error *error);
+    /* What its bodies may not have beside each other or beside others; or NULL. */
+    fw_status (*check_bodies)(const fw_scenario *scenario, fw_error *error);
+} fw_material_model;
+
+extern const fw_material_model fw_material_models[FW_MATERIAL_KINDS];
+
+/* The model that a body of the scenario is of. */
+const fw_material_model *fw_scenario_model(const fw_scenario *scenario, int body);
+
+#endif

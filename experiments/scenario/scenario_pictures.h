@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenario_pictures.h - which pictures are drawn, as plain data. */
+#ifndef FW_SCENARIO_PICTURES_H
+#define FW_SCENARIO_PICTURES_H
+
+#include "experiments/scenario/picture_kind.h"
+#include "experiments/scenario/schema.h"
+
+typedef struct fw_scenario_picture {
+    const char *name;
+    fw_place place;
+    fw_picture_kind kind;
+    const char *title; /* NULL: the scenario's */
+    int instant_count; /* 0: the program chooses */
+    int64_t *instants; /* steps, ascending */
+    fw_scenario_name field;
+    fw_scenario_names observables; /* "energy", "elongation.chain", "momentum.x" */
+    int64_t from, until;           /* steps between which a series is drawn */
+    bool logarithmic;              /* whether its values are drawn on logarithmic axes */
+    double range[2];               /* ends of the colour scale; equal: those of all frames */
+    fw_scenario_name analysis;
+} fw_scenario_picture;
+
+#endif
