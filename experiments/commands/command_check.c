@@ -6,11 +6,8 @@
 #include "experiments/drawing/figure.h"
 #include "experiments/measures/warning.h"
 #include "experiments/pictures/wall_outline.h"
+#include "experiments/setup/solids.h"
 #include "experiments/study/sweep.h"
-
-#include "core/boltzmann/lb_solid.h"
-#include "core/particles/linear_lattice.h"
-#include "core/particles/particles.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -183,98 +180,17 @@ static void print_sizes(const fw_scenario *scenario, const fw_results_size *size
 
 /* --- how near a solid is to its limits --- */
 
-/* The largest speed of a particle at the start. */
-static fw_status find_speed(const fw_experiment *experiment, int number, double *speed,
-                            fw_error *error)
-{
-    const fw_body_range *range = &experiment->bodies[number];
-    const fw_solid *solid = fw_experiment_solid(experiment, number);
-    double *x = fw_array_of_doubles((size_t)solid->count);
-    double *y = fw_array_of_doubles((size_t)solid->count);
-    *speed = 0;
-    if (x && y) {
-        solid->model->velocities(solid, x, y);
-        for (int l = range->first; l < range->first + range->count; ++l)
-            *speed = fmax(*speed, hypot(x[l], y[l]));
-    }
-    free(x);
-    free(y);
-    return x && y ? FW_OK : fw_fail_memory(error, "the velocities at the start");
-}
-
-static fw_status check_boltzmann(const fw_experiment *experiment, int number, int *warnings,
-                                 fw_error *error)
-{
-    const fw_scenario_body *body = &experiment->scenario->bodies[number];
-    const fw_scenario_boltzmann *material =
-        &experiment->scenario->materials[body->material].boltzmann;
-    const bool meets = fw_scene_wall_count(experiment->scene) > 0 || experiment->body_count > 1;
-    double speed, fastest = FW_LB_FASTEST * body->lattice.spacing;
-    FW_TRY(find_speed(experiment, number, &speed, error));
-    printf("  %-14s stable: damping %g, expected below 0.5\n", body->name,
-           material->damping);
-    printf("  %-14s largest speed at the start %.3g, where something is hit it should stay below "
-           "%.3g\n",
-           "", speed, fastest);
-    if (speed <= fastest || !meets) return FW_OK;
-    *warnings += 1;
-    printf("  %-14s warning: at such a speed particles pass each other where the body hits\n", "");
-    return FW_OK;
-}
-
-/* Bodies of movable particles share one solid, and so one time step. */
-static double particles_limit(const fw_scenario *scenario, const fw_scenario_particles *material)
-{
-    const fw_particle_group_def group = {
-        .mass = material->mass,
-        .strength = fmax(material->strength, scenario->dynamics.strength_across),
-        .return_force = material->return_force};
-    const fw_particles_def def = {
-        .groups = &group, .group_count = 1, .potential = material->potential};
-    return fw_particles_time_step_limit(&def);
-}
-
-static void print_time_step(const fw_scenario *scenario, int number, double limit)
-{
-    printf("  %-14s stable: time step %g, expected below %.3g\n", scenario->bodies[number].name,
-           scenario->dynamics.time_step, limit);
-}
-
-/* A body that would grow has been refused before. */
-static void check_automaton(const fw_scenario *scenario, int number)
-{
-    static const char *const edges[] = {"bond", "trapezoid", "mirror", "periodic"};
-    const fw_scenario_body *body = &scenario->bodies[number];
-    const fw_scenario_automaton *material = &scenario->materials[body->material].automaton;
-    const fw_automaton_speeds c = material->speeds;
-    printf("  %-14s stable: c1^2 + c2^2 = %.6g, expected at most 2; boundary %s, under which this "
-           "body does not grow%s\n",
-           body->name, c.transverse * c.transverse + c.coupling * c.coupling,
-           edges[material->boundary],
-           material->boundary == FW_EDGES_MIRROR ? " but keeps neither energy nor momentum" : "");
-}
-
 static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
     for (int b = 0; b < experiment->body_count; ++b) {
-        const fw_scenario_material *range = &scenario->materials[scenario->bodies[b].material];
-        switch (range->kind) {
-        case FW_LATTICE_BOLTZMANN:
-            FW_TRY(check_boltzmann(experiment, b, warnings, error));
-            break;
-        case FW_ELASTIC_AUTOMATON:
-            check_automaton(scenario, b);
-            break;
-        case FW_MOVABLE_PARTICLES:
-            print_time_step(scenario, b, particles_limit(scenario, &range->particles));
-            break;
-        case FW_LINEAR_LATTICE:
-            print_time_step(scenario, b,
-                            fw_linear_lattice_time_step_limit(range->linear.k1, range->linear.k2,
-                                                              range->linear.mass));
-            break;
-        }
+        const fw_start start = {.scenario = scenario,
+                                .body = b,
+                                .solid = fw_experiment_solid(experiment, b),
+                                .range = &experiment->bodies[b],
+                                .meets = fw_scene_wall_count(experiment->scene) > 0 ||
+                                         experiment->body_count > 1};
+        FW_TRY(fw_solid_kind_of(scenario, b)->print_limits(stdout, &start, warnings, error));
     }
     return FW_OK;
 }

@@ -24,13 +24,13 @@ static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subje
 static fw_energies energies_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.body < 0) return fw_scene_energies(experiment->scene);
-    return fw_body_range_energies(experiment, subject.body);
+    return fw_body_range_energies(experiment->scene, &experiment->bodies[subject.body]);
 }
 
 static fw_vec2 momentum_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.body < 0) return fw_scene_momentum(experiment->scene);
-    return fw_body_range_momentum(experiment, subject.body);
+    return fw_body_range_momentum(experiment->scene, &experiment->bodies[subject.body]);
 }
 
 static double total(fw_energies energies)
@@ -154,16 +154,19 @@ static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, 
 /* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
 static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    fw_vec2 p = fw_body_range_momentum(experiment, subject.body);
-    fw_sym2 inverse = fw_sym2_invert(fw_body_range_mass(experiment, subject.body));
-    out[0] =
-        0.5 * fw_sym2_form(p, inverse, p) / total(fw_body_range_energies(experiment, subject.body));
+    fw_vec2 p = fw_body_range_momentum(experiment->scene, &experiment->bodies[subject.body]);
+    fw_sym2 inverse =
+        fw_sym2_invert(fw_body_range_mass(experiment->scene, &experiment->bodies[subject.body]));
+    out[0] = 0.5 * fw_sym2_form(p, inverse, p) /
+             total(fw_body_range_energies(experiment->scene, &experiment->bodies[subject.body]));
 }
 
 static void mean_velocity(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_sym2_apply(fw_sym2_invert(fw_body_range_mass(experiment, subject.body)),
-                           fw_body_range_momentum(experiment, subject.body)));
+    put(out, fw_sym2_apply(
+                 fw_sym2_invert(
+                     fw_body_range_mass(experiment->scene, &experiment->bodies[subject.body])),
+                 fw_body_range_momentum(experiment->scene, &experiment->bodies[subject.body])));
 }
 
 /* --- the ledger --- */
@@ -213,7 +216,7 @@ static void fracture_energy(const fw_experiment *experiment, fw_subject subject,
 
 static void centre_of_mass(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_body_range_centre_of_mass(experiment, subject.body));
+    put(out, fw_body_range_centre_of_mass(experiment->scene, &experiment->bodies[subject.body]));
 }
 
 static void position(const fw_experiment *experiment, fw_subject subject, double *out)

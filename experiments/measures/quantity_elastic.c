@@ -161,7 +161,7 @@ static void wave_modulus(const fw_experiment *experiment, fw_subject subject, do
     const fw_lattice *lattice = lattice_of(experiment, subject.body);
     const double square = lattice->spacing * lattice->spacing;
     const double cell = lattice->kind == FW_HEXAGONAL ? sqrt(0.75) * square : square;
-    const fw_sym2 total = fw_body_range_mass(experiment, subject.body);
+    const fw_sym2 total = fw_body_range_mass(experiment->scene, &experiment->bodies[subject.body]);
     const double mass = 0.5 * (total.xx + total.yy) / experiment->bodies[subject.body].count;
     wave_speed(experiment, subject, out);
     for (int c = 0; c < 2; ++c) out[c] *= mass / cell * out[c];

@@ -21,8 +21,9 @@ typedef struct particle_set {
 static particle_set particles_of(const fw_experiment *experiment, fw_subject subject)
 {
     if (subject.body >= 0)
-        return (particle_set){fw_experiment_solid(experiment, subject.body),
-                              fw_body_range_group(experiment, subject.body)};
+        return (particle_set){
+            fw_experiment_solid(experiment, subject.body),
+            fw_body_range_group(experiment->scene, &experiment->bodies[subject.body])};
     int b = 0;
     while (!fw_solid_is_particles(fw_experiment_solid(experiment, b))) ++b;
     return (particle_set){fw_experiment_solid(experiment, b), -1};
@@ -43,8 +44,9 @@ static int add_heat(const fw_experiment *experiment, int body, double *heat)
 {
     const fw_body_range *range = &experiment->bodies[body];
     const fw_langevin *motion = (const fw_langevin *)fw_experiment_solid(experiment, body);
-    const fw_vec2 drift = fw_vec2_scale(1 / fw_body_range_mass(experiment, body).xx,
-                                        fw_body_range_momentum(experiment, body));
+    const fw_vec2 drift =
+        fw_vec2_scale(1 / fw_body_range_mass(experiment->scene, &experiment->bodies[body]).xx,
+                      fw_body_range_momentum(experiment->scene, &experiment->bodies[body]));
     for (int i = range->first; i < range->first + range->count; ++i) {
         const double x = motion->velocity_x[i] - drift.x, y = motion->velocity_y[i] - drift.y;
         heat[0] += motion->mass[i] * x * x;
@@ -180,7 +182,8 @@ static void diffusion_ratio(const fw_experiment *experiment, fw_subject subject,
     const double rate = dynamics->damping;
     const double decay = rate * fw_scene_time(experiment->scene);
     const double mass =
-        fw_body_range_mass(experiment, subject.body).xx / experiment->bodies[subject.body].count;
+        fw_body_range_mass(experiment->scene, &experiment->bodies[subject.body]).xx /
+        experiment->bodies[subject.body].count;
     fw_quantity_find("mean-square-displacement")->measure(experiment, subject, out);
     const double exact = 4 * dynamics->temperature / (mass * rate * rate) * (decay + expm1(-decay));
     out[0] = decay > 0 ? out[0] / exact : 1;

@@ -15,7 +15,8 @@ static fw_status look_for_meetings(fw_warning *warning, const fw_experiment *exp
             bool found;
             fw_vec2 where;
             if (experiment->bodies[a].solid == experiment->bodies[b].solid) continue;
-            FW_TRY(fw_overlap_find(experiment, a, b, &found, &where, error));
+            FW_TRY(fw_overlap_find(experiment->scene, &experiment->bodies[a],
+                                   &experiment->bodies[b], &found, &where, error));
             if (!found) continue;
             fprintf(warning->out,
                     "warning: step %lld: bodies %s and %s pass through each other near (%g, %g): "

@@ -4,7 +4,7 @@
 #ifndef FW_BUILD_H
 #define FW_BUILD_H
 
-#include "experiments/setup/experiment.h"
+#include "experiments/setup/solids.h"
 
 /* Adds all patterns of a list to `values`, one per site of that lattice. Each pattern draws its
  * random numbers from a stream of its own, from `first_stream` on. */
@@ -32,5 +32,17 @@ fw_status fw_build_linear(const fw_scenario *scenario, int body, const fw_sites 
 /* A body of material FW_ELASTIC_AUTOMATON. */
 fw_status fw_build_automaton(const fw_scenario *scenario, int body, const fw_sites *sites,
                              fw_solid **solid, fw_error *error);
+
+/* Heat baths and limits: see fw_solid_kind. */
+fw_status fw_particles_set_bath(fw_solid *solid, double damping, double temperature,
+                                fw_error *error);
+fw_status fw_linear_set_bath(fw_solid *solid, double damping, double temperature, fw_error *error);
+fw_status fw_boltzmann_print_limits(FILE *out, const fw_start *start, int *warnings,
+                                    fw_error *error);
+fw_status fw_particles_print_limits(FILE *out, const fw_start *start, int *warnings,
+                                    fw_error *error);
+fw_status fw_linear_print_limits(FILE *out, const fw_start *start, int *warnings, fw_error *error);
+fw_status fw_automaton_print_limits(FILE *out, const fw_start *start, int *warnings,
+                                    fw_error *error);
 
 #endif

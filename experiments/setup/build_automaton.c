@@ -175,3 +175,25 @@ fw_status fw_build_automaton(const fw_scenario *scenario, int number, const fw_s
     free(velocity);
     return fw_build_fail(scenario, number, status, error);
 }
+
+/* A body that would grow has been refused before. */
+fw_status fw_automaton_print_limits(FILE *out, const fw_start *start, int *warnings,
+                                    fw_error *error)
+{
+    static const char *const edges[] = {[FW_EDGES_BOND] = "bond",
+                                        [FW_EDGES_TRAPEZOID] = "trapezoid",
+                                        [FW_EDGES_MIRROR] = "mirror",
+                                        [FW_EDGES_PERIODIC] = "periodic"};
+    const fw_scenario_body *body = &start->scenario->bodies[start->body];
+    const fw_scenario_automaton *material = &start->scenario->materials[body->material].automaton;
+    const fw_automaton_speeds c = material->speeds;
+    (void)warnings;
+    (void)error;
+    fprintf(out,
+            "  %-14s stable: c1^2 + c2^2 = %.6g, expected at most 2; boundary %s, under which this "
+            "body does not grow%s\n",
+            body->name, c.transverse * c.transverse + c.coupling * c.coupling,
+            edges[material->boundary],
+            material->boundary == FW_EDGES_MIRROR ? " but keeps neither energy nor momentum" : "");
+    return FW_OK;
+}

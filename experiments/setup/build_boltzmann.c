@@ -2,8 +2,10 @@
 /* build_boltzmann.c - LB solids from bodies of a scenario. Keeps no state. */
 #include "experiments/setup/build.h"
 
+#include "core/array.h"
 #include "core/boltzmann/lb_solid.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 /* Arrays per site that are only needed while a solid is made. */
@@ -124,4 +126,40 @@ fw_status fw_build_boltzmann(const fw_scenario *scenario, int number, const fw_s
     }
     release_start(&start);
     return status;
+}
+
+/* The largest speed of a particle at the start. */
+static fw_status find_speed(const fw_start *start, double *speed, fw_error *error)
+{
+    const fw_body_range *range = start->range;
+    double *x = fw_array_of_doubles((size_t)start->solid->count);
+    double *y = fw_array_of_doubles((size_t)start->solid->count);
+    *speed = 0;
+    if (x && y) {
+        start->solid->model->velocities(start->solid, x, y);
+        for (int l = range->first; l < range->first + range->count; ++l)
+            *speed = fmax(*speed, hypot(x[l], y[l]));
+    }
+    free(x);
+    free(y);
+    return x && y ? FW_OK : fw_fail_memory(error, "the velocities at the start");
+}
+
+fw_status fw_boltzmann_print_limits(FILE *out, const fw_start *start, int *warnings,
+                                    fw_error *error)
+{
+    const fw_scenario_body *body = &start->scenario->bodies[start->body];
+    const double damping = start->scenario->materials[body->material].boltzmann.damping;
+    double speed, fastest = FW_LB_FASTEST * body->lattice.spacing;
+    FW_TRY(find_speed(start, &speed, error));
+    fprintf(out, "  %-14s stable: damping %g, expected below 0.5\n", body->name, damping);
+    fprintf(out,
+            "  %-14s largest speed at the start %.3g, where something is hit it should stay below "
+            "%.3g\n",
+            "", speed, fastest);
+    if (speed <= fastest || !start->meets) return FW_OK;
+    *warnings += 1;
+    fprintf(out, "  %-14s warning: at such a speed particles pass each other where the body hits\n",
+            "");
+    return FW_OK;
 }

@@ -250,3 +250,59 @@ fw_status fw_build_linear(const fw_scenario *scenario, int number, const fw_site
     }
     return status;
 }
+
+/* --- heat baths and limits --- */
+
+fw_status fw_particles_set_bath(fw_solid *solid, double damping, double temperature,
+                                fw_error *error)
+{
+    FW_TRY(fw_particles_set_damping(solid, damping, error));
+    return fw_particles_set_temperature(solid, temperature, error);
+}
+
+fw_status fw_linear_set_bath(fw_solid *solid, double damping, double temperature, fw_error *error)
+{
+    fw_langevin_controls controls = ((fw_langevin *)solid)->controls;
+    (void)error;
+    controls.damping = damping;
+    controls.temperature = temperature;
+    fw_langevin_set_controls((fw_langevin *)solid, &controls);
+    return FW_OK;
+}
+
+static void print_time_step(FILE *out, const fw_start *start, double limit)
+{
+    fprintf(out, "  %-14s stable: time step %g, expected below %.3g\n",
+            start->scenario->bodies[start->body].name, start->scenario->dynamics.time_step, limit);
+}
+
+/* Bodies of movable particles share one solid, and so one time step. */
+fw_status fw_particles_print_limits(FILE *out, const fw_start *start, int *warnings,
+                                    fw_error *error)
+{
+    const fw_scenario *scenario = start->scenario;
+    const fw_scenario_particles *material =
+        &scenario->materials[scenario->bodies[start->body].material].particles;
+    const fw_particle_group_def group = {
+        .mass = material->mass,
+        .strength = fmax(material->strength, scenario->dynamics.strength_across),
+        .return_force = material->return_force};
+    const fw_particles_def def = {
+        .groups = &group, .group_count = 1, .potential = material->potential};
+    (void)warnings;
+    (void)error;
+    print_time_step(out, start, fw_particles_time_step_limit(&def));
+    return FW_OK;
+}
+
+fw_status fw_linear_print_limits(FILE *out, const fw_start *start, int *warnings, fw_error *error)
+{
+    const fw_scenario *scenario = start->scenario;
+    const fw_scenario_linear *material =
+        &scenario->materials[scenario->bodies[start->body].material].linear;
+    (void)warnings;
+    (void)error;
+    print_time_step(out, start,
+                    fw_linear_lattice_time_step_limit(material->k1, material->k2, material->mass));
+    return FW_OK;
+}

@@ -2,26 +2,16 @@
 /* experiment.c - from plain data to solids, walls and loads. Start at fw_experiment_create(). */
 #include "experiments/setup/experiment.h"
 
-#include "core/boltzmann/lb_solid.h"
 #include "core/noise.h"
-#include "core/particles/linear_lattice.h"
 #include "core/particles/particles.h"
 #include "experiments/setup/body_range.h"
 #include "experiments/setup/build.h"
 #include "experiments/setup/overlap.h"
+#include "experiments/setup/solids.h"
 #include "phase.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-/* What the scene calls the solid that all movable particles are in; no body can have a blank. */
-static const char PARTICLES[] = "movable particles";
-
-static fw_material_kind kind_of(const fw_experiment *experiment, int number)
-{
-    const fw_scenario *scenario = experiment->scenario;
-    return scenario->materials[scenario->bodies[number].material].kind;
-}
 
 static fw_status adopt(fw_experiment *experiment, int number, const char *name, fw_solid *solid,
                        fw_error *error)
@@ -31,46 +21,37 @@ static fw_status adopt(fw_experiment *experiment, int number, const char *name, 
     return fw_build_fail(experiment->scenario, number, status, error);
 }
 
-/* The first body of movable particles brings all of them. */
-static fw_status add_particles(fw_experiment *experiment, int number, fw_error *error)
+/* The first of the bodies that share a solid brings all of them. */
+static fw_status add_together(fw_experiment *experiment, int number, const fw_solid_kind *kind,
+                              fw_error *error)
 {
+    const fw_scenario *scenario = experiment->scenario;
     int first = 0, bodies = 0;
     for (int b = 0; b < experiment->body_count; ++b) {
-        if (kind_of(experiment, b) != FW_MOVABLE_PARTICLES) continue;
+        if (fw_solid_kind_of(scenario, b) != kind) continue;
         if (b < number) return FW_OK;
         experiment->bodies[b].first = first;
         first += experiment->bodies[b].count;
         bodies += 1;
     }
     fw_solid *solid;
-    FW_TRY(fw_build_particles(experiment->scenario, experiment->bodies, &solid, error));
-    const char *name = bodies > 1 ? PARTICLES : experiment->bodies[number].name;
+    FW_TRY(kind->build_together(scenario, experiment->bodies, &solid, error));
+    const char *name =
+        bodies > 1 ? fw_scenario_model(scenario, number)->bodies : experiment->bodies[number].name;
     FW_TRY(adopt(experiment, number, name, solid, error));
     for (int b = number + 1; b < experiment->body_count; ++b)
-        if (kind_of(experiment, b) == FW_MOVABLE_PARTICLES)
+        if (fw_solid_kind_of(scenario, b) == kind)
             experiment->bodies[b].solid = experiment->bodies[number].solid;
     return FW_OK;
 }
 
 static fw_status add_body(fw_experiment *experiment, int number, fw_error *error)
 {
-    const fw_scenario *scenario = experiment->scenario;
+    const fw_solid_kind *kind = fw_solid_kind_of(experiment->scenario, number);
     const fw_body_range *range = &experiment->bodies[number];
     fw_solid *solid = NULL;
-    switch (kind_of(experiment, number)) {
-    case FW_LATTICE_BOLTZMANN:
-        FW_TRY(fw_build_boltzmann(scenario, number, &range->sites, &solid, error));
-        break;
-    case FW_LINEAR_LATTICE:
-        FW_TRY(fw_build_linear(scenario, number, &range->sites, &solid, error));
-        break;
-    case FW_ELASTIC_AUTOMATON:
-        FW_TRY(fw_build_automaton(scenario, number, &range->sites, &solid, error));
-        break;
-    case FW_MOVABLE_PARTICLES:
-        return add_particles(experiment, number, error);
-    }
-    if (!solid) return fw_fail_impossible(error, "a body of an unknown solid");
+    if (kind->build_together) return add_together(experiment, number, kind, error);
+    FW_TRY(kind->build(experiment->scenario, number, &range->sites, &solid, error));
     return adopt(experiment, number, range->name, solid, error);
 }
 
@@ -81,6 +62,7 @@ static fw_status make_sites(fw_experiment *experiment, int number, fw_error *err
     FW_TRY(fw_scenario_sites(body, &range->sites, error));
     range->name = body->name;
     range->count = range->sites.count;
+    range->spacing = body->lattice.spacing;
     return FW_OK;
 }
 
@@ -119,7 +101,8 @@ static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, f
 {
     bool found;
     fw_vec2 where;
-    FW_TRY(fw_overlap_find(experiment, a, b, &found, &where, error));
+    FW_TRY(fw_overlap_find(experiment->scene, &experiment->bodies[a], &experiment->bodies[b],
+                           &found, &where, error));
     if (!found) return FW_OK;
     return fw_scenario_fail(experiment->scenario, experiment->scenario->bodies[b].place, error,
                             "body %s starts in body %s: both have a particle near (%g, %g), "
@@ -135,7 +118,7 @@ static fw_status refuse_walls(const fw_experiment *experiment, int number, fw_er
     if (range->count == fw_experiment_solid(experiment, number)->count) return FW_OK;
     for (int w = 0; w < fw_scene_wall_count(experiment->scene); ++w) {
         double depth;
-        const int l = fw_overlap_find_behind(experiment, number, w, &depth);
+        const int l = fw_overlap_find_behind(experiment->scene, range, w, &depth);
         if (l < 0) continue;
         const fw_vec2 at =
             fw_solid_position(fw_experiment_solid(experiment, number), range->first + l);
@@ -181,9 +164,10 @@ static fw_status note_start(fw_experiment *experiment, fw_error *error)
     for (int b = 0; b < experiment->body_count; ++b) {
         const fw_body_range *range = &experiment->bodies[b];
         const fw_solid *solid = fw_experiment_solid(experiment, b);
-        fw_energies energies = fw_body_range_energies(experiment, b);
+        fw_energies energies = fw_body_range_energies(experiment->scene, &experiment->bodies[b]);
         experiment->energy_at_start[b] = energies.kinetic + energies.elastic;
-        experiment->momentum_at_start[b] = fw_body_range_momentum(experiment, b);
+        experiment->momentum_at_start[b] =
+            fw_body_range_momentum(experiment->scene, &experiment->bodies[b]);
         experiment->start[b] = calloc((size_t)range->count, sizeof **experiment->start);
         if (!experiment->start[b]) return fw_fail_memory(error, "the positions at the start");
         for (int l = 0; l < range->count; ++l)
@@ -223,7 +207,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     }
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
-    FW_TRY(fw_grips_add(experiment, error));
+    FW_TRY(fw_grips_add(scenario, experiment->scene, experiment->bodies, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
     return note_start(experiment, error);
@@ -269,7 +253,8 @@ void fw_experiment_destroy(fw_experiment *experiment)
 
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
 {
-    FW_TRY(fw_phase_enter(experiment, error));
+    FW_TRY(fw_phase_enter(experiment->scenario, experiment->scene, experiment->bodies,
+                          &experiment->phase, error));
     FW_TRY(fw_scene_step(experiment->scene, error));
     if (experiment->scenario->run.reverse_at != 0 &&
         fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
@@ -280,7 +265,7 @@ fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
 
 const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int number)
 {
-    return fw_scene_observe_body(experiment->scene, experiment->bodies[number].solid);
+    return fw_body_range_solid(experiment->scene, &experiment->bodies[number]);
 }
 
 const fw_solid *fw_experiment_particles(const fw_experiment *experiment)

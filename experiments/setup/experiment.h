@@ -5,15 +5,7 @@
 
 #include "contact/scene/scene.h"
 #include "experiments/scenario/scenario.h"
-
-/* Where a body of the scenario lives in the scene: particles first .. first + count - 1 of one
- * solid. Several bodies may share a solid. */
-typedef struct fw_body_range {
-    const char *name;
-    int solid; /* number of the scene's body */
-    int first, count;
-    fw_sites sites; /* in the order of the particles; owned by the experiment */
-} fw_body_range;
+#include "experiments/setup/body_range.h"
 
 typedef struct fw_experiment {
     const fw_scenario *scenario; /* observed: must live as long */

@@ -11,13 +11,12 @@ static const double APART = 0.5;
 
 typedef struct point {
     fw_vec2 at;
-    int body;
+    const fw_body_range *body;
 } point;
 
-static fw_box frame_of(const fw_experiment *experiment, int body)
+static fw_box frame_of(const fw_scene *scene, const fw_body_range *range)
 {
-    const fw_body_range *range = &experiment->bodies[body];
-    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    const fw_solid *solid = fw_body_range_solid(scene, range);
     fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (int i = range->first; i < range->first + range->count; ++i) {
         box.low.x = fmin(box.low.x, solid->x[i]);
@@ -35,16 +34,15 @@ static int compare_points(const void *left, const void *right)
     return (a->at.y > b->at.y) - (a->at.y < b->at.y);
 }
 
-static int collect(const fw_experiment *experiment, int body, fw_box common, point *points)
+static int collect(const fw_scene *scene, const fw_body_range *range, fw_box common, point *points)
 {
-    const fw_body_range *range = &experiment->bodies[body];
-    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    const fw_solid *solid = fw_body_range_solid(scene, range);
     int count = 0;
     for (int i = range->first; i < range->first + range->count; ++i) {
         fw_vec2 at = fw_solid_position(solid, i);
         if (at.x >= common.low.x && at.x <= common.high.x && at.y >= common.low.y &&
             at.y <= common.high.y)
-            points[count++] = (point){at, body};
+            points[count++] = (point){at, range};
     }
     return count;
 }
@@ -61,34 +59,33 @@ static bool find_pair(const point *points, int count, double apart, fw_vec2 *whe
     return false;
 }
 
-fw_status fw_overlap_find(const fw_experiment *experiment, int a, int b, bool *found,
-                          fw_vec2 *where, fw_error *error)
+fw_status fw_overlap_find(const fw_scene *scene, const fw_body_range *a, const fw_body_range *b,
+                          bool *found, fw_vec2 *where, fw_error *error)
 {
-    const fw_scenario_body *bodies = experiment->scenario->bodies;
-    double apart = APART * fmin(bodies[a].lattice.spacing, bodies[b].lattice.spacing);
-    fw_box fa = frame_of(experiment, a), fb = frame_of(experiment, b);
+    const double apart = APART * fmin(a->spacing, b->spacing);
+    fw_box fa = frame_of(scene, a), fb = frame_of(scene, b);
     const fw_box common = {
         {fmax(fa.low.x, fb.low.x) - apart, fmax(fa.low.y, fb.low.y) - apart},
         {fmin(fa.high.x, fb.high.x) + apart, fmin(fa.high.y, fb.high.y) + apart}};
     *found = false;
     if (!(common.low.x <= common.high.x && common.low.y <= common.high.y)) return FW_OK;
-    size_t most = (size_t)experiment->bodies[a].count + (size_t)experiment->bodies[b].count;
+    size_t most = (size_t)a->count + (size_t)b->count;
     point *points = calloc(most, sizeof *points);
     if (!points) return fw_fail_memory(error, "a look at where bodies overlap");
-    int count = collect(experiment, a, common, points);
-    count += collect(experiment, b, common, points + count);
+    int count = collect(scene, a, common, points);
+    count += collect(scene, b, common, points + count);
     qsort(points, (size_t)count, sizeof *points, compare_points);
     *found = find_pair(points, count, apart, where);
     free(points);
     return FW_OK;
 }
 
-int fw_overlap_find_behind(const fw_experiment *experiment, int body, int wall, double *depth)
+int fw_overlap_find_behind(const fw_scene *scene, const fw_body_range *range, int wall,
+                           double *depth)
 {
     static const double on_surface = 1e-14;
-    const fw_body_range *range = &experiment->bodies[body];
-    const fw_solid *solid = fw_experiment_solid(experiment, body);
-    const fw_wall *of = fw_scene_wall(experiment->scene, wall);
+    const fw_solid *solid = fw_body_range_solid(scene, range);
+    const fw_wall *of = fw_scene_wall(scene, wall);
     const fw_vec2 place = fw_wall_displacement(of, 0);
     for (int l = 0; l < range->count; ++l) {
         const fw_vec2 at = fw_solid_position(solid, range->first + l);

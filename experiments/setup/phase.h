@@ -4,13 +4,17 @@
 #ifndef FW_PHASE_H
 #define FW_PHASE_H
 
-#include "experiments/setup/experiment.h"
+#include "experiments/scenario/scenario.h"
+#include "experiments/setup/body_range.h"
 
-/* Adds the scenario's grips to the scene, each with its own drive. FW_BAD_INPUT at the place of a
- * grip that holds nothing, or a particle that another one holds. */
-fw_status fw_grips_add(fw_experiment *experiment, fw_error *error);
+/* Adds the scenario's grips to the scene, each with its own drive; `ranges` has one for each body.
+ * FW_BAD_INPUT at the place of a grip that holds nothing, or a particle that another one holds. */
+fw_status fw_grips_add(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,
+                       fw_error *error);
 
-/* Gives the scene the parameters of the phase that the next step belongs to. */
-fw_status fw_phase_enter(fw_experiment *experiment, fw_error *error);
+/* Gives the scene the parameters of the phase that the next step belongs to. *current: the one that
+ * it has, -1: none yet. */
+fw_status fw_phase_enter(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,
+                         int *current, fw_error *error);
 
 #endif
