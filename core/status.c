@@ -3,17 +3,45 @@
 #include "core/status.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+
+/* A byte in the middle of a letter of UTF-8. */
+static bool continues(char byte)
+{
+    return ((unsigned char)byte & 0xc0) == 0x80;
+}
+
+/* A text that is too long loses its middle, which is that of a long path: the end has the reason.
+ */
+static void keep_both_ends(char sentence[FW_SENTENCE_SIZE], const char *text)
+{
+    static const char gap[] = "[...]";
+    const size_t length = strlen(text), room = FW_SENTENCE_SIZE - 1;
+    if (length <= room) {
+        memcpy(sentence, text, length + 1);
+        return;
+    }
+    size_t head = (room - strlen(gap)) / 2, tail = length - (room - strlen(gap) - head);
+    while (head > 0 && continues(text[head])) --head;
+    while (continues(text[tail])) ++tail;
+    snprintf(sentence, FW_SENTENCE_SIZE, "%.*s%s%s", (int)head, text, gap, text + tail);
+}
+
+/* Longer than any path and what is said of it. */
+enum { LONGEST = 4 * 4096 };
 
 fw_status fw_fail(fw_error *error, fw_status status, const char *format, ...)
 {
     if (error) {
+        char text[LONGEST];
         va_list arguments;
         va_start(arguments, format);
-        error->status = status;
-        vsnprintf(error->sentence, sizeof error->sentence, format, arguments);
+        vsnprintf(text, sizeof text, format, arguments);
         va_end(arguments);
+        error->status = status;
+        keep_both_ends(error->sentence, text);
     }
     return status;
 }
@@ -29,25 +57,14 @@ fw_status fw_fail_impossible(fw_error *error, const char *what)
                    what);
 }
 
-/* As much of the text as there is room for. */
-static void append(fw_error *error, const char *text)
-{
-    size_t used = strlen(error->sentence), length = strlen(text);
-    size_t room = sizeof error->sentence - 1 - used;
-    if (length > room) length = room;
-    memcpy(error->sentence + used, text, length);
-    error->sentence[used + length] = '\0';
-}
-
 fw_status fw_fail_within(fw_error *error, const char *format, ...)
 {
-    char sentence[FW_SENTENCE_SIZE];
-    memcpy(sentence, error->sentence, sizeof sentence);
+    char prefix[LONGEST], text[LONGEST + FW_SENTENCE_SIZE + 2];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(error->sentence, sizeof error->sentence, format, arguments);
+    vsnprintf(prefix, sizeof prefix, format, arguments);
     va_end(arguments);
-    append(error, ": ");
-    append(error, sentence);
+    snprintf(text, sizeof text, "%s: %s", prefix, error->sentence);
+    keep_both_ends(error->sentence, text);
     return error->status;
 }

@@ -23,7 +23,8 @@ typedef struct fw_error {
     char sentence[FW_SENTENCE_SIZE];
 } fw_error;
 
-/* Writes the sentence (printf format) into *error, which may be NULL, and returns `status`. */
+/* Writes the sentence (printf format) into *error, which may be NULL, and returns `status`. One
+ * that is too long loses its middle, not its end. */
 fw_status fw_fail(fw_error *error, fw_status status, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 

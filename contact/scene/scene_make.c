@@ -357,8 +357,9 @@ fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
     FW_TRY(check_clock(scene, error));
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
-        if (fw_solid_restored(body->solid, error) != FW_OK)
-            return fw_fail_within(error, "body %s", body->name);
+        const fw_status status = fw_solid_restored(body->solid, error);
+        if (status != FW_OK && error) fw_fail_within(error, "body %s", body->name);
+        FW_TRY(status);
         FW_TRY(check_memory(scene, body, error));
         if (!body->boundary) continue;
         fw_boundary_destroy(body->boundary);
