@@ -59,7 +59,7 @@ static fw_status open_sweep(sweep_result *result, const char *directory, fw_erro
                        "%s: the sweep is not finished; `fretwork resume %s` goes on with it",
                        directory, directory);
     FW_TRY(fw_sweep_load(&result->scenario, directory, error));
-    FW_TRY(fw_sweep_path(directory, FW_SWEEP_FILE, path, error));
+    FW_TRY(fw_path_join(path, directory, FW_SWEEP_FILE, error));
     return fw_sweep_table_read(&result->table, path, error);
 }
 
@@ -268,7 +268,7 @@ static fw_status draw(const sweep_result *result, const fw_plot_wish *wish,
 {
     char path[FW_PATH_SIZE], name[FW_NAME_BYTES + 8];
     snprintf(name, sizeof name, "%.*s.png", FW_NAME_BYTES, own ? own->name : "sweep");
-    FW_TRY(fw_sweep_path(result->directory, name, path, error));
+    FW_TRY(fw_path_join(path, result->directory, name, error));
     const char *file = wish->file ? wish->file : path;
     drawing *d = calloc(1, sizeof *d);
     if (!d) return fw_fail_memory(error, "a picture of a sweep");

@@ -24,7 +24,7 @@ struct fw_folder {
 fw_status fw_folder_visit(fw_folder **folder, const char *path, fw_error *error)
 {
     *folder = NULL;
-    int descriptor = open(path, O_RDONLY | O_DIRECTORY);
+    int descriptor = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) {
         bool missing = errno == ENOENT || errno == ENOTDIR;
         return fw_fail(error, missing ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
@@ -118,7 +118,8 @@ void fw_folder_abandon(fw_folder *folder)
 
 bool fw_folder_has(const fw_folder *folder, const char *name)
 {
-    return faccessat(folder->descriptor, name, F_OK, 0) == 0;
+    struct stat facts;
+    return fstatat(folder->descriptor, name, &facts, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
 double fw_folder_room(const fw_folder *folder)
@@ -131,10 +132,7 @@ double fw_folder_room(const fw_folder *folder)
 
 fw_status fw_folder_path(const fw_folder *folder, const char *name, char *path, fw_error *error)
 {
-    int length = snprintf(path, FW_PATH_SIZE, "%s/%s", folder->path, name);
-    if (length >= 0 && length < FW_PATH_SIZE) return FW_OK;
-    return fw_fail(error, FW_BAD_INPUT, "the path of the results folder is longer than %d bytes",
-                   FW_PATH_SIZE);
+    return fw_path_join(path, folder->path, name, error);
 }
 
 fw_status fw_folder_remove(const fw_folder *folder, const char *name, fw_error *error)
@@ -146,7 +144,13 @@ fw_status fw_folder_remove(const fw_folder *folder, const char *name, fw_error *
 
 void fw_folder_discard(const fw_folder *folder, const char *name)
 {
-    int descriptor = openat(folder->descriptor, name, O_WRONLY | O_TRUNC);
+    struct stat facts;
+    /* A file of two names is somebody else's as well: only this name goes. */
+    int descriptor =
+        openat(folder->descriptor, name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor >= 0 && fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) &&
+        facts.st_nlink == 1 && ftruncate(descriptor, 0) < 0)
+        errno = 0; /* its space comes back when its last holder ends */
     if (descriptor >= 0) close(descriptor);
     unlinkat(folder->descriptor, name, 0);
 }

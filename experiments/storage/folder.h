@@ -5,11 +5,10 @@
 #define FW_FOLDER_H
 
 #include "core/status.h"
+#include "experiments/storage/regular_file.h"
 
 #include <stdbool.h>
 #include <stddef.h>
-
-enum { FW_PATH_SIZE = 4096 };
 
 typedef struct fw_folder fw_folder;
 
@@ -26,6 +25,7 @@ void fw_folder_close(fw_folder *folder);
  * are empty. NULL is legal. */
 void fw_folder_abandon(fw_folder *folder);
 
+/* Whether there is anything of that name, if only a link. */
 bool fw_folder_has(const fw_folder *folder, const char *name);
 /* Bytes that are free where it lies; INFINITY where the system does not know. */
 double fw_folder_room(const fw_folder *folder);

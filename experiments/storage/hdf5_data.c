@@ -8,6 +8,7 @@
 
 fw_dataset fw_hdf5_find(fw_hdf5 *file, const char *path)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return -1;
     hid_t dataset = H5Dopen2(file->id, path, H5P_DEFAULT);
     H5Eclear2(H5E_DEFAULT);
@@ -16,6 +17,7 @@ fw_dataset fw_hdf5_find(fw_hdf5 *file, const char *path)
 
 void fw_hdf5_release(fw_dataset dataset)
 {
+    FW_HDF5_ALONE;
     if (dataset >= 0) H5Dclose(dataset);
 }
 
@@ -41,6 +43,7 @@ static bool recognise(hid_t type, fw_shape *shape)
 
 bool fw_hdf5_shape(fw_hdf5 *file, fw_dataset dataset, fw_shape *shape)
 {
+    FW_HDF5_ALONE;
     *shape = (fw_shape){0};
     if (fw_hdf5_failed(file) || dataset < 0) return false;
     hid_t type = H5Dget_type(dataset), space = H5Dget_space(dataset);
@@ -57,6 +60,7 @@ bool fw_hdf5_shape(fw_hdf5 *file, fw_dataset dataset, fw_shape *shape)
 
 bool fw_hdf5_is_stored(fw_hdf5 *file, fw_dataset dataset)
 {
+    FW_HDF5_ALONE;
     fw_shape shape;
     hsize_t size = 0;
     if (!fw_hdf5_shape(file, dataset, &shape) || H5Fget_filesize(file->id, &size) < 0) return false;
@@ -68,6 +72,7 @@ bool fw_hdf5_is_stored(fw_hdf5 *file, fw_dataset dataset)
 
 int fw_hdf5_list(fw_hdf5 *file, const char *path, char *names, int size, int capacity)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return 0;
     int count = 0;
     H5G_info_t members = {0};
@@ -85,6 +90,7 @@ int fw_hdf5_list(fw_hdf5 *file, const char *path, char *names, int size, int cap
 bool fw_hdf5_read_attributes(fw_hdf5 *file, const char *path, const char *name, char *texts,
                              size_t size, int count)
 {
+    FW_HDF5_ALONE;
     memset(texts, 0, size * (size_t)count);
     if (fw_hdf5_failed(file)) return false;
     hid_t attribute = H5Aopen_by_name(file->id, path, name, H5P_DEFAULT, H5P_DEFAULT);
@@ -135,6 +141,7 @@ static bool select_rows(hid_t dataset, uint64_t first, uint64_t count, hid_t *me
 void fw_hdf5_write(fw_hdf5 *file, fw_dataset dataset, fw_element element, uint64_t first,
                    uint64_t count, const void *values)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     hid_t memory, space;
     if (!select_rows(dataset, first, count, &memory, &space) ||
@@ -147,6 +154,7 @@ void fw_hdf5_write(fw_hdf5 *file, fw_dataset dataset, fw_element element, uint64
 void fw_hdf5_read(fw_hdf5 *file, fw_dataset dataset, fw_element element, uint64_t first,
                   uint64_t count, void *values)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     hid_t memory, space;
     if (!select_rows(dataset, first, count, &memory, &space) ||
@@ -158,6 +166,7 @@ void fw_hdf5_read(fw_hdf5 *file, fw_dataset dataset, fw_element element, uint64_
 
 void fw_hdf5_resize(fw_hdf5 *file, fw_dataset dataset, uint64_t rows)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     hid_t space = H5Dget_space(dataset);
     hsize_t extent[H5S_MAX_RANK] = {0};
@@ -169,6 +178,7 @@ void fw_hdf5_resize(fw_hdf5 *file, fw_dataset dataset, uint64_t rows)
 
 void fw_hdf5_write_text(fw_hdf5 *file, fw_dataset dataset, const char *text)
 {
+    FW_HDF5_ALONE;
     fw_shape shape;
     if (fw_hdf5_failed(file)) return;
     if (!fw_hdf5_shape(file, dataset, &shape) || !shape.text) {
@@ -191,6 +201,7 @@ void fw_hdf5_write_text(fw_hdf5 *file, fw_dataset dataset, const char *text)
 
 char *fw_hdf5_read_text(fw_hdf5 *file, fw_dataset dataset)
 {
+    FW_HDF5_ALONE;
     fw_shape shape;
     if (!fw_hdf5_shape(file, dataset, &shape) || !shape.text || shape.rank != 0) return NULL;
     /* A damaged header could claim any length. */

@@ -1,16 +1,44 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hdf5_file.c - opening, flushing and closing files, and their failures.
- * State: the file's handle, the datasets made in it, its first failure. Invariant:
- * after a failure no call reaches HDF5 any more, except the one that closes. Start reading at
+ * State: the file's handle, the datasets made in it, its first failure; and, since HDF5 has but one
+ * state for all files, the lock of the door. Invariant: after a failure no call reaches HDF5 any
+ * more, except the one that closes. Start reading at
  * fw_hdf5_create(); hdf5_make.c and hdf5_data.c do the rest. */
 #include "hdf5_parts.h"
 
+#include "experiments/storage/checksum.h"
+#include "experiments/storage/regular_file.h"
+
 #include <errno.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
+
+static pthread_mutex_t door;
+static pthread_once_t door_made = PTHREAD_ONCE_INIT;
+
+static void make_door(void)
+{
+    pthread_mutexattr_t kind;
+    pthread_mutexattr_init(&kind);
+    pthread_mutexattr_settype(&kind, PTHREAD_MUTEX_RECURSIVE);
+    pthread_mutex_init(&door, &kind);
+    pthread_mutexattr_destroy(&kind);
+}
+
+int fw_hdf5_lock(void)
+{
+    pthread_once(&door_made, make_door);
+    return pthread_mutex_lock(&door);
+}
+
+void fw_hdf5_unlock(const int *held)
+{
+    if (*held == 0) pthread_mutex_unlock(&door);
+}
 
 /* The operating system's error number is only in the text of HDF5's error stack. */
 static herr_t find_errno(unsigned depth, const H5E_error2_t *entry, void *number)
@@ -89,12 +117,15 @@ static fw_hdf5 *allocate(const char *path)
 
 fw_status fw_hdf5_create(fw_hdf5 **file, const char *path, size_t structure, fw_error *error)
 {
+    FW_HDF5_ALONE;
     *file = NULL;
     quieten();
     fw_hdf5 *fresh = allocate(path);
     if (!fresh) return fw_fail_memory(error, path);
     hid_t access = access_properties(structure);
-    fresh->id = H5Fcreate(path, H5F_ACC_TRUNC, H5P_DEFAULT, access);
+    /* Not what a link of that name points to. */
+    unlink(path);
+    fresh->id = H5Fcreate(path, H5F_ACC_EXCL, H5P_DEFAULT, access);
     /* At once: the next call to HDF5, whichever it is, forgets the reason. */
     fw_status status =
         fresh->id < 0 ? explain(error, path, "create", FW_SYSTEM_FAILED, "HDF5 refuses") : FW_OK;
@@ -110,14 +141,11 @@ fw_status fw_hdf5_create(fw_hdf5 **file, const char *path, size_t structure, fw_
 
 fw_status fw_hdf5_open(fw_hdf5 **file, const char *path, bool writable, fw_error *error)
 {
+    FW_HDF5_ALONE;
     *file = NULL;
     quieten();
-    int descriptor = open(path, writable ? O_RDWR : O_RDONLY);
-    if (descriptor < 0) {
-        bool missing = errno == ENOENT || errno == ENOTDIR || errno == EISDIR;
-        return fw_fail(error, missing ? FW_BAD_INPUT : FW_SYSTEM_FAILED, "cannot open %s: %s", path,
-                       strerror(errno));
-    }
+    int descriptor;
+    FW_TRY(fw_regular_file_open(&descriptor, path, writable, error));
     close(descriptor);
     fw_hdf5 *opened = allocate(path);
     if (!opened) return fw_fail_memory(error, path);
@@ -139,6 +167,7 @@ fw_status fw_hdf5_open(fw_hdf5 **file, const char *path, bool writable, fw_error
  * process ends; its descriptor goes on standing for it, and no other file is taken for it. */
 fw_status fw_hdf5_close(fw_hdf5 *file, fw_error *error)
 {
+    FW_HDF5_ALONE;
     if (!file) return FW_OK;
     if (file->writable && !file->broken && H5Fflush(file->id, H5F_SCOPE_LOCAL) < 0)
         fw_hdf5_fail_writing(file, "the file");
@@ -169,6 +198,7 @@ void fw_hdf5_give_up(fw_hdf5 *file, const char *what)
 
 void fw_hdf5_flush(fw_hdf5 *file)
 {
+    FW_HDF5_ALONE;
     if (!fw_hdf5_failed(file) && H5Fflush(file->id, H5F_SCOPE_LOCAL) < 0)
         fw_hdf5_fail_writing(file, "the file");
 }
@@ -185,6 +215,7 @@ static int descriptor_of(fw_hdf5 *file)
 
 void fw_hdf5_sync(fw_hdf5 *file)
 {
+    FW_HDF5_ALONE;
     fw_hdf5_flush(file);
     int descriptor = descriptor_of(file);
     if (descriptor < 0 || fsync(descriptor) == 0) return;
@@ -194,6 +225,7 @@ void fw_hdf5_sync(fw_hdf5 *file)
 
 void fw_hdf5_reserve(fw_hdf5 *file)
 {
+    FW_HDF5_ALONE;
     fw_hdf5_flush(file);
     uint64_t whole = fw_hdf5_size(file);
     int descriptor = descriptor_of(file);
@@ -207,13 +239,35 @@ void fw_hdf5_reserve(fw_hdf5 *file)
 
 uint64_t fw_hdf5_size(fw_hdf5 *file)
 {
+    FW_HDF5_ALONE;
     hsize_t size = 0;
     if (!fw_hdf5_failed(file) && H5Fget_filesize(file->id, &size) < 0) fw_hdf5_fail_reading(file);
     return size;
 }
 
+uint64_t fw_hdf5_checksum(fw_hdf5 *file, uint64_t end)
+{
+    FW_HDF5_ALONE;
+    uint64_t sum = FW_CHECKSUM_OF_NOTHING;
+    if (file->writable) fw_hdf5_flush(file);
+    const int descriptor = descriptor_of(file);
+    if (descriptor < 0 || end < FW_HDF5_SUPERBLOCK) return 0;
+    const int reason =
+        fw_checksum_file(descriptor, FW_HDF5_SUPERBLOCK, end - FW_HDF5_SUPERBLOCK, &sum);
+    if (reason != 0 && !fw_hdf5_failed(file))
+        fw_fail(&file->failure, FW_SYSTEM_FAILED, "cannot read %s: %s", file->path,
+                strerror(reason));
+    return sum;
+}
+
+const char *fw_hdf5_path(const fw_hdf5 *file)
+{
+    return file->path;
+}
+
 bool fw_hdf5_is_compact(fw_hdf5 *file)
 {
+    FW_HDF5_ALONE;
     fw_hdf5_flush(file);
     uint64_t raw = 0;
     for (int i = 0; i < file->made_count; ++i) raw += H5Dget_storage_size(file->made[i]);
@@ -222,6 +276,7 @@ bool fw_hdf5_is_compact(fw_hdf5 *file)
 
 uint64_t fw_hdf5_address(fw_hdf5 *file, fw_dataset dataset)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return 0;
     haddr_t address = H5Dget_offset(dataset);
     if (address == HADDR_UNDEF) fw_hdf5_fail_reading(file);
@@ -230,6 +285,7 @@ uint64_t fw_hdf5_address(fw_hdf5 *file, fw_dataset dataset)
 
 void fw_hdf5_version(char *text, size_t size)
 {
+    FW_HDF5_ALONE;
     unsigned major = 0, minor = 0, release = 0;
     H5get_libversion(&major, &minor, &release);
     snprintf(text, size, "HDF5 %u.%u.%u", major, minor, release);

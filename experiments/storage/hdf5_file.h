@@ -7,7 +7,8 @@
  * A file made here never changes its own structure while rows are written: every chunk is allocated
  * when room is made for it, no fill values are written, nothing is cached. Together with the bounds
  * of format 1.8, whose superblock does not mark files that are open, a file whose writer was killed
- * opens and reads. HDF5 is not to be used from several threads at once. */
+ * opens and reads. Several threads may use it, each a file of its own: HDF5 can do one thing at a
+ * time, and each function here waits for its turn. */
 #ifndef FW_HDF5_FILE_H
 #define FW_HDF5_FILE_H
 
@@ -57,6 +58,11 @@ void fw_hdf5_sync(fw_hdf5 *file);
  * middle of it. File systems that cannot do that are left alone. */
 void fw_hdf5_reserve(fw_hdf5 *file);
 uint64_t fw_hdf5_size(fw_hdf5 *file);
+/* FNV-1a of the file as it lies on disk, up to byte `end`, without its superblock: that changes
+ * when the file is opened, and HDF5 itself keeps a checksum of it. */
+enum { FW_HDF5_SUPERBLOCK = 48 };
+uint64_t fw_hdf5_checksum(fw_hdf5 *file, uint64_t end);
+const char *fw_hdf5_path(const fw_hdf5 *file);
 /* Whether all structure lies in front of all data, so that none of it is further back than the
  * first dataset's data. Only files that were created, not opened, know. */
 bool fw_hdf5_is_compact(fw_hdf5 *file);

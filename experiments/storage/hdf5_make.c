@@ -33,6 +33,7 @@ hid_t fw_hdf5_text_type(size_t size)
 
 void fw_hdf5_make_group(fw_hdf5 *file, const char *path)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     hid_t properties = H5Pcreate(H5P_GROUP_CREATE);
     H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
@@ -76,6 +77,7 @@ static fw_dataset make_dataset(fw_hdf5 *file, const char *path, hid_t type, hid_
 fw_dataset fw_hdf5_make_array(fw_hdf5 *file, const char *path, fw_element element, int rank,
                               const uint64_t *extent)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return -1;
     hsize_t size[FW_DATASET_RANK];
     for (int i = 0; i < rank; ++i) size[i] = extent[i];
@@ -86,6 +88,7 @@ fw_dataset fw_hdf5_make_array(fw_hdf5 *file, const char *path, fw_element elemen
 
 fw_dataset fw_hdf5_make_text(fw_hdf5 *file, const char *path, size_t capacity)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return -1;
     return make_dataset(file, path, fw_hdf5_text_type(capacity), H5Screate(H5S_SCALAR), 0, NULL);
 }
@@ -93,6 +96,7 @@ fw_dataset fw_hdf5_make_text(fw_hdf5 *file, const char *path, size_t capacity)
 fw_dataset fw_hdf5_make_rows(fw_hdf5 *file, const char *path, fw_element element, int rank,
                              const uint64_t *extent, uint64_t chunk)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return -1;
     hsize_t none[FW_DATASET_RANK] = {0}, limit[FW_DATASET_RANK] = {H5S_UNLIMITED};
     hsize_t together[FW_DATASET_RANK] = {chunk};
@@ -103,6 +107,7 @@ fw_dataset fw_hdf5_make_rows(fw_hdf5 *file, const char *path, fw_element element
 
 void fw_hdf5_link(fw_hdf5 *file, const char *existing, const char *path)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     if (H5Lcreate_hard(file->id, existing, file->id, path, H5P_DEFAULT, H5P_DEFAULT) < 0)
         fw_hdf5_fail_writing(file, path);
@@ -128,6 +133,7 @@ static hid_t line_of(int count)
 
 void fw_hdf5_attach_text(fw_hdf5 *file, const char *path, const char *name, const char *text)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     attach(file, path, name, fw_hdf5_text_type(strlen(text)), H5Screate(H5S_SCALAR), text);
 }
@@ -135,6 +141,7 @@ void fw_hdf5_attach_text(fw_hdf5 *file, const char *path, const char *name, cons
 void fw_hdf5_attach_texts(fw_hdf5 *file, const char *path, const char *name,
                           const char *const *texts, int count)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     size_t longest = 1;
     for (int i = 0; i < count; ++i)
@@ -153,12 +160,14 @@ void fw_hdf5_attach_texts(fw_hdf5 *file, const char *path, const char *name,
 void fw_hdf5_attach_integers(fw_hdf5 *file, const char *path, const char *name, const int *values,
                              int count)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     attach(file, path, name, H5Tcopy(H5T_NATIVE_INT), line_of(count), values);
 }
 
 void fw_hdf5_attach_reference(fw_hdf5 *file, const char *path, const char *name, const char *target)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     hobj_ref_t reference;
     if (H5Rcreate(&reference, file->id, target, H5R_OBJECT, -1) < 0)

@@ -19,6 +19,12 @@ struct fw_hdf5 {
     char path[];
 };
 
+/* HDF5 serves one thread at a time, also where they work on different files. Every function of the
+ * door holds it until it returns; one may call another. */
+int fw_hdf5_lock(void);
+void fw_hdf5_unlock(const int *held);
+#define FW_HDF5_ALONE __attribute__((cleanup(fw_hdf5_unlock), unused)) int held = fw_hdf5_lock()
+
 bool fw_hdf5_failed(const fw_hdf5 *file);
 /* The first failure, with the system's reason where there is one; `object` is what HDF5 refuses. */
 void fw_hdf5_fail_writing(fw_hdf5 *file, const char *object);

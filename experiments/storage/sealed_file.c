@@ -4,6 +4,8 @@
  * Start reading at fw_sealed_file_commit(). */
 #include "experiments/storage/sealed_file.h"
 
+#include "experiments/storage/checksum.h"
+
 #include <assert.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -32,21 +34,11 @@ struct fw_sealed_file {
     char fresh_path[FW_PATH_SIZE];
 };
 
-/* FNV-1a: any change of a single byte changes it, others go unnoticed once in 2^64. */
-static uint64_t add_to_checksum(uint64_t checksum, const void *bytes, size_t count)
-{
-    const unsigned char *byte = bytes;
-    for (size_t i = 0; i < count; ++i) checksum = (checksum ^ byte[i]) * 1099511628211u;
-    return checksum;
-}
-
-static const uint64_t no_checksum = 14695981039346656037u;
-
 static void append(fw_sealed_file *file, const void *bytes, size_t count)
 {
     if (file->failure != 0 || count == 0) return;
     if (fwrite(bytes, 1, count, file->stream) != count) file->failure = errno != 0 ? errno : EIO;
-    file->checksum = add_to_checksum(file->checksum, bytes, count);
+    file->checksum = fw_checksum_add(file->checksum, bytes, count);
 }
 
 static header header_of(const char *kind, uint64_t size)
@@ -64,16 +56,19 @@ fw_status fw_sealed_file_create(fw_sealed_file **file, const fw_folder *folder, 
     fw_sealed_file *fresh = calloc(1, sizeof *fresh);
     if (!fresh) return fw_fail_memory(error, name);
     fresh->folder = folder;
-    fresh->checksum = no_checksum;
+    fresh->checksum = FW_CHECKSUM_OF_NOTHING;
     fresh->size = size;
     snprintf(fresh->name, sizeof fresh->name, "%s", name);
-    snprintf(fresh->fresh_name, sizeof fresh->fresh_name, "%.200s.new", name);
+    snprintf(fresh->fresh_name, sizeof fresh->fresh_name, "%.200s" FW_FRESH_SUFFIX, name);
     fw_status status = fw_folder_path(folder, fresh->fresh_name, fresh->fresh_path, error);
     if (status == FW_OK) {
-        fresh->stream = fopen(fresh->fresh_path, "wb");
-        if (!fresh->stream)
-            status = fw_fail(error, FW_SYSTEM_FAILED, "cannot write %s: %s", fresh->fresh_path,
-                             strerror(errno));
+        int descriptor;
+        status = fw_regular_file_create(&descriptor, fresh->fresh_path, error);
+        if (status == FW_OK) fresh->stream = fdopen(descriptor, "wb");
+        if (status == FW_OK && !fresh->stream) {
+            close(descriptor);
+            status = fw_fail_memory(error, fresh->fresh_path);
+        }
     }
     if (status != FW_OK) {
         free(fresh);
@@ -118,8 +113,8 @@ static fw_status read_stream(FILE *stream, const char *path, const char *kind,
     struct stat facts;
     header start, wanted = header_of(kind, 0);
     uint64_t seal, frame = sizeof start + sizeof seal;
-    if (fstat(fileno(stream), &facts) < 0 || !S_ISREG(facts.st_mode))
-        return fw_fail(error, FW_BAD_INPUT, "%s is not a file", path);
+    if (fstat(fileno(stream), &facts) < 0)
+        return fw_fail(error, FW_SYSTEM_FAILED, "cannot read %s: %s", path, strerror(errno));
     uint64_t length = (uint64_t)facts.st_size;
     if (length < frame || fread(&start, sizeof start, 1, stream) != 1)
         return fw_fail(error, FW_BAD_INPUT, "%s is cut short: it has %llu bytes", path,
@@ -141,8 +136,8 @@ static fw_status read_stream(FILE *stream, const char *path, const char *kind,
     if (!bytes) return fw_fail_memory(error, path);
     bool whole = fread(bytes, 1, start.size, stream) == start.size &&
                  fread(&seal, sizeof seal, 1, stream) == 1;
-    uint64_t checksum = add_to_checksum(no_checksum, &start, sizeof start);
-    if (!whole || add_to_checksum(checksum, bytes, start.size) != seal) {
+    uint64_t checksum = fw_checksum_add(FW_CHECKSUM_OF_NOTHING, &start, sizeof start);
+    if (!whole || fw_checksum_add(checksum, bytes, start.size) != seal) {
         free(bytes);
         if (!whole)
             return fw_fail(error, FW_SYSTEM_FAILED, "cannot read %s: %s", path, strerror(errno));
@@ -160,10 +155,13 @@ fw_status fw_sealed_file_read(const fw_folder *folder, const char *name, const c
     *payload = NULL;
     *size = 0;
     FW_TRY(fw_folder_path(folder, name, path, error));
-    FILE *stream = fopen(path, "rb");
-    if (!stream)
-        return fw_fail(error, errno == ENOENT ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
-                       "cannot read %s: %s", path, strerror(errno));
+    int descriptor;
+    FW_TRY(fw_regular_file_open(&descriptor, path, false, error));
+    FILE *stream = fdopen(descriptor, "rb");
+    if (!stream) {
+        close(descriptor);
+        return fw_fail_memory(error, path);
+    }
     fw_status status = read_stream(stream, path, kind, payload, size, error);
     fclose(stream);
     return status;

@@ -17,6 +17,9 @@
 
 enum { FW_SEAL_KIND_SIZE = 8 };
 
+/* What the name of a file ends with before it is whole; one that was left behind is replaced. */
+#define FW_FRESH_SUFFIX ".new"
+
 typedef struct fw_sealed_file fw_sealed_file;
 
 /* Starts a file with a payload of exactly `size` bytes. `kind` says what it is, in at most 8

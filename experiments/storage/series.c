@@ -11,7 +11,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { CHUNK_BYTES = 65536, CHUNK_ROWS = 1024, LEAST_ROWS = 16, LONGEST_PATH = 512 };
+enum { CHUNK_BYTES = 65536, CHUNK_ROWS = 1024, LEAST_ROWS = 16, LONGEST_PATH = 512, FEW = 4 };
 
 typedef struct quantity {
     fw_dataset value;
@@ -83,6 +83,12 @@ uint64_t fw_series_chunk(size_t width)
     return rows < LEAST_ROWS ? LEAST_ROWS : rows < CHUNK_ROWS ? rows : CHUNK_ROWS;
 }
 
+/* Rows of many numbers that are written at once have a chunk of their own each. */
+static uint64_t chunk_of(const fw_series *series, size_t width)
+{
+    return series->block == 1 && width > FEW ? 1 : fw_series_chunk(width);
+}
+
 /* The first element has step and time of its own, all others share them. */
 static void make_moments(fw_series *series, const char *path)
 {
@@ -142,7 +148,7 @@ int fw_series_add(fw_series *series, const char *path, int rank, const uint64_t 
     if (series->fresh) {
         fw_hdf5_make_group(series->file, path);
         added->value = fw_hdf5_make_rows(series->file, value, FW_F64, rank, extent,
-                                         series->block == 1 ? 1 : fw_series_chunk(added->width));
+                                         chunk_of(series, added->width));
     } else {
         added->value = fw_hdf5_find(series->file, value);
         if (!has_shape(series, added->value, rank, extent)) fw_hdf5_refuse(series->file, path);

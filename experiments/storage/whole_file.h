@@ -8,8 +8,9 @@
 #include <stddef.h>
 
 /* Writes bytes into a temporary neighbour of `name`, brings them to disk and renames; a failure
- * leaves what was there before. What exists and is no regular file (a pipe, a device) is written
- * to directly. FW_SYSTEM_FAILED with a sentence that names the file and the reason. */
+ * leaves what was there before, and a neighbour that a killed process left goes with the next
+ * writing. What exists and is no regular file (a pipe with a reader, a device) is written to
+ * directly. FW_SYSTEM_FAILED with a sentence that names the file and the reason. */
 fw_status fw_whole_file_write(const char *name, const void *bytes, size_t count, fw_error *error);
 
 #endif

@@ -49,31 +49,21 @@ static fw_status measure(fw_run *run, fw_error *error)
     const double *row = fw_measurement_take(run->measurement, run->experiment);
     if (!run->recorder) return FW_OK;
     int64_t last = run->measurement->count - 1;
-    fw_status status;
-#pragma omp critical(results)
-    status = fw_recorder_write_row(run->recorder, run->measurement->steps[last],
-                                   run->measurement->times[last], row, error);
-    return status;
+    return fw_recorder_write_row(run->recorder, run->measurement->steps[last],
+                                 run->measurement->times[last], row, error);
 }
 
 static fw_status record(fw_run *run, fw_error *error)
 {
     FW_TRY(fw_warning_look(&run->warning, run->experiment, error));
-    fw_status status = FW_OK;
-    if (!run->recorder) return FW_OK;
-#pragma omp critical(results)
-    status = fw_recorder_write_frame(run->recorder, error);
-    return status;
+    return run->recorder ? fw_recorder_write_frame(run->recorder, error) : FW_OK;
 }
 
 static fw_status checkpoint(fw_run *run, fw_error *error)
 {
     if (!run->recorder) return FW_OK;
     run->checkpointed = fw_progress_clock();
-    fw_status status;
-#pragma omp critical(results)
-    status = fw_recorder_checkpoint(run->recorder, error);
-    return status;
+    return fw_recorder_checkpoint(run->recorder, error);
 }
 
 /* The start counts as a step of its own: with its checkpoint a run can go on whatever ends it, and
@@ -227,7 +217,6 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error)
     if (status == FW_OK) return run->options.keep_open ? FW_OK : fw_run_finish(run, error);
     /* The reason goes into the file as far as the disk still takes it. */
     fw_error ignored;
-#pragma omp critical(results)
     fw_recorder_finish(run->recorder, error->sentence, &ignored);
     return status;
 }
@@ -240,11 +229,7 @@ fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, cons
 
 fw_status fw_run_finish(fw_run *run, fw_error *error)
 {
-    fw_status status = FW_OK;
-    if (!run->recorder) return FW_OK;
-#pragma omp critical(results)
-    status = fw_recorder_finish(run->recorder, NULL, error);
-    return status;
+    return run->recorder ? fw_recorder_finish(run->recorder, NULL, error) : FW_OK;
 }
 
 void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,

@@ -71,14 +71,6 @@ void fw_sweep_destroy(fw_sweep *sweep)
 
 /* --- its folder --- */
 
-fw_status fw_sweep_path(const char *directory, const char *name, char path[FW_PATH_SIZE],
-                        fw_error *error)
-{
-    const int length = snprintf(path, FW_PATH_SIZE, "%s/%s", directory, name);
-    if (length < FW_PATH_SIZE) return FW_OK;
-    return fw_fail(error, FW_BAD_INPUT, "%.200s...: the name of the folder is too long", directory);
-}
-
 /* An earlier result goes, or is kept: then nothing begins. */
 static fw_status clear_folder(const char *path, bool overwrite, fw_error *error)
 {
@@ -98,7 +90,7 @@ static fw_status clear_folders(const fw_sweep *sweep, bool overwrite, fw_error *
     char path[FW_PATH_SIZE];
     FW_TRY(clear_folder(sweep->options.directory, overwrite, error));
     for (int n = 0; n < sweep->case_count; ++n) {
-        FW_TRY(fw_sweep_path(sweep->options.directory, sweep->cases[n].name, path, error));
+        FW_TRY(fw_path_join(path, sweep->options.directory, sweep->cases[n].name, error));
         FW_TRY(clear_folder(path, overwrite, error));
     }
     return FW_OK;
@@ -111,7 +103,7 @@ static fw_status refuse_held(const fw_sweep *sweep, fw_error *error)
     for (int n = 0; n < sweep->case_count; ++n) {
         fw_folder *folder;
         fw_error ignored;
-        FW_TRY(fw_sweep_path(sweep->options.directory, sweep->cases[n].name, path, error));
+        FW_TRY(fw_path_join(path, sweep->options.directory, sweep->cases[n].name, error));
         if (fw_folder_visit(&folder, path, &ignored) != FW_OK) continue;
         const bool result = fw_trajectory_is_in(folder);
         fw_folder_close(folder);
@@ -131,7 +123,7 @@ static fw_status take_folder(fw_sweep *sweep, fw_error *error)
     FW_TRY(refuse_held(sweep, error));
     if (!sweep->options.overwrite) FW_TRY(clear_folders(sweep, false, error));
     FW_TRY(clear_folders(sweep, true, error));
-    FW_TRY(fw_sweep_path(directory, FW_SWEEP_SCENARIO, path, error));
+    FW_TRY(fw_path_join(path, directory, FW_SWEEP_SCENARIO, error));
     FW_TRY(fw_scenario_print(sweep->scenario, &text, error));
     const fw_status status = fw_whole_file_write(path, text, strlen(text), error);
     free(text);
@@ -174,7 +166,7 @@ fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error 
 {
     char path[FW_PATH_SIZE];
     *scenario = NULL;
-    FW_TRY(fw_sweep_path(directory, FW_SWEEP_SCENARIO, path, error));
+    FW_TRY(fw_path_join(path, directory, FW_SWEEP_SCENARIO, error));
     FW_TRY(fw_scenario_load(scenario, path, NULL, 0, error));
     if (fw_scenario_is_sweep(*scenario)) return FW_OK;
     fw_scenario_destroy(*scenario);
@@ -221,7 +213,7 @@ static fw_status complete_case(fw_sweep *sweep, int number, fw_error *error)
     options.name = progress;
     options.overwrite = true; /* whatever was there and counted has been looked at */
     if (options.directory) {
-        FW_TRY(fw_sweep_path(options.directory, c->name, path, error));
+        FW_TRY(fw_path_join(path, options.directory, c->name, error));
         options.directory = path;
     }
     return tell_case(sweep, number, fw_sweep_case_complete(c, &options, sweep->going_on, error),
@@ -235,7 +227,7 @@ static fw_status write_table(const fw_sweep *sweep, fw_error *error)
     fw_sweep_table table;
     char path[FW_PATH_SIZE];
     if (!sweep->options.directory) return FW_OK;
-    FW_TRY(fw_sweep_path(sweep->options.directory, FW_SWEEP_FILE, path, error));
+    FW_TRY(fw_path_join(path, sweep->options.directory, FW_SWEEP_FILE, error));
     fw_status status = fw_sweep_outcome_table(&table, sweep->scenario, sweep->cases, error);
     if (status == FW_OK) status = fw_sweep_table_write(&table, sweep->scenario->title, path, error);
     fw_sweep_table_clear(&table);

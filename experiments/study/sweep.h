@@ -33,8 +33,4 @@ bool fw_sweep_is_in(const char *directory);
 fw_status fw_sweep_refuse(const char *directory, fw_error *error);
 /* The scenario of the sweep in a folder. */
 fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error *error);
-/* DIR/NAME into `path`; FW_BAD_INPUT when that is too long. */
-fw_status fw_sweep_path(const char *directory, const char *name, char path[FW_PATH_SIZE],
-                        fw_error *error);
-
 #endif
