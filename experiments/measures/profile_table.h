@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* profile_table.h - what came out of a study: profiles and measures of the layer, means and
  * standard errors over its seeds, of the experiment and of its control. In memory, in the results
- * file (observables/profile and observables/layer), as CSV, and as a printed table. */
+ * file (parameters/profile and parameters/layer), as CSV, and as a printed table. */
 #ifndef FW_PROFILE_TABLE_H
 #define FW_PROFILE_TABLE_H
 

@@ -2,12 +2,12 @@
 /* playback.c - reading a results file.
  * State: the open file and everything in it that does not grow with frames. Invariant: extents and
  * types of all elements were checked against the number of particles when the file was opened, and
- * no memory is asked for on the word of the file alone. Start reading at fw_playback_open(). */
-#include "experiments/results/playback.h"
-
+ * no memory is asked for on the word of the file alone. Start reading at fw_playback_open();
+ * playback_frames.c reads the rest. */
 #include "experiments/storage/folder.h"
-#include "experiments/storage/hdf5_file.h"
+#include "playback_parts.h"
 #include "trajectory_head.h"
+#include "trajectory_layout.h"
 
 #include <limits.h>
 #include <stdio.h>
@@ -15,42 +15,16 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define PARTICLES "particles/trajectory"
+#define FW_PARTICLES "particles/trajectory"
 
 enum { MAX_MEMBERS = 1024 };
-
-typedef struct fw_playback_file {
-    fw_hdf5 *hdf5;
-    double *vectors; /* one row of particles */
-} fw_playback_file;
-
-static fw_status refuse(fw_playback *playback, const char *path, fw_error *error)
-{
-    fw_hdf5_refuse(playback->file->hdf5, path);
-    return fw_hdf5_check(playback->file->hdf5, error);
-}
-
-/* The dataset at `path` if its rows are arrays of these extents and there are at least `rows`. */
-static fw_dataset find_rows(fw_playback *playback, const char *path, fw_element element,
-                            int64_t rows, int rank, const uint64_t *extent)
-{
-    fw_shape shape;
-    fw_dataset dataset = fw_hdf5_find(playback->file->hdf5, path);
-    if (!fw_hdf5_shape(playback->file->hdf5, dataset, &shape) || shape.text ||
-        shape.element != element || shape.rank != rank + 1 || rows < 0 ||
-        shape.extent[0] < (uint64_t)rows)
-        return -1;
-    for (int i = 0; i < rank; ++i)
-        if (shape.extent[i + 1] != extent[i]) return -1;
-    return dataset;
-}
 
 static bool has_element(fw_playback *playback, const char *name, int rank)
 {
     char path[FW_NAME_SIZE + 64];
     uint64_t extent[] = {(uint64_t)playback->particle_count, 3};
-    snprintf(path, sizeof path, PARTICLES "/%s/value", name);
-    return find_rows(playback, path, FW_F64, playback->frame_count, rank, extent) >= 0;
+    snprintf(path, sizeof path, FW_PARTICLES "/%s/value", name);
+    return fw_playback_find_rows(playback, path, FW_F64, playback->frame_count, rank, extent) >= 0;
 }
 
 static int64_t read_integer(fw_playback *playback, const char *path)
@@ -73,35 +47,37 @@ static char *read_text(fw_playback *playback, const char *path)
     return text;
 }
 
-/* How many particles there are, and which belong to which body: `species` counts bodies from 1 and
+/* How many particles there are, and which belong to which body: `species` counts bodies from 0 and
  * never goes down. */
 static fw_status read_bodies(fw_playback *playback, fw_error *error)
 {
     fw_hdf5 *hdf5 = playback->file->hdf5;
     fw_shape shape;
-    fw_dataset dataset = fw_hdf5_find(hdf5, PARTICLES "/species");
+    fw_dataset dataset = fw_hdf5_find(hdf5, FW_PARTICLES "/species");
     if (!fw_hdf5_shape(hdf5, dataset, &shape) || shape.text || shape.rank != 1 ||
         shape.element != FW_I32 || shape.extent[0] < 1 || shape.extent[0] > INT_MAX / 3 ||
         !fw_hdf5_is_stored(hdf5, dataset))
-        return refuse(playback, PARTICLES "/species", error);
+        return fw_playback_refuse(playback, FW_PARTICLES "/species", error);
     playback->particle_count = (int)shape.extent[0];
     int32_t *species = fw_array_allocate(shape.extent[0], sizeof *species);
     if (!species) return fw_fail_memory(error, "the species of the particles");
     fw_hdf5_read(hdf5, dataset, FW_I32, 0, shape.extent[0], species);
     bool sound = true;
-    int bodies = species[playback->particle_count - 1];
-    int32_t before = 1;
+    /* No overflow: particles are fewer than INT_MAX / 3, and a count beyond them is refused. */
+    int32_t last = species[playback->particle_count - 1];
+    int bodies = last >= 0 && last < playback->particle_count ? last + 1 : 0;
+    int32_t before = 0;
     for (int i = 0; i < playback->particle_count; before = species[i++])
         sound = sound && species[i] >= before;
-    sound = sound && bodies >= 1 && bodies <= playback->particle_count;
+    sound = sound && bodies >= 1;
     if (sound) {
         playback->bodies = calloc((size_t)bodies, sizeof *playback->bodies);
         char *names = calloc((size_t)bodies, FW_NAME_SIZE);
         if (playback->bodies && names) {
             playback->body_count = bodies;
             for (int i = 0; i < playback->particle_count; ++i)
-                playback->bodies[species[i] - 1].count += 1;
-            sound = fw_hdf5_read_attributes(hdf5, PARTICLES "/species", "bodies", names,
+                playback->bodies[species[i]].count += 1;
+            sound = fw_hdf5_read_attributes(hdf5, FW_PARTICLES "/species", "bodies", names,
                                             FW_NAME_SIZE, bodies);
             for (int i = 0, first = 0; i < bodies; first += playback->bodies[i++].count) {
                 playback->bodies[i].first = first;
@@ -113,7 +89,7 @@ static fw_status read_bodies(fw_playback *playback, fw_error *error)
         free(names);
     }
     free(species);
-    if (!sound) return refuse(playback, PARTICLES "/species", error);
+    if (!sound) return fw_playback_refuse(playback, FW_PARTICLES "/species", error);
     return fw_hdf5_check(hdf5, error);
 }
 
@@ -126,7 +102,7 @@ static fw_status read_links(fw_playback *playback, fw_error *error)
     if (!fw_hdf5_shape(hdf5, dataset, &shape) || shape.text || shape.element != FW_I32 ||
         shape.rank != 2 || shape.extent[0] > INT_MAX / 2 || shape.extent[1] != 2 ||
         !fw_hdf5_is_stored(hdf5, dataset))
-        return refuse(playback, "connectivity/links", error);
+        return fw_playback_refuse(playback, "connectivity/links", error);
     int(*links)[2] = fw_array_allocate(shape.extent[0], sizeof *links);
     if (!links) return fw_fail_memory(error, "the links");
     playback->links = (const int(*)[2])links;
@@ -135,7 +111,7 @@ static fw_status read_links(fw_playback *playback, fw_error *error)
     for (int i = 0; i < playback->link_count; ++i)
         for (int end = 0; end < 2; ++end)
             if (links[i][end] < 0 || links[i][end] >= playback->particle_count)
-                return refuse(playback, "connectivity/links", error);
+                return fw_playback_refuse(playback, "connectivity/links", error);
     return fw_hdf5_check(hdf5, error);
 }
 
@@ -154,7 +130,7 @@ static char (*list_members(fw_playback *playback, const char *path, int *count))
 static fw_status read_fields(fw_playback *playback, fw_error *error)
 {
     int count;
-    char(*names)[FW_NAME_SIZE] = list_members(playback, PARTICLES, &count);
+    char(*names)[FW_NAME_SIZE] = list_members(playback, FW_PARTICLES, &count);
     playback->fields = calloc((size_t)count + 1, sizeof *playback->fields);
     if (!names || !playback->fields) {
         free(names);
@@ -165,7 +141,7 @@ static fw_status read_fields(fw_playback *playback, fw_error *error)
         char path[FW_NAME_SIZE + 64];
         fw_playback_field *field = &playback->fields[playback->field_count++];
         memcpy(field->name, names[i], FW_NAME_SIZE);
-        snprintf(path, sizeof path, PARTICLES "/%s", names[i]);
+        snprintf(path, sizeof path, FW_PARTICLES "/%s", names[i]);
         fw_hdf5_read_attribute(playback->file->hdf5, path, "meaning", field->meaning,
                                sizeof field->meaning);
     }
@@ -177,7 +153,7 @@ static fw_status read_observables(fw_playback *playback, fw_error *error)
 {
     fw_hdf5 *hdf5 = playback->file->hdf5;
     int count;
-    char(*names)[FW_NAME_SIZE] = list_members(playback, "observables", &count);
+    char(*names)[FW_NAME_SIZE] = list_members(playback, FW_SERIES, &count);
     playback->observables = calloc((size_t)count + 1, sizeof *playback->observables);
     if (!names || !playback->observables) {
         free(names);
@@ -186,13 +162,11 @@ static fw_status read_observables(fw_playback *playback, fw_error *error)
     for (int i = 0; i < count; ++i) {
         char path[FW_NAME_SIZE + 64];
         fw_shape shape;
-        /* Groups of arrays, which are no series. */
-        if (strcmp(names[i], "profile") == 0 || strcmp(names[i], "layer") == 0) continue;
         fw_playback_observable *added = &playback->observables[playback->observable_count++];
         memcpy(added->name, names[i], FW_NAME_SIZE);
-        snprintf(path, sizeof path, "observables/%s", names[i]);
+        snprintf(path, sizeof path, FW_SERIES "/%s", names[i]);
         fw_hdf5_read_attribute(hdf5, path, "meaning", added->meaning, sizeof added->meaning);
-        snprintf(path, sizeof path, "observables/%s/value", names[i]);
+        snprintf(path, sizeof path, FW_SERIES "/%s/value", names[i]);
         fw_hdf5_read_attribute(hdf5, path, "unit", added->unit, sizeof added->unit);
         if (!fw_hdf5_shape(hdf5, fw_hdf5_find(hdf5, path), &shape) || shape.text ||
             shape.element != FW_F64 || (shape.rank != 1 && shape.rank != 2) ||
@@ -212,7 +186,8 @@ static fw_status read_head(fw_playback *playback, fw_error *error)
     char creator[64];
     if (!fw_hdf5_read_attribute(hdf5, "h5md/creator", "name", creator, sizeof creator) ||
         strcmp(creator, "fretwork") != 0)
-        return refuse(playback, "h5md/creator", error);
+        return fw_playback_refuse(playback, "h5md/creator", error);
+    FW_TRY(fw_layout_check_seal(hdf5, error));
     playback->frame_count = read_integer(playback, "parameters/frames_committed");
     playback->sample_count = read_integer(playback, "parameters/samples_committed");
     playback->seed = (uint64_t)read_integer(playback, "parameters/seed");
@@ -222,15 +197,16 @@ static fw_status read_head(fw_playback *playback, fw_error *error)
     playback->revision = read_text(playback, "parameters/provenance/revision");
     playback->start = read_text(playback, "parameters/provenance/start");
     playback->end = read_text(playback, "parameters/provenance/end");
+    playback->warnings = read_text(playback, "parameters/warnings");
     FW_TRY(fw_hdf5_check(hdf5, error));
     FW_TRY(read_bodies(playback, error));
     if (!has_element(playback, "position", 2))
-        return refuse(playback, PARTICLES "/position", error);
+        return fw_playback_refuse(playback, FW_PARTICLES "/position", error);
     uint64_t count = (uint64_t)playback->particle_count;
     playback->velocity = has_element(playback, "velocity", 2);
     playback->force = has_element(playback, "force", 2);
-    playback->mass =
-        find_rows(playback, PARTICLES "/mass", FW_F64, playback->particle_count, 0, NULL) >= 0;
+    playback->mass = fw_playback_find_rows(playback, FW_PARTICLES "/mass", FW_F64,
+                                           playback->particle_count, 0, NULL) >= 0;
     FW_TRY(read_links(playback, error));
     FW_TRY(read_fields(playback, error));
     FW_TRY(read_observables(playback, error));
@@ -297,186 +273,6 @@ void fw_playback_close(fw_playback *playback)
     free(playback->revision);
     free(playback->start);
     free(playback->end);
+    free(playback->warnings);
     free(playback);
-}
-
-static fw_status read_times(fw_playback *playback, const char *element, int64_t count,
-                            int64_t *steps, double *times, fw_error *error)
-{
-    fw_hdf5 *hdf5 = playback->file->hdf5;
-    char path[FW_NAME_SIZE + 64];
-    for (int time = 0; time < 2; ++time) {
-        void *to = time ? (void *)times : (void *)steps;
-        if (!to) continue;
-        snprintf(path, sizeof path, "%s/%s", element, time ? "time" : "step");
-        fw_dataset dataset = find_rows(playback, path, time ? FW_F64 : FW_I64, count, 0, NULL);
-        if (dataset < 0) return refuse(playback, path, error);
-        fw_hdf5_read(hdf5, dataset, time ? FW_F64 : FW_I64, 0, (uint64_t)count, to);
-    }
-    return fw_hdf5_check(hdf5, error);
-}
-
-fw_status fw_playback_read_frame_times(fw_playback *playback, int64_t *steps, double *times,
-                                       fw_error *error)
-{
-    return read_times(playback, PARTICLES "/position", playback->frame_count, steps, times, error);
-}
-
-fw_status fw_playback_read_sample_times(fw_playback *playback, int64_t *steps, double *times,
-                                        fw_error *error)
-{
-    char element[FW_NAME_SIZE + 64];
-    if (playback->observable_count == 0)
-        return fw_fail(error, FW_BAD_INPUT, "the results hold no observables");
-    snprintf(element, sizeof element, "observables/%s", playback->observables[0].name);
-    return read_times(playback, element, playback->sample_count, steps, times, error);
-}
-
-/* One frame of an element that may not be there. */
-static fw_status read_element(fw_playback *playback, int64_t frame, const char *name, int rank,
-                              double *values, fw_error *error)
-{
-    char path[FW_NAME_SIZE + 64];
-    uint64_t extent[] = {(uint64_t)playback->particle_count, 3};
-    if (frame < 0 || frame >= playback->frame_count)
-        return fw_fail(error, FW_BAD_INPUT, "there is no frame %lld; the results have 0 to %lld",
-                       (long long)frame, (long long)playback->frame_count - 1);
-    snprintf(path, sizeof path, PARTICLES "/%.*s/value", FW_NAME_SIZE - 1, name);
-    fw_dataset dataset = find_rows(playback, path, FW_F64, playback->frame_count, rank, extent);
-    if (dataset < 0)
-        return fw_fail(error, FW_BAD_INPUT, "the frames of these results hold no %s", name);
-    fw_hdf5_read(playback->file->hdf5, dataset, FW_F64, (uint64_t)frame, 1, values);
-    fw_hdf5_release(dataset);
-    return fw_hdf5_check(playback->file->hdf5, error);
-}
-
-static fw_status read_vectors(fw_playback *playback, int64_t frame, const char *name, double *x,
-                              double *y, fw_error *error)
-{
-    const double *vectors = playback->file->vectors;
-    FW_TRY(read_element(playback, frame, name, 2, playback->file->vectors, error));
-    for (int i = 0; i < playback->particle_count; ++i) {
-        x[i] = vectors[3 * i];
-        y[i] = vectors[3 * i + 1];
-    }
-    return FW_OK;
-}
-
-fw_status fw_playback_read_positions(fw_playback *playback, int64_t frame, double *x, double *y,
-                                     fw_error *error)
-{
-    return read_vectors(playback, frame, "position", x, y, error);
-}
-
-fw_status fw_playback_read_velocities(fw_playback *playback, int64_t frame, double *x, double *y,
-                                      fw_error *error)
-{
-    return read_vectors(playback, frame, "velocity", x, y, error);
-}
-
-fw_status fw_playback_read_forces(fw_playback *playback, int64_t frame, double *x, double *y,
-                                  fw_error *error)
-{
-    return read_vectors(playback, frame, "force", x, y, error);
-}
-
-fw_status fw_playback_read_field(fw_playback *playback, int64_t frame, const char *name,
-                                 double *values, fw_error *error)
-{
-    return read_element(playback, frame, name, 1, values, error);
-}
-
-fw_status fw_playback_read_masses(fw_playback *playback, double *masses, fw_error *error)
-{
-    fw_dataset dataset =
-        find_rows(playback, PARTICLES "/mass", FW_F64, playback->particle_count, 0, NULL);
-    if (dataset < 0) return fw_fail(error, FW_BAD_INPUT, "the results hold no masses");
-    fw_hdf5_read(playback->file->hdf5, dataset, FW_F64, 0, (uint64_t)playback->particle_count,
-                 masses);
-    return fw_hdf5_check(playback->file->hdf5, error);
-}
-
-fw_status fw_playback_read_table(fw_playback *playback, const char *group, const char *name,
-                                 fw_table *table, fw_error *error)
-{
-    char path[3 * FW_NAME_SIZE];
-    fw_hdf5 *hdf5 = playback->file->hdf5;
-    fw_shape shape;
-    *table = (fw_table){.rank = 0};
-    snprintf(path, sizeof path, "parameters/analysis/%.*s/%.*s", FW_NAME_SIZE - 1, group,
-             FW_NAME_SIZE - 1, name);
-    fw_dataset dataset = fw_hdf5_find(hdf5, path);
-    if (dataset < 0)
-        return fw_fail(error, FW_BAD_INPUT, "the results hold no %s of an analysis %s", name,
-                       group);
-    if (!fw_hdf5_shape(hdf5, dataset, &shape) || shape.text || shape.element != FW_F64 ||
-        shape.rank < 1 || shape.rank > 2 || shape.extent[0] > INT_MAX ||
-        (shape.rank == 2 && shape.extent[1] > INT_MAX) || !fw_hdf5_is_stored(hdf5, dataset))
-        return refuse(playback, path, error);
-    table->rank = shape.rank;
-    for (int axis = 0; axis < shape.rank; ++axis) table->extent[axis] = (int)shape.extent[axis];
-    table->values = fw_array_of_doubles((size_t)fw_table_size(table));
-    if (!table->values) return fw_fail_memory(error, "the arrays of an analysis");
-    fw_hdf5_read(hdf5, dataset, FW_F64, 0, shape.extent[0], table->values);
-    fw_hdf5_release(dataset);
-    return fw_hdf5_check(hdf5, error);
-}
-
-int fw_playback_find_observable(const fw_playback *playback, const char *name)
-{
-    for (int i = 0; i < playback->observable_count; ++i)
-        if (strcmp(playback->observables[i].name, name) == 0) return i;
-    return -1;
-}
-
-fw_status fw_playback_read_observable(fw_playback *playback, int observable, double *values,
-                                      fw_error *error)
-{
-    char path[FW_NAME_SIZE + 64];
-    const fw_playback_observable *wanted = &playback->observables[observable];
-    uint64_t components = (uint64_t)wanted->components;
-    snprintf(path, sizeof path, "observables/%s/value", wanted->name);
-    fw_dataset dataset =
-        find_rows(playback, path, FW_F64, playback->sample_count, components > 1, &components);
-    if (dataset < 0) return refuse(playback, path, error);
-    fw_hdf5_read(playback->file->hdf5, dataset, FW_F64, 0, (uint64_t)playback->sample_count,
-                 values);
-    fw_hdf5_release(dataset);
-    return fw_hdf5_check(playback->file->hdf5, error);
-}
-
-static fw_dataset find_array(fw_playback *playback, const char *name, int columns, int *rows)
-{
-    char path[FW_NAME_SIZE + 64];
-    fw_shape shape;
-    snprintf(path, sizeof path, "observables/%s", name);
-    fw_dataset dataset = fw_hdf5_find(playback->file->hdf5, path);
-    *rows = 0;
-    if (dataset < 0 || !fw_hdf5_shape(playback->file->hdf5, dataset, &shape) || shape.text ||
-        shape.element != FW_F64 || shape.rank < 1 || shape.rank > 2 ||
-        shape.extent[0] > (uint64_t)INT_MAX)
-        return -1;
-    const uint64_t found = shape.rank == 2 ? shape.extent[1] : columns > 1 ? shape.extent[0] : 1;
-    if (found != (uint64_t)columns || !fw_hdf5_is_stored(playback->file->hdf5, dataset)) return -1;
-    *rows = shape.rank == 1 && columns > 1 ? 1 : (int)shape.extent[0];
-    return dataset;
-}
-
-int fw_playback_array_rows(fw_playback *playback, const char *name, int columns)
-{
-    int rows;
-    fw_hdf5_release(find_array(playback, name, columns, &rows));
-    return rows;
-}
-
-fw_status fw_playback_read_array(fw_playback *playback, const char *name, int rows, int columns,
-                                 double *values, fw_error *error)
-{
-    int found;
-    fw_dataset dataset = find_array(playback, name, columns, &found);
-    if (dataset < 0 || found != rows) return refuse(playback, name, error);
-    fw_hdf5_read(playback->file->hdf5, dataset, FW_F64, 0, (uint64_t)(rows > 1 ? rows : columns),
-                 values);
-    fw_hdf5_release(dataset);
-    return fw_hdf5_check(playback->file->hdf5, error);
 }

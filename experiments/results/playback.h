@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* playback.h - the results file of a run, as it is read: for tables, profiles and pictures.
  * Only what counts is shown (see trajectory.h), so a file may be read while its run goes on or
- * after it was killed. A file that is damaged, cut short or not ours gives one sentence. */
+ * after it was killed. A file that is damaged, cut short or not ours gives one sentence;
+ * so does one of an earlier version of the program, which had no seal. */
 #ifndef FW_PLAYBACK_H
 #define FW_PLAYBACK_H
 
@@ -44,6 +45,7 @@ typedef struct fw_playback {
     char *title, *scenario;
     uint64_t seed;
     char *exit_reason, *revision, *start, *end; /* of the run; see provenance.h */
+    char *warnings; /* what the user was warned of, a line each; "" if of nothing */
     struct fw_playback_file *file;
 } fw_playback;
 

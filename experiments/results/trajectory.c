@@ -2,12 +2,12 @@
 /* trajectory.c - the results file while a run writes it.
  * State: the folder it holds, the open file, the series of frames and that of samples. Invariant:
  * between two calls the file on disk has its final structure, and every committed row is whole.
- * Start reading at fw_trajectory_create(); trajectory_layout.c makes what never changes. */
-#include "experiments/results/trajectory.h"
+ * Start reading at fw_trajectory_create(); trajectory_layout.c makes what never changes, and
+ * trajectory_rows.c writes what does. */
+#include "trajectory_parts.h"
 
-#include "experiments/results/provenance.h"
-#include "experiments/storage/folder.h"
-#include "experiments/storage/series.h"
+#include "experiments/storage/manifest.h"
+#include "experiments/storage/sealed_file.h"
 #include "trajectory_head.h"
 #include "trajectory_layout.h"
 
@@ -17,20 +17,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FRESH_FILE "trajectory.h5.new"
+#define FRESH_FILE FW_TRAJECTORY_FILE FW_FRESH_SUFFIX
 
 /* Samples gathered before they are written, and the longest time that takes in seconds. */
 enum { SAMPLE_BLOCK = 256, SAMPLE_SECONDS = 1 };
-
-struct fw_trajectory {
-    fw_folder *folder;
-    fw_hdf5 *file;
-    fw_series *frames, *samples;
-    int *counts, body_count, particle_count;
-    int position, velocity, force, *fields, field_count; /* quantities of the frames; -1: none */
-    int *components, observable_count;
-    double *vectors, *scalars; /* a row of particles; the z of vectors stays 0 */
-};
 
 fw_trajectory_def fw_trajectory_def_default(void)
 {
@@ -46,6 +36,7 @@ double fw_trajectory_size(const fw_trajectory_def *def)
         links += def->bodies[i].link_count;
     }
     for (int i = 0; i < def->observable_count; ++i) components += def->observables[i].components;
+    const double at_frames = components * (double)def->frame_count;
     for (int i = 0; i < def->array_count; ++i)
         components += (double)def->arrays[i].rows * def->arrays[i].columns /
                       fmax(1, (double)def->sample_count);
@@ -56,7 +47,7 @@ double fw_trajectory_size(const fw_trajectory_def *def)
     int numbers = 3 * (1 + def->velocity + def->force) + def->field_count;
     return (double)fw_layout_structure(def) + (double)strlen(def->scenario) + tables +
            16 * particles + 8 * links + (double)def->frame_count * (8 * numbers * particles + 16) +
-           (double)def->sample_count * (8 * components + 16);
+           (double)def->sample_count * (8 * components + 16) + 8 * at_frames;
 }
 
 static fw_status allocate(fw_trajectory **trajectory, const fw_trajectory_def *def, fw_error *error)
@@ -70,10 +61,16 @@ static fw_status allocate(fw_trajectory **trajectory, const fw_trajectory_def *d
     fresh->counts = calloc((size_t)def->body_count + 1, sizeof *fresh->counts);
     fresh->fields = calloc((size_t)def->field_count + 1, sizeof *fresh->fields);
     fresh->components = calloc((size_t)def->observable_count + 1, sizeof *fresh->components);
-    if (!fresh->counts || !fresh->fields || !fresh->components)
+    fresh->moments = calloc((size_t)def->observable_count + 1, sizeof *fresh->moments);
+    if (!fresh->counts || !fresh->fields || !fresh->components || !fresh->moments)
         return fw_fail_memory(error, "the results file");
-    for (int i = 0; i < def->observable_count; ++i)
+    for (int i = 0; i < def->observable_count; ++i) {
         fresh->components[i] = def->observables[i].components;
+        fresh->sample_width += (size_t)fresh->components[i];
+    }
+    fresh->sample_step = -1;
+    fresh->sample = fw_array_of_doubles(fresh->sample_width);
+    if (!fresh->sample) return fw_fail_memory(error, "a row of results");
     for (int i = 0; i < def->body_count; ++i) {
         fresh->counts[i] = def->bodies[i].count;
         fresh->particle_count += def->bodies[i].count;
@@ -115,9 +112,13 @@ static fw_status add_series(fw_trajectory *trajectory, const fw_trajectory_def *
     for (int i = 0; i < def->observable_count; ++i) {
         char path[FW_NAME_SIZE + 64];
         uint64_t components = (uint64_t)def->observables[i].components;
-        snprintf(path, sizeof path, "observables/%s", def->observables[i].name);
+        snprintf(path, sizeof path, "parameters/series/%s", def->observables[i].name);
         complete =
             fw_series_add(trajectory->samples, path, components > 1, &components) == i && complete;
+        snprintf(path, sizeof path, "observables/%s", def->observables[i].name);
+        trajectory->moments[i] =
+            fw_series_add(trajectory->frames, path, components > 1, &components);
+        complete = complete && trajectory->moments[i] >= 0;
     }
     return complete ? FW_OK : fw_fail_memory(error, "the rows of results");
 }
@@ -130,6 +131,8 @@ static void release(fw_trajectory *trajectory)
     free(trajectory->counts);
     free(trajectory->fields);
     free(trajectory->components);
+    free(trajectory->moments);
+    free(trajectory->sample);
     free(trajectory->vectors);
     free(trajectory->scalars);
     free(trajectory);
@@ -150,6 +153,7 @@ static fw_status lay_out(fw_trajectory *trajectory, const fw_trajectory_def *def
     FW_TRY(fw_hdf5_check(trajectory->file, error));
     *cramped = !fw_hdf5_is_compact(trajectory->file);
     if (!*cramped) fw_hdf5_reserve(trajectory->file);
+    fw_layout_seal(trajectory->file);
     fw_hdf5_sync(trajectory->file);
     return fw_hdf5_check(trajectory->file, error);
 }
@@ -171,7 +175,7 @@ fw_status fw_trajectory_refuse(const char *directory, fw_error *error)
 static fw_status forget(const fw_folder *folder, fw_error *error)
 {
     static const char *const files[] = {"checkpoint-A", "checkpoint-B", FW_SWEEP_FILE,
-                                        FW_SWEEP_SCENARIO};
+                                        FW_SWEEP_SCENARIO, FW_MANIFEST_FILE};
     for (size_t n = 0; n < sizeof files / sizeof files[0]; ++n)
         FW_TRY(fw_folder_remove(folder, files[n], error));
     return fw_head_remove(folder, error);
@@ -260,6 +264,7 @@ static fw_status resume_in(fw_trajectory *trajectory, const fw_trajectory_def *d
     FW_TRY(fw_folder_path(trajectory->folder, FW_TRAJECTORY_FILE, path, error));
     FW_TRY(fw_head_restore(trajectory->folder, error));
     FW_TRY(fw_hdf5_open(&trajectory->file, path, true, error));
+    FW_TRY(fw_layout_check_seal(trajectory->file, error));
     FW_TRY(fw_layout_compare(trajectory->file, def, error));
     FW_TRY(add_series(trajectory, def, false, error));
     FW_TRY(fw_hdf5_check(trajectory->file, error));
@@ -301,111 +306,6 @@ fw_status fw_trajectory_reopen(fw_trajectory **trajectory, const fw_trajectory_d
     fw_folder_close(folder);
     release(*trajectory);
     *trajectory = NULL;
-    return status;
-}
-
-fw_status fw_trajectory_write_frame(fw_trajectory *trajectory, int64_t step, double time,
-                                    const fw_frame_body *bodies, fw_error *error)
-{
-    const int kinds[] = {trajectory->position, trajectory->velocity, trajectory->force};
-    for (int kind = 0; kind < 3; ++kind) {
-        if (kinds[kind] < 0) continue;
-        double *restrict to = trajectory->vectors;
-        for (int body = 0; body < trajectory->body_count; ++body) {
-            const fw_frame_body *from = &bodies[body];
-            const double *x = kind == 0 ? from->x : kind == 1 ? from->velocity_x : from->force_x;
-            const double *y = kind == 0 ? from->y : kind == 1 ? from->velocity_y : from->force_y;
-            for (int i = 0; i < trajectory->counts[body]; ++i, to += 3) {
-                to[0] = x[i];
-                to[1] = y[i];
-            }
-        }
-        fw_series_write(trajectory->frames, kinds[kind], trajectory->vectors);
-    }
-    for (int field = 0; field < trajectory->field_count; ++field) {
-        double *to = trajectory->scalars;
-        for (int body = 0; body < trajectory->body_count; ++body) {
-            const double *from = bodies[body].fields ? bodies[body].fields[field] : NULL;
-            for (int i = 0; i < trajectory->counts[body]; ++i) *to++ = from ? from[i] : NAN;
-        }
-        fw_series_write(trajectory->frames, trajectory->fields[field], trajectory->scalars);
-    }
-    fw_series_end_row(trajectory->frames, step, time);
-    return fw_hdf5_check(trajectory->file, error);
-}
-
-fw_status fw_trajectory_write_sample(fw_trajectory *trajectory, int64_t step, double time,
-                                     const double *values, fw_error *error)
-{
-    for (int i = 0; i < trajectory->observable_count; ++i) {
-        fw_series_write(trajectory->samples, i, values);
-        values += trajectory->components[i];
-    }
-    fw_series_end_row(trajectory->samples, step, time);
-    return fw_hdf5_check(trajectory->file, error);
-}
-
-fw_status fw_trajectory_write_array(fw_trajectory *trajectory, const fw_trajectory_array *array,
-                                    const double *values, fw_error *error)
-{
-    char path[FW_NAME_SIZE + 64];
-    snprintf(path, sizeof path, "observables/%s", array->name);
-    const uint64_t first_extent = (uint64_t)(array->rows > 1 ? array->rows : array->columns);
-    fw_dataset dataset = fw_hdf5_find(trajectory->file, path);
-    if (dataset < 0) fw_hdf5_refuse(trajectory->file, path);
-    fw_hdf5_write(trajectory->file, dataset, FW_F64, 0, first_extent, values);
-    fw_hdf5_release(dataset);
-    return fw_hdf5_check(trajectory->file, error);
-}
-
-int64_t fw_trajectory_frame_count(const fw_trajectory *trajectory)
-{
-    return fw_series_count(trajectory->frames);
-}
-
-int64_t fw_trajectory_sample_count(const fw_trajectory *trajectory)
-{
-    return fw_series_count(trajectory->samples);
-}
-
-fw_status fw_trajectory_sync(fw_trajectory *trajectory, fw_error *error)
-{
-    fw_series_commit(trajectory->frames);
-    fw_series_commit(trajectory->samples);
-    fw_hdf5_sync(trajectory->file);
-    return fw_hdf5_check(trajectory->file, error);
-}
-
-/* Cuts the room for rows that were not written, with a way back at any moment. */
-static fw_status cut(fw_trajectory *trajectory, bool resumable, fw_error *error)
-{
-    fw_hdf5 *file = trajectory->file;
-    uint64_t head = fw_layout_head(file);
-    fw_hdf5_sync(file);
-    FW_TRY(fw_hdf5_check(file, error));
-    FW_TRY(fw_head_save(trajectory->folder, head, fw_hdf5_size(file), error));
-    fw_series_reserve(trajectory->samples, fw_series_count(trajectory->samples));
-    fw_series_reserve(trajectory->frames, fw_series_count(trajectory->frames));
-    fw_hdf5_sync(file);
-    trajectory->file = NULL;
-    FW_TRY(fw_hdf5_close(file, error));
-    return fw_head_settle(trajectory->folder, resumable, error);
-}
-
-fw_status fw_trajectory_finish(fw_trajectory *trajectory, const char *exit_reason, fw_error *error)
-{
-    char end[FW_PROVENANCE_SIZE];
-    fw_provenance_time(end, sizeof end);
-    fw_series_commit(trajectory->frames);
-    fw_series_commit(trajectory->samples);
-    fw_layout_note(trajectory->file, "end", end);
-    fw_layout_note(trajectory->file, "exit_reason", exit_reason);
-    if (fw_series_count(trajectory->frames) < fw_series_room(trajectory->frames) ||
-        fw_series_count(trajectory->samples) < fw_series_room(trajectory->samples))
-        return cut(trajectory, strcmp(exit_reason, FW_RUN_FINISHED) != 0, error);
-    fw_hdf5_sync(trajectory->file);
-    fw_status status = fw_hdf5_close(trajectory->file, error);
-    trajectory->file = NULL;
     return status;
 }
 

@@ -2,10 +2,12 @@
 /* trajectory.h - the results file of a run, DIR/trajectory.h5, as it is written.
  *
  * H5MD 1.1: particles/trajectory holds all bodies one after the other, in three dimensions with
- * z = 0; observables/NAME are time series; parameters holds the scenario, the seed, the provenance,
- * analyses, and how many frames and samples count. Everything is laid out when the file is created;
- * while a run writes, only numbers change. A frame counts once it is whole, so whatever ends the
- * process, a reader finds every frame that counts. playback.h reads it.
+ * z = 0; observables/NAME has a row per frame, as readers of H5MD expect, and
+ * parameters/series/NAME one per sample; parameters holds also the scenario, the seed, the
+ * provenance, warnings, profiles, analyses, and how many frames and samples count. Everything is
+ * laid out when the file is created; while a run writes, only numbers change. A frame counts once
+ * it is whole, so whatever ends the process, a reader finds every frame that counts. playback.h
+ * reads it.
  *
  * Quantities are in the reduced units of the solids. All arrays given here belong to the caller and
  * are copied before the call returns. */
@@ -28,7 +30,7 @@
 #define FW_RUN_FINISHED "finished"
 #define FW_RUN_RUNNING  "running"
 
-enum { FW_NAME_SIZE = 128, FW_EXIT_REASON_SIZE = 512 };
+enum { FW_NAME_SIZE = 128, FW_EXIT_REASON_SIZE = 512, FW_WARNINGS_SIZE = 8192 };
 
 typedef struct fw_trajectory fw_trajectory;
 
@@ -55,7 +57,7 @@ typedef struct fw_observable {
 } fw_observable;
 
 /* Numbers that belong to the run as a whole and are known at its end, such as a profile: under
- * observables/NAME, where NAME is "GROUP/ARRAY". NaN until they are written. */
+ * parameters/NAME, where NAME is "GROUP/ARRAY". NaN until they are written. */
 typedef struct fw_trajectory_array {
     char name[FW_NAME_SIZE];
     const char *unit, *meaning;
@@ -143,6 +145,9 @@ fw_status fw_trajectory_write_sample(fw_trajectory *trajectory, int64_t step, do
 /* Writes one of the arrays, rows x columns numbers. */
 fw_status fw_trajectory_write_array(fw_trajectory *trajectory, const fw_trajectory_array *array,
                                     const double *values, fw_error *error);
+
+/* Rewrites what the user was warned of, a line each, at most FW_WARNINGS_SIZE bytes. */
+fw_status fw_trajectory_warn(fw_trajectory *trajectory, const char *warnings, fw_error *error);
 
 int64_t fw_trajectory_frame_count(const fw_trajectory *trajectory);
 int64_t fw_trajectory_sample_count(const fw_trajectory *trajectory);

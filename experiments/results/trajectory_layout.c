@@ -11,6 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define SEAL "parameters/seal"
+
 #define UNITS "reduced: lattice spacing, particle mass and time unit of the material"
 
 /* Elements that H5MD or this program give a meaning of their own. */
@@ -67,13 +69,14 @@ fw_status fw_layout_check(const fw_trajectory_def *def, fw_error *error)
 size_t fw_layout_structure(const fw_trajectory_def *def)
 {
     size_t elements = (size_t)(1 + def->velocity + def->force + def->field_count);
-    size_t objects = 64 + elements + (size_t)def->observable_count + (size_t)def->array_count;
+    size_t objects = 64 + elements + 2 * (size_t)def->observable_count + (size_t)def->array_count;
     for (int g = 0; g < def->group_count; ++g) objects += 1 + (size_t)def->groups[g].table_count;
     size_t bodies = (size_t)def->body_count * FW_NAME_SIZE;
     size_t chunks = elements * (size_t)def->frame_count;
-    for (int i = 0; i < def->observable_count; ++i)
-        chunks +=
-            (size_t)def->sample_count / fw_series_chunk((size_t)def->observables[i].components) + 1;
+    for (int i = 0; i < def->observable_count; ++i) {
+        const size_t rows = fw_series_chunk((size_t)def->observables[i].components);
+        chunks += (size_t)(def->sample_count + def->frame_count) / rows + 2;
+    }
     /* HDF5's tree of chunk addresses takes about 60 bytes for each, its nodes being nearly full. */
     return 32768 + 4096 * objects + bodies + 64 * chunks;
 }
@@ -102,7 +105,7 @@ static void make_identities(fw_hdf5 *file, const fw_trajectory_def *def, uint64_
     }
     int32_t *next = numbers;
     for (int body = 0; body < def->body_count; ++body)
-        for (int i = 0; i < def->bodies[body].count; ++i) *next++ = body + 1;
+        for (int i = 0; i < def->bodies[body].count; ++i) *next++ = body;
     /* The first data of the file: what lies in front of it is structure, see fw_layout_head. */
     fw_dataset species =
         fw_hdf5_make_array(file, "particles/trajectory/species", FW_I32, 1, &count);
@@ -214,14 +217,22 @@ static void make_parameters(fw_hdf5 *file, const fw_trajectory_def *def, const f
     const int64_t threads = def->threads;
     fw_hdf5_write(file, fw_hdf5_make_array(file, "parameters/provenance/threads", FW_I64, 0, NULL),
                   FW_I64, 0, 1, &threads);
-    const int64_t resumed = 0;
-    fw_hdf5_write(file, fw_hdf5_make_array(file, "parameters/provenance/resumed", FW_I64, 0, NULL),
-                  FW_I64, 0, 1, &resumed);
-    make_text(file, "parameters/provenance/end", FW_PROVENANCE_SIZE, "");
-    make_text(file, "parameters/provenance/exit_reason", FW_EXIT_REASON_SIZE, FW_RUN_RUNNING);
 }
 
-/* Arrays of the run as a whole, elements of H5MD that are fixed in time. */
+/* What follows changes; so the seal, which lies in front of it, need not. */
+static void make_notes(fw_hdf5 *file)
+{
+    const int64_t zero = 0;
+    fw_hdf5_write(file, fw_hdf5_make_array(file, SEAL, FW_I64, 0, NULL), FW_I64, 0, 1, &zero);
+    fw_hdf5_write(file, fw_hdf5_make_array(file, "parameters/provenance/resumed", FW_I64, 0, NULL),
+                  FW_I64, 0, 1, &zero);
+    make_text(file, "parameters/provenance/end", FW_PROVENANCE_SIZE, "");
+    make_text(file, "parameters/provenance/exit_reason", FW_EXIT_REASON_SIZE, FW_RUN_RUNNING);
+    make_text(file, "parameters/warnings", FW_WARNINGS_SIZE, "");
+}
+
+/* Arrays of the run as a whole. They are no observables of H5MD: readers expect a row per frame of
+ * these. */
 static void make_arrays(fw_hdf5 *file, const fw_trajectory_def *def)
 {
     for (int i = 0; i < def->array_count; ++i) {
@@ -230,10 +241,10 @@ static void make_arrays(fw_hdf5 *file, const fw_trajectory_def *def)
         const size_t group = strcspn(array->name, "/");
         const size_t count = (size_t)array->rows * (size_t)array->columns;
         if (i == 0 || strncmp(array->name, def->arrays[i - 1].name, group + 1) != 0) {
-            snprintf(path, sizeof path, "observables/%.*s", (int)group, array->name);
+            snprintf(path, sizeof path, "parameters/%.*s", (int)group, array->name);
             fw_hdf5_make_group(file, path);
         }
-        snprintf(path, sizeof path, "observables/%s", array->name);
+        snprintf(path, sizeof path, "parameters/%s", array->name);
         uint64_t extent[2] = {(uint64_t)array->rows, (uint64_t)array->columns};
         if (array->rows == 1) extent[0] = extent[1];
         const int rank = array->rows > 1 && array->columns > 1 ? 2 : 1;
@@ -281,9 +292,11 @@ void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def)
     make_particles(file, def);
     make_links(file, def);
     fw_hdf5_make_group(file, "observables");
-    make_arrays(file, def);
     make_parameters(file, def, &now);
+    fw_hdf5_make_group(file, "parameters/series");
     make_tables(file, def);
+    make_notes(file);
+    make_arrays(file, def);
 }
 
 void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def)
@@ -294,10 +307,13 @@ void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def)
         fw_hdf5_attach_text(file, path, "meaning", def->fields[i].meaning);
     }
     for (int i = 0; i < def->observable_count; ++i) {
-        snprintf(path, sizeof path, "observables/%s", def->observables[i].name);
-        fw_hdf5_attach_text(file, path, "meaning", def->observables[i].meaning);
-        snprintf(path, sizeof path, "observables/%s/value", def->observables[i].name);
-        fw_hdf5_attach_text(file, path, "unit", def->observables[i].unit);
+        for (int all = 0; all < 2; ++all) {
+            const char *group = all ? "parameters/series" : "observables";
+            snprintf(path, sizeof path, "%s/%s", group, def->observables[i].name);
+            fw_hdf5_attach_text(file, path, "meaning", def->observables[i].meaning);
+            snprintf(path, sizeof path, "%s/%s/value", group, def->observables[i].name);
+            fw_hdf5_attach_text(file, path, "unit", def->observables[i].unit);
+        }
     }
 }
 
@@ -318,7 +334,7 @@ static fw_status compare_bodies(fw_hdf5 *file, const fw_trajectory_def *def, con
             return fw_fail(error, FW_BAD_INPUT, "the results hold a body '%s' in place of '%s'",
                            name, def->bodies[body].name);
         for (int i = 0; i < def->bodies[body].count; ++i)
-            if (species[particle++] != body + 1)
+            if (species[particle++] != body)
                 return fw_fail(error, FW_BAD_INPUT,
                                "the body '%s' has not as many particles in the results as now",
                                name);
@@ -367,6 +383,45 @@ void fw_layout_reopen(fw_hdf5 *file)
     fw_hdf5_write(file, counter, FW_I64, 0, 1, &resumed);
     fw_layout_note(file, "end", "");
     fw_layout_note(file, "exit_reason", FW_RUN_RUNNING);
+}
+
+void fw_layout_warn(fw_hdf5 *file, const char *warnings)
+{
+    fw_hdf5_write_text(file, fw_hdf5_find(file, "parameters/warnings"), warnings);
+}
+
+uint64_t fw_layout_seal_place(fw_hdf5 *file)
+{
+    return fw_hdf5_address(file, fw_hdf5_find(file, SEAL));
+}
+
+void fw_layout_seal(fw_hdf5 *file)
+{
+    const uint64_t sum = fw_hdf5_checksum(file, fw_layout_seal_place(file));
+    fw_hdf5_write(file, fw_hdf5_find(file, SEAL), FW_I64, 0, 1, &sum);
+}
+
+fw_status fw_layout_check_seal(fw_hdf5 *file, fw_error *error)
+{
+    uint64_t sum = 0;
+    fw_shape shape;
+    const fw_dataset seal = fw_hdf5_find(file, SEAL);
+    FW_TRY(fw_hdf5_check(file, error));
+    if (seal < 0)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s has no seal: it is foreign, or of a version of this program that did "
+                       "not seal its results yet, and cannot be read; run its scenario again",
+                       fw_hdf5_path(file));
+    if (!fw_hdf5_shape(file, seal, &shape) || shape.text || shape.rank != 0 ||
+        shape.element != FW_I64)
+        fw_hdf5_refuse(file, SEAL);
+    fw_hdf5_read(file, seal, FW_I64, 0, 1, &sum);
+    const bool whole = sum == fw_hdf5_checksum(file, fw_layout_seal_place(file));
+    FW_TRY(fw_hdf5_check(file, error));
+    if (whole) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s is damaged: the checksum of its structure does not match",
+                   fw_hdf5_path(file));
 }
 
 uint64_t fw_layout_head(fw_hdf5 *file)

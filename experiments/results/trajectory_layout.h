@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* trajectory_layout.h - the parts of a results file that stay as they are while a run writes:
- * H5MD's metadata, bodies, links, scenario and provenance. For trajectory.c only. */
+ * H5MD's metadata, bodies, links, scenario and provenance. For the files of this wing only. */
 #ifndef FW_TRAJECTORY_LAYOUT_H
 #define FW_TRAJECTORY_LAYOUT_H
 
@@ -26,6 +26,16 @@ void fw_layout_reopen(fw_hdf5 *file);
 /* Bytes at the head of the file that hold its structure and no data. */
 uint64_t fw_layout_head(fw_hdf5 *file);
 
+/* The seal is a checksum of everything in front of it: the structure, and the data that never
+ * change. It holds while rows are written, and is to be renewed when the structure has changed. */
+void fw_layout_seal(fw_hdf5 *file);
+/* FW_BAD_INPUT when the file does not have the right one. */
+fw_status fw_layout_check_seal(fw_hdf5 *file, fw_error *error);
+/* Where it lies in the file, as 8 bytes. */
+uint64_t fw_layout_seal_place(fw_hdf5 *file);
+
+/* Rewrites the warnings, a line each. */
+void fw_layout_warn(fw_hdf5 *file, const char *warnings);
 /* Rewrites one text of parameters/provenance. */
 void fw_layout_note(fw_hdf5 *file, const char *name, const char *text);
 

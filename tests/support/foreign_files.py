@@ -9,6 +9,8 @@ import sys
 import h5py
 import numpy as np
 
+from trajectory import seal
+
 PARTICLES = "particles/trajectory"
 
 
@@ -82,9 +84,9 @@ DAMAGES = {
     "no-provenance": without("parameters/provenance"),
     "no-species": without(f"{PARTICLES}/species"),
     "empty-species": new_data(f"{PARTICLES}/species", np.zeros(0, np.int32)),
-    "species-from-zero": set_value(f"{PARTICLES}/species", np.arange(8)),
-    "species-mixed": set_value(f"{PARTICLES}/species", [1, 2, 1, 2, 1, 2, 1, 2]),
-    "species-too-large": set_value(f"{PARTICLES}/species", [1] * 7 + [2**31 - 1]),
+    "species-from-one": set_value(f"{PARTICLES}/species", np.arange(1, 9)),
+    "species-mixed": set_value(f"{PARTICLES}/species", [0, 1, 0, 1, 0, 1, 0, 1]),
+    "species-too-large": set_value(f"{PARTICLES}/species", [0] * 7 + [2**31 - 1]),
     "species-without-names": lambda file: file[f"{PARTICLES}/species"].attrs.__delitem__("bodies"),
     "other-bodies": other_bodies,
     "huge-species": huge_species,
@@ -92,9 +94,10 @@ DAMAGES = {
     "links-beyond": set_value("connectivity/links", np.full((5, 2), 8)),
     "negative-links": set_value("connectivity/links", np.full((5, 2), -1)),
     "triple-links": new_data("connectivity/links", np.zeros((5, 3), np.int32)),
-    "empty-observable": lambda file: file["observables"].create_group("temperature"),
-    "short-observable": new_data("observables/energy/value", np.zeros(299)),
-    "observable-in-words": new_data("observables/energy/value", np.bytes_("none")),
+    "empty-observable": lambda file: file["parameters/series"].create_group("temperature"),
+    "short-observable": new_data("parameters/series/energy/value", np.zeros(299)),
+    "no-seal": without("parameters/seal"),
+    "observable-in-words": new_data("parameters/series/energy/value", np.bytes_("none")),
 }
 
 if __name__ == "__main__":
@@ -104,3 +107,6 @@ if __name__ == "__main__":
         shutil.copy(right, path)
         with h5py.File(path, "r+") as file:
             damage(file)
+            sealed = "parameters/seal" in file
+        if sealed:
+            seal(path)

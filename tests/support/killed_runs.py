@@ -54,8 +54,8 @@ class Killer:
         assert self.start("run", self.scenario, "-o", self.folder / "whole").wait() == 0
         self.duration = time.monotonic() - begin
         self.whole = datasets(self.folder / "whole/trajectory.h5")
-        assert self.whole["observables/broken-links.bar/value"][-1] > 10
-        assert self.whole["observables/friction-heat/value"][-1] > 0
+        assert self.whole["parameters/series/broken-links.bar/value"][-1] > 10
+        assert self.whole["parameters/series/friction-heat/value"][-1] > 0
 
     def start(self, command, *words):
         threads = self.random.choice("12")

@@ -64,7 +64,7 @@ def particles(file):
     assert np.allclose(velocity[:SHEET], (0.1, -0.05), rtol=0, atol=1e-15)
     assert np.allclose(velocity[SHEET:], 0, rtol=0, atol=1e-15)
     assert group["species"].shape == (COUNT,) and group["species"].dtype.kind == "i"
-    assert group["species"][:].tolist() == [1] * SHEET + [2] * CHAIN
+    assert group["species"][:].tolist() == [0] * SHEET + [1] * CHAIN
     names = group["species"].attrs["bodies"]
     assert [name.decode() for name in names] == ["sheet", "chain"]
     assert group["id"].dtype.kind == "i" and group["id"][:].tolist() == list(range(COUNT))
@@ -89,8 +89,15 @@ def connectivity(file):
 
 def observables(file):
     rows = 11
-    group = file["observables"]
+    group = file["parameters/series"]
     assert set(group) >= {"energy", "momentum", "centre-of-mass.sheet", "centre-of-mass.chain"}
+    assert set(file["observables"]) == set(group)
+    for name, observable in file["observables"].items():
+        element(observable, len(STEPS), group[f"{name}/value"].shape[1:])
+        assert observable["step"] == file[f"{PARTICLES}/position/step"], "a row per frame"
+        assert np.array_equal(observable["value"][:], group[f"{name}/value"][:][STEPS])
+        fixed_text(observable, "meaning")
+        fixed_text(observable["value"], "unit")
     element(group["energy"], rows, ())
     for name in ("momentum", "centre-of-mass.sheet"):
         element(group[name], rows, (2,))
@@ -153,6 +160,8 @@ def reader(path):
                                 ("force", moment.forces)):
                 wanted = group[f"{name}/value"][k].astype(np.float32)
                 assert np.array_equal(found, wanted), (k, name)
+            for name, observable in file["observables"].items():
+                assert np.array_equal(moment.data[name], observable["value"][k]), (k, name)
             assert moment.dimensions is None, "no box"
 
 

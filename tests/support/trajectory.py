@@ -6,7 +6,7 @@ trajectory.py rows FILE...                every committed frame and sample again
 trajectory.py guarded FILE...             the same, of those that HDF5 does not refuse to open
 trajectory.py structure BEFORE AFTER      two states of one file differ in raw data only
 trajectory.py reader FILE                 MDAnalysis reads the same numbers, where it is installed
-trajectory.py same REFERENCE FILE...      all datasets are equal, provenance aside
+trajectory.py same REFERENCE FILE...      all datasets are equal, but for provenance and seal
 """
 import sys
 
@@ -49,9 +49,9 @@ def rows(path):
         equal(path, "return-force", pull[:, :5], value(4, k, 1)[:, :5, 0])
         equal(path, "no return-force", np.isnan(pull[:, 5:]), np.ones((frames, 3), bool))
         k = np.arange(samples)
-        energy = file["observables/energy/value"][:samples]
+        energy = file["parameters/series/energy/value"][:samples]
         equal(path, "energy", energy, value(5, k, 1)[:, 0, 0])
-        momentum = file["observables/momentum"]
+        momentum = file["parameters/series/momentum"]
         equal(path, "momentum", momentum["value"][:samples], value(6, k, 2)[:, 0, :])
         equal(path, "momentum/step", momentum["step"][:samples], k)
         equal(path, "momentum/time", momentum["time"][:samples], 0.5 * k)
@@ -64,6 +64,18 @@ def guarded(path):
     except OSError:
         return
     rows(path)
+
+
+def seal(path):
+    """Gives a changed file the seal that fits: FNV-1a from the superblock to the seal."""
+    with h5py.File(path, "r") as file:
+        place = file["parameters/seal"].id.get_offset()
+    with open(path, "r+b") as file:
+        checksum = 14695981039346656037
+        for byte in file.read(place)[48:]:
+            checksum = (checksum ^ byte) * 1099511628211 % 2**64
+        file.seek(place)
+        file.write(checksum.to_bytes(8, "little"))
 
 
 def fixed_text(holder, name, expected=None):
@@ -115,7 +127,7 @@ def h5md(path, frames, samples):
                 assert group[name][moment] == group["position"][moment], "hard links"
         assert "image" not in group
         assert group["species"].dtype.kind == "i"
-        assert group["species"][:].tolist() == [1] * 5 + [2] * 3
+        assert group["species"][:].tolist() == [0] * 5 + [1] * 3
         assert group["body"] == group["species"]
         names = group["species"].attrs["bodies"]
         assert [name.decode() for name in names] == ["sheet", "Körper"]
@@ -128,11 +140,21 @@ def h5md(path, frames, samples):
         assert file[links.attrs["particles_group"]] == group, "object reference"
 
         assert set(file["observables"]) == {"energy", "momentum"}
-        element(file["observables/energy"], samples, ())
-        element(file["observables/momentum"], samples, (2,))
+        series = file["parameters/series"]
+        assert set(series) == {"energy", "momentum"}
+        for elements, count in ((file["observables"], frames), (series, samples)):
+            element(elements["energy"], count, ())
+            element(elements["momentum"], count, (2,))
+            for observable in elements.values():
+                fixed_text(observable, "meaning")
+                fixed_text(observable["value"], "unit")
         for observable in file["observables"].values():
-            fixed_text(observable, "meaning")
-            fixed_text(observable["value"], "unit")
+            for moment in ("step", "time"):
+                assert observable[moment] == group["position"][moment], "a row per frame"
+        # Of the frames' steps only the first was measured at.
+        momentum = file["observables/momentum/value"][:]
+        assert np.array_equal(momentum[0], series["momentum/value"][0])
+        assert np.isnan(momentum[1:]).all()
 
         parameters = file["parameters"]
         assert "reduced" in parameters.attrs["units"].decode()
@@ -144,6 +166,7 @@ def h5md(path, frames, samples):
         provenance = parameters["provenance"]
         assert provenance["threads"][()] == 2
         assert provenance["resumed"][()] == 0
+        assert parameters["warnings"][()] == b""
         texts = {name: item[()] for name, item in provenance.items() if item.dtype.kind == "S"}
         assert set(texts) == {"program", "version", "revision", "compiler", "flags", "libraries",
                               "host", "start", "end", "exit_reason"}
@@ -182,7 +205,8 @@ def datasets(path):
     found = {}
     with h5py.File(path, "r") as file:
         def keep(name, item):
-            if isinstance(item, h5py.Dataset) and not name.startswith("parameters/provenance"):
+            own = name.startswith("parameters/provenance") or name == "parameters/seal"
+            if isinstance(item, h5py.Dataset) and not own:
                 found[name] = (item.dtype, item.shape, item[()].tobytes())
         file.visititems(keep)
     assert len(found) >= 16, found.keys()

@@ -231,7 +231,7 @@ static void resume_refuses_what_does_not_fit(void **state)
     def.observables = &observable;
     def.observable_count = 1;
     assert_refused(fw_trajectory_reopen(&trajectory, &def, 15, 100, &error), FW_BAD_INPUT,
-                   "observables/momentum");
+                   "parameters/series/momentum");
     /* None of this has hurt the file. */
     def = run_def(folder);
     assert_fine(fw_trajectory_reopen(&trajectory, &def, 15, 100, &error));
@@ -249,12 +249,12 @@ static void file_killed_while_cut_is_put_right(void **state)
     char folder[64], command[512];
     make_folder(folder, sizeof folder);
     record(folder, 100, "interrupted");
-    /* The length goes first, then the head is rewritten; 32 bytes in front of the copy are its own. */
+    /* The length goes first, then the head is rewritten; 48 bytes in front of the copy are its own. */
     static const char *const damages[] = {
         "true",
-        "dd if=trajectory.h5.cutting of=trajectory.h5 iflag=skip_bytes skip=32 bs=64k count=1 "
+        "dd if=trajectory.h5.cutting of=trajectory.h5 iflag=skip_bytes skip=48 bs=64k count=1 "
         "conv=notrunc status=none",
-        "dd if=trajectory.h5.cutting of=trajectory.h5 iflag=skip_bytes skip=32 bs=5000 count=1 "
+        "dd if=trajectory.h5.cutting of=trajectory.h5 iflag=skip_bytes skip=48 bs=5000 count=1 "
         "conv=notrunc status=none",
         "dd if=/dev/zero of=trajectory.h5 bs=1k count=20 conv=notrunc status=none",
     };
