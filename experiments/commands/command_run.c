@@ -52,8 +52,14 @@ static fw_status finish_sweep(fw_sweep *sweep, const fw_scenario *scenario, cons
                               bool no_plot, fw_error *error)
 {
     fw_interrupt_watch();
-    FW_TRY(fw_sweep_to_end(sweep, error));
-    return tell(scenario, fw_sweep_verdicts(sweep), directory, no_plot, error);
+    const fw_status status = fw_sweep_to_end(sweep, error);
+    /* Some cases have failed: the others have their verdicts and pictures all the same. */
+    if (status != FW_DIVERGED) FW_TRY(status);
+    fw_error own;
+    const fw_status told = tell(scenario, fw_sweep_verdicts(sweep), directory, no_plot, &own);
+    if (status != FW_OK) return status;
+    *error = own;
+    return told;
 }
 
 static fw_status run(const fw_scenario *scenario, const fw_run_options *options,
@@ -93,7 +99,8 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .progress = arguments->quiet ? NULL : stderr,
                                     .warnings = stderr};
     fw_leftovers *leftovers;
-    fw_status status = fw_leftovers_find(&leftovers, directory, scenario, error);
+    fw_status status =
+        fw_leftovers_find(&leftovers, directory, scenario, arguments->overwrite, error);
     if (status == FW_OK)
         status = (fw_scenario_is_sweep(scenario) ? run_sweep : run)(scenario, &options, leftovers,
                                                                     arguments->no_plot, error);
@@ -127,7 +134,8 @@ static fw_status go_on(const char *directory, const fw_run_options *options, boo
     fw_study *study;
     char note[FW_SENTENCE_SIZE];
     FW_TRY(load_scenario_of(directory, &scenario, error));
-    fw_status status = fw_study_resume(&study, scenario, options, note, error);
+    fw_status status = fw_leftovers_check(directory, scenario, error);
+    if (status == FW_OK) status = fw_study_resume(&study, scenario, options, note, error);
     if (status == FW_OK) {
         if (note[0]) fprintf(stderr, "fretwork: %s\n", note);
         status = finish(study, scenario, directory, no_plot, error);
@@ -143,7 +151,8 @@ static fw_status go_on_with_sweep(const char *directory, const fw_run_options *o
     fw_scenario *scenario;
     fw_sweep *sweep;
     FW_TRY(fw_sweep_load(&scenario, directory, error));
-    fw_status status = fw_sweep_resume(&sweep, scenario, options, error);
+    fw_status status = fw_leftovers_check(directory, scenario, error);
+    if (status == FW_OK) status = fw_sweep_resume(&sweep, scenario, options, error);
     if (status == FW_OK) {
         status = finish_sweep(sweep, scenario, directory, no_plot, error);
         fw_sweep_destroy(sweep);

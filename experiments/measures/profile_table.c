@@ -133,9 +133,10 @@ static void write_csv(FILE *out, const void *object)
     }
 }
 
-fw_status fw_profile_table_write(const fw_profile_table *table, const char *path, fw_error *error)
+fw_status fw_profile_table_write(const fw_profile_table *table, const char *directory,
+                                 const char *name, fw_error *error)
 {
-    return fw_csv_save(path, write_csv, table, error);
+    return fw_csv_keep(directory, name, write_csv, table, error);
 }
 
 /* --- for people --- */

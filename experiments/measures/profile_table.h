@@ -44,7 +44,8 @@ fw_status fw_profile_table_arrays(fw_trajectory_array **arrays, int *count, int 
 const double *fw_profile_table_values(const fw_profile_table *table, int n);
 
 /* Comma-separated: the profile, one line per bin. */
-fw_status fw_profile_table_write(const fw_profile_table *table, const char *path, fw_error *error);
+fw_status fw_profile_table_write(const fw_profile_table *table, const char *directory,
+                                 const char *name, fw_error *error);
 /* For people: one column of the profile beside its control's (FW_PROFILE_COLUMNS: the main ones
  * without control), then the measures of the layer. */
 void fw_profile_table_print(const fw_profile_table *table, fw_profile_column column, FILE *out);

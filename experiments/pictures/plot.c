@@ -3,6 +3,7 @@
  * Keeps no state. Start reading at draw_picture(). */
 #include "experiments/pictures/plot.h"
 
+#include "experiments/storage/manifest.h"
 #include "experiments/study/sweep.h"
 #include "plot_choice.h"
 #include "plot_sweep.h"
@@ -33,6 +34,11 @@ static fw_status draw_picture(const fw_plot_result *result, const fw_plot_wish *
     fw_status status = fw_plot_choose(choice, result, wish, error);
     if (status == FW_OK)
         status = draws[choice->picture.asked.kind](result, &choice->picture, error);
+    if (status == FW_OK && !wish->file) {
+        char name[FW_NAME_BYTES + 8];
+        snprintf(name, sizeof name, "%s.png", choice->name);
+        status = fw_manifest_enter(result->directory, name, error);
+    }
     if (status == FW_OK) fprintf(out, "picture: %s\n", choice->file);
     if (status == FW_OK && choice->notes[0]) fprintf(out, "  %s\n", choice->notes);
     fw_plot_choice_clear(choice);

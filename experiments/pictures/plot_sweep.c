@@ -7,6 +7,7 @@
 
 #include "experiments/drawing/figure.h"
 #include "experiments/drawing/label.h"
+#include "experiments/storage/manifest.h"
 #include "experiments/study/sweep.h"
 #include "experiments/text/spelling.h"
 
@@ -48,7 +49,6 @@ typedef struct drawing {
 
 static fw_status open_sweep(sweep_result *result, const char *directory, fw_error *error)
 {
-    char path[FW_PATH_SIZE];
     fw_folder *folder;
     *result = (sweep_result){.directory = directory};
     FW_TRY(fw_folder_visit(&folder, directory, error));
@@ -59,8 +59,7 @@ static fw_status open_sweep(sweep_result *result, const char *directory, fw_erro
                        "%s: the sweep is not finished; `fretwork resume %s` goes on with it",
                        directory, directory);
     FW_TRY(fw_sweep_load(&result->scenario, directory, error));
-    FW_TRY(fw_path_join(path, directory, FW_SWEEP_FILE, error));
-    return fw_sweep_table_read(&result->table, path, error);
+    return fw_sweep_table_read(&result->table, directory, error);
 }
 
 static void close_sweep(sweep_result *result)
@@ -277,6 +276,7 @@ static fw_status draw(const sweep_result *result, const fw_plot_wish *wish,
     if (status == FW_OK)
         status =
             draw_panels(d, file, own && own->title ? own->title : result->scenario->title, error);
+    if (status == FW_OK && !wish->file) status = fw_manifest_enter(result->directory, name, error);
     if (status == FW_OK) fprintf(out, "picture: %s\n", file);
     clear_drawing(d);
     return status;
@@ -351,7 +351,7 @@ static fw_status draw_cases(const sweep_result *result, FILE *out, fw_error *err
         char name[FW_CASE_NAME], folder[FW_PATH_SIZE];
         fw_error own = {0};
         fw_scenario_case_name(scenario, n, name);
-        fw_status done = fw_sweep_path(result->directory, name, folder, &own);
+        fw_status done = fw_path_join(folder, result->directory, name, &own);
         if (done == FW_OK) done = fw_plot_all(folder, out, &own);
         if (status == FW_OK && done != FW_OK) *error = own;
         if (status == FW_OK) status = done;

@@ -15,8 +15,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define KIND "FWCHECKP"
-
 enum { SLOTS = 2 };
 static const char *const slot_names[SLOTS] = {"checkpoint-A", "checkpoint-B"};
 
@@ -73,8 +71,8 @@ fw_status fw_checkpoint_write(fw_checkpoint *checkpoint, const fw_checkpoint_sec
                               int count, int64_t step, fw_error *error)
 {
     fw_sealed_file *file;
-    FW_TRY(fw_sealed_file_create(&file, checkpoint->folder, slot_names[checkpoint->next], KIND,
-                                 fw_checkpoint_size(sections, count), error));
+    FW_TRY(fw_sealed_file_create(&file, checkpoint->folder, slot_names[checkpoint->next],
+                                 FW_CHECKPOINT_KIND, fw_checkpoint_size(sections, count), error));
     put_large(file, checkpoint->sequence + 1);
     put_large(file, (uint64_t)step);
     put_large(file, checkpoint->scenario);
@@ -234,8 +232,8 @@ static void read_slots(const fw_checkpoint *checkpoint, slot slots[SLOTS])
     for (int i = 0; i < SLOTS; ++i) {
         slots[i] = (slot){.present = fw_folder_has(checkpoint->folder, slot_names[i])};
         if (!slots[i].present) continue;
-        if (fw_sealed_file_read(checkpoint->folder, slot_names[i], KIND, &slots[i].payload,
-                                &slots[i].size, &slots[i].error) == FW_OK)
+        if (fw_sealed_file_read(checkpoint->folder, slot_names[i], FW_CHECKPOINT_KIND,
+                                &slots[i].payload, &slots[i].size, &slots[i].error) == FW_OK)
             slots[i].sequence = sequence_of(slots[i].payload, slots[i].size);
     }
 }

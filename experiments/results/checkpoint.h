@@ -16,6 +16,9 @@
 
 enum { FW_CHECKPOINT_NAME_SIZE = 16 };
 
+/* With which the files begin. */
+#define FW_CHECKPOINT_KIND "FWCHECKP"
+
 typedef struct fw_checkpoint fw_checkpoint;
 
 /* The state of one object under a name of its own. Both stay the caller's. */

@@ -191,6 +191,7 @@ static fw_status read_head(fw_playback *playback, fw_error *error)
     playback->frame_count = read_integer(playback, "parameters/frames_committed");
     playback->sample_count = read_integer(playback, "parameters/samples_committed");
     playback->seed = (uint64_t)read_integer(playback, "parameters/seed");
+    playback->exit_status = read_integer(playback, "parameters/provenance/exit_status");
     playback->title = read_text(playback, "parameters/title");
     playback->scenario = read_text(playback, "parameters/scenario");
     playback->exit_reason = read_text(playback, "parameters/provenance/exit_reason");

@@ -45,7 +45,8 @@ typedef struct fw_playback {
     char *title, *scenario;
     uint64_t seed;
     char *exit_reason, *revision, *start, *end; /* of the run; see provenance.h */
-    char *warnings; /* what the user was warned of, a line each; "" if of nothing */
+    int64_t exit_status; /* how it failed, as an fw_status; FW_OK where it has not */
+    char *warnings;      /* what the user was warned of, a line each; "" if of nothing */
     struct fw_playback_file *file;
 } fw_playback;
 

@@ -6,7 +6,7 @@
  * trajectory_rows.c writes what does. */
 #include "trajectory_parts.h"
 
-#include "experiments/storage/manifest.h"
+#include "experiments/results/result_files.h"
 #include "experiments/storage/sealed_file.h"
 #include "trajectory_head.h"
 #include "trajectory_layout.h"
@@ -36,7 +36,13 @@ double fw_trajectory_size(const fw_trajectory_def *def)
         links += def->bodies[i].link_count;
     }
     for (int i = 0; i < def->observable_count; ++i) components += def->observables[i].components;
-    const double at_frames = components * (double)def->frame_count;
+    /* Their rows at frames lie together in chunks, and few frames leave most of one empty. */
+    double at_frames = 0;
+    for (int i = 0; i < def->observable_count; ++i) {
+        const int width = def->observables[i].components;
+        const double rows = (double)fw_series_chunk((size_t)width);
+        at_frames += width * rows * ceil((double)def->frame_count / rows);
+    }
     for (int i = 0; i < def->array_count; ++i)
         components += (double)def->arrays[i].rows * def->arrays[i].columns /
                       fmax(1, (double)def->sample_count);
@@ -174,10 +180,11 @@ fw_status fw_trajectory_refuse(const char *directory, fw_error *error)
 /* What belongs to an earlier result: beside a new one it would make no sense. */
 static fw_status forget(const fw_folder *folder, fw_error *error)
 {
-    static const char *const files[] = {"checkpoint-A", "checkpoint-B", FW_SWEEP_FILE,
-                                        FW_SWEEP_SCENARIO, FW_MANIFEST_FILE};
-    for (size_t n = 0; n < sizeof files / sizeof files[0]; ++n)
-        FW_TRY(fw_folder_remove(folder, files[n], error));
+    for (int n = 0; fw_result_file(n); ++n) {
+        const char *name = fw_result_file(n);
+        const bool results = strcmp(name, FW_TRAJECTORY_FILE) == 0 || strcmp(name, FRESH_FILE) == 0;
+        if (!results) FW_TRY(fw_folder_remove(folder, name, error));
+    }
     return fw_head_remove(folder, error);
 }
 
@@ -307,6 +314,16 @@ fw_status fw_trajectory_reopen(fw_trajectory **trajectory, const fw_trajectory_d
     release(*trajectory);
     *trajectory = NULL;
     return status;
+}
+
+void fw_trajectory_abandon(fw_trajectory *trajectory)
+{
+    if (!trajectory) return;
+    fw_error ignored;
+    fw_hdf5_close(trajectory->file, &ignored);
+    fw_trajectory_discard(trajectory->folder, &ignored);
+    fw_folder_abandon(trajectory->folder);
+    release(trajectory);
 }
 
 void fw_trajectory_destroy(fw_trajectory *trajectory)

@@ -156,10 +156,19 @@ int64_t fw_trajectory_sample_count(const fw_trajectory *trajectory);
  * written that speaks of it. */
 fw_status fw_trajectory_sync(fw_trajectory *trajectory, fw_error *error);
 
+/* Notes how a run that will not reach its end has failed, for fw_playback's exit_status; to be
+ * called before fw_trajectory_finish. */
+void fw_trajectory_fail(fw_trajectory *trajectory, fw_status status);
+
 /* Notes why and when the run ended, and cuts off the room for frames that were not written. Nothing
  * but destroy may follow. With FW_RUN_FINISHED the file is closed for good; with any other reason
  * it can be reopened. */
 fw_status fw_trajectory_finish(fw_trajectory *trajectory, const char *exit_reason, fw_error *error);
+
+/* Removes a result that could not begin, and its folder as far as it was made for it. NULL is
+ * legal.
+ */
+void fw_trajectory_abandon(fw_trajectory *trajectory);
 
 /* Without fw_trajectory_finish before it, the file looks like that of a killed run. NULL is legal.
  */

@@ -15,10 +15,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define KIND          "FWHEAD"
-#define WHILE_CUTTING FW_TRAJECTORY_FILE ".cutting"
-#define AFTER_CUTTING FW_TRAJECTORY_FILE ".head"
-
 enum { SIGNATURE_SIZE = 8 }; /* with which an HDF5 file begins */
 
 static fw_status fail(fw_error *error, const char *attempt, const char *path, int reason)
@@ -53,9 +49,10 @@ static fw_status save(int descriptor, const fw_folder *folder, const char *path,
     if (reason == 0)
         reason = fw_read_bytes(descriptor, &begin.seal, facts->seal_at, sizeof begin.seal);
     fw_sealed_file *copy = NULL;
-    fw_status status = reason != 0 ? fail(error, "read", path, reason)
-                                   : fw_sealed_file_create(&copy, folder, WHILE_CUTTING, KIND,
-                                                           sizeof begin + facts->size, error);
+    fw_status status = reason != 0
+                           ? fail(error, "read", path, reason)
+                           : fw_sealed_file_create(&copy, folder, FW_HEAD_WHILE_CUTTING,
+                                                   FW_HEAD_KIND, sizeof begin + facts->size, error);
     if (status == FW_OK) {
         fw_sealed_file_write(copy, &begin, sizeof begin);
         fw_sealed_file_write(copy, bytes, facts->size);
@@ -98,13 +95,13 @@ fw_status fw_head_seal(const fw_folder *folder, uint64_t seal_at, fw_error *erro
 
 fw_status fw_head_settle(const fw_folder *folder, bool keep, fw_error *error)
 {
-    if (keep) return fw_folder_replace(folder, WHILE_CUTTING, AFTER_CUTTING, error);
+    if (keep) return fw_folder_replace(folder, FW_HEAD_WHILE_CUTTING, FW_HEAD_AFTER_CUTTING, error);
     return fw_head_remove(folder, error);
 }
 
 bool fw_head_is_torn(const fw_folder *folder)
 {
-    return fw_folder_has(folder, WHILE_CUTTING);
+    return fw_folder_has(folder, FW_HEAD_WHILE_CUTTING);
 }
 
 /* Room for the whole file; without it nothing has changed yet. */
@@ -161,7 +158,7 @@ static fw_status restore(int descriptor, const char *path, const fw_folder *fold
 {
     FW_TRY(make_room(descriptor, path, begin->whole, error));
     if (!fw_head_is_torn(folder))
-        FW_TRY(fw_folder_replace(folder, AFTER_CUTTING, WHILE_CUTTING, error));
+        FW_TRY(fw_folder_replace(folder, FW_HEAD_AFTER_CUTTING, FW_HEAD_WHILE_CUTTING, error));
     const int reason = write_through(descriptor, (const unsigned char *)&begin->seal,
                                      begin->seal_at, sizeof begin->seal);
     if (reason != 0) return fail(error, "write", path, reason);
@@ -175,9 +172,9 @@ fw_status fw_head_restore(const fw_folder *folder, fw_error *error)
     uint64_t size;
     int descriptor = -1;
     start begin;
-    const char *name = fw_head_is_torn(folder) ? WHILE_CUTTING : AFTER_CUTTING;
+    const char *name = fw_head_is_torn(folder) ? FW_HEAD_WHILE_CUTTING : FW_HEAD_AFTER_CUTTING;
     if (!fw_folder_has(folder, name)) return FW_OK;
-    FW_TRY(fw_sealed_file_read(folder, name, KIND, &payload, &size, error));
+    FW_TRY(fw_sealed_file_read(folder, name, FW_HEAD_KIND, &payload, &size, error));
     fw_status status = open_results(&descriptor, path, folder, true, error);
     if (status == FW_OK && size < sizeof begin)
         status = fw_fail(error, FW_BAD_INPUT, "%s, beside %s, is empty", name, path);
@@ -195,7 +192,7 @@ fw_status fw_head_restore(const fw_folder *folder, fw_error *error)
 
 fw_status fw_head_remove(const fw_folder *folder, fw_error *error)
 {
-    FW_TRY(fw_folder_remove(folder, WHILE_CUTTING, error));
-    FW_TRY(fw_folder_remove(folder, AFTER_CUTTING, error));
+    FW_TRY(fw_folder_remove(folder, FW_HEAD_WHILE_CUTTING, error));
+    FW_TRY(fw_folder_remove(folder, FW_HEAD_AFTER_CUTTING, error));
     return fw_folder_sync(folder, error);
 }

@@ -10,9 +10,14 @@
 #ifndef FW_TRAJECTORY_HEAD_H
 #define FW_TRAJECTORY_HEAD_H
 
+#include "experiments/results/trajectory.h"
 #include "experiments/storage/folder.h"
 
 #include <stdint.h>
+
+#define FW_HEAD_KIND          "FWHEAD" /* with which the copy begins */
+#define FW_HEAD_WHILE_CUTTING FW_TRAJECTORY_FILE ".cutting"
+#define FW_HEAD_AFTER_CUTTING FW_TRAJECTORY_FILE ".head"
 
 /* Of the results file, in bytes. */
 typedef struct fw_head_facts {

@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SEAL "parameters/seal"
+#define SEAL        "parameters/seal"
+#define EXIT_STATUS "parameters/provenance/exit_status"
 
 #define UNITS "reduced: lattice spacing, particle mass and time unit of the material"
 
@@ -228,6 +229,8 @@ static void make_notes(fw_hdf5 *file)
                   FW_I64, 0, 1, &zero);
     make_text(file, "parameters/provenance/end", FW_PROVENANCE_SIZE, "");
     make_text(file, "parameters/provenance/exit_reason", FW_EXIT_REASON_SIZE, FW_RUN_RUNNING);
+    fw_hdf5_write(file, fw_hdf5_make_array(file, EXIT_STATUS, FW_I64, 0, NULL), FW_I64, 0, 1,
+                  &zero);
     make_text(file, "parameters/warnings", FW_WARNINGS_SIZE, "");
 }
 
@@ -381,8 +384,15 @@ void fw_layout_reopen(fw_hdf5 *file)
     fw_hdf5_read(file, counter, FW_I64, 0, 1, &resumed);
     resumed += 1;
     fw_hdf5_write(file, counter, FW_I64, 0, 1, &resumed);
+    fw_layout_note_status(file, FW_OK);
     fw_layout_note(file, "end", "");
     fw_layout_note(file, "exit_reason", FW_RUN_RUNNING);
+}
+
+void fw_layout_note_status(fw_hdf5 *file, fw_status status)
+{
+    const int64_t number = status;
+    fw_hdf5_write(file, fw_hdf5_find(file, EXIT_STATUS), FW_I64, 0, 1, &number);
 }
 
 void fw_layout_warn(fw_hdf5 *file, const char *warnings)

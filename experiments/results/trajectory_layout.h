@@ -34,6 +34,8 @@ fw_status fw_layout_check_seal(fw_hdf5 *file, fw_error *error);
 /* Where it lies in the file, as 8 bytes. */
 uint64_t fw_layout_seal_place(fw_hdf5 *file);
 
+/* Rewrites parameters/provenance/exit_status; FW_OK: the run has not failed. */
+void fw_layout_note_status(fw_hdf5 *file, fw_status status);
 /* Rewrites the warnings, a line each. */
 void fw_layout_warn(fw_hdf5 *file, const char *warnings);
 /* Rewrites one text of parameters/provenance. */

@@ -117,6 +117,11 @@ static fw_status cut(fw_trajectory *trajectory, bool resumable, fw_error *error)
     return fw_head_settle(trajectory->folder, resumable, error);
 }
 
+void fw_trajectory_fail(fw_trajectory *trajectory, fw_status status)
+{
+    fw_layout_note_status(trajectory->file, status);
+}
+
 fw_status fw_trajectory_finish(fw_trajectory *trajectory, const char *exit_reason, fw_error *error)
 {
     char end[FW_PROVENANCE_SIZE];

@@ -2,6 +2,7 @@
 /* csv.c - comma-separated values. Keeps no state. */
 #include "experiments/storage/csv.h"
 
+#include "experiments/storage/manifest.h"
 #include "experiments/storage/whole_file.h"
 
 #include <math.h>
@@ -52,18 +53,39 @@ char *fw_csv_cut(char *line, char **value)
     return more ? line + 1 : NULL;
 }
 
+/* To be freed; FW_SYSTEM_FAILED without memory. */
+static fw_status print(char **text, size_t *size, void (*write)(FILE *out, const void *object),
+                       const void *object, fw_error *error)
+{
+    *text = NULL;
+    *size = 0;
+    FILE *memory = open_memstream(text, size);
+    if (memory) write(memory, object);
+    if (memory && fclose(memory) == 0) return FW_OK;
+    free(*text);
+    *text = NULL;
+    return fw_fail_memory(error, "a table");
+}
+
+fw_status fw_csv_keep(const char *directory, const char *name,
+                      void (*write)(FILE *out, const void *object), const void *object,
+                      fw_error *error)
+{
+    char *text;
+    size_t size;
+    FW_TRY(print(&text, &size, write, object, error));
+    const fw_status status = fw_manifest_write(directory, name, text, size, error);
+    free(text);
+    return status;
+}
+
 fw_status fw_csv_save(const char *path, void (*write)(FILE *out, const void *object),
                       const void *object, fw_error *error)
 {
-    char *text = NULL;
-    size_t size = 0;
-    FILE *memory = open_memstream(&text, &size);
-    if (memory) write(memory, object);
-    fw_status status = FW_OK;
-    if (!memory || fclose(memory) != 0)
-        status = fw_fail_memory(error, path);
-    else
-        status = fw_whole_file_write(path, text, size, error);
+    char *text;
+    size_t size;
+    FW_TRY(print(&text, &size, write, object, error));
+    const fw_status status = fw_whole_file_write(path, text, size, error);
     free(text);
     return status;
 }

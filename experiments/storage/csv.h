@@ -17,7 +17,12 @@ void fw_csv_write_number(FILE *out, double value);
  * is behind its comma, or NULL where that was the last one of the line. */
 char *fw_csv_cut(char *line, char **value);
 
-/* What `write` says of `object`, as a file that appears whole (whole_file.h). */
+/* What `write` says of `object`, as a file of results that the folder's manifest knows
+ * (manifest.h). */
+fw_status fw_csv_keep(const char *directory, const char *name,
+                      void (*write)(FILE *out, const void *object), const void *object,
+                      fw_error *error);
+/* The same, as a file that appears whole where the user wants it (whole_file.h). */
 fw_status fw_csv_save(const char *path, void (*write)(FILE *out, const void *object),
                       const void *object, fw_error *error);
 

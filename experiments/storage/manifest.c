@@ -14,8 +14,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#define KIND "FWFILES"
-
 enum { NAME_SIZE = 240, FILE_SIZE_MAX = 1 << 28, ENTRIES_MAX = 1 << 16 };
 
 typedef struct entry {
@@ -39,7 +37,7 @@ static fw_status open_manifest(manifest *m, const char *directory, fw_error *err
     FW_TRY(fw_folder_visit(&m->folder, directory, error));
     if (!fw_folder_has(m->folder, FW_MANIFEST_FILE)) return FW_OK;
     fw_status status =
-        fw_sealed_file_read(m->folder, FW_MANIFEST_FILE, KIND, &payload, &size, error);
+        fw_sealed_file_read(m->folder, FW_MANIFEST_FILE, FW_MANIFEST_KIND, &payload, &size, error);
     if (status == FW_OK && (size % sizeof(entry) != 0 || size / sizeof(entry) > ENTRIES_MAX)) {
         status =
             fw_fail(error, FW_BAD_INPUT, "%s/" FW_MANIFEST_FILE " is no list of files", directory);
@@ -81,7 +79,7 @@ static fw_status add_entry(const manifest *m, const entry *added, fw_error *erro
 {
     fw_sealed_file *file;
     const size_t kept = m->count < ENTRIES_MAX ? m->count : ENTRIES_MAX - 1;
-    FW_TRY(fw_sealed_file_create(&file, m->folder, FW_MANIFEST_FILE, KIND,
+    FW_TRY(fw_sealed_file_create(&file, m->folder, FW_MANIFEST_FILE, FW_MANIFEST_KIND,
                                  (kept + 1) * sizeof(entry), error));
     /* The oldest go first. */
     fw_sealed_file_write(file, m->item + (m->count - kept), kept * sizeof(entry));

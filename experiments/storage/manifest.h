@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #define FW_MANIFEST_FILE "manifest"
+#define FW_MANIFEST_KIND "FWFILES" /* with which it begins */
 
 /* Writes DIRECTORY/NAME as a whole (whole_file.h) after the manifest has it. FW_BAD_INPUT where
  * there is something else than a file of that name. */

@@ -1,9 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* leftovers.c - what an earlier result leaves behind. State: files, and folders of results after
- * the other files that they hold. Start reading at add_result(). */
+ * the other files that they hold. Start reading at
+ * fw_leftovers_find(). */
 #include "experiments/study/leftovers.h"
 
 #include "experiments/results/playback.h"
+#include "experiments/results/result_files.h"
+#include "experiments/storage/manifest.h"
+#include "experiments/storage/sealed_file.h"
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
 #include "summary.h"
@@ -11,6 +15,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 typedef struct leftover {
     char *path;
@@ -53,52 +59,149 @@ static fw_scenario *scenario_in(const char *directory)
     return scenario;
 }
 
-static bool has_case(const fw_scenario *scenario, const char *name)
+/* Number of the case of that name, or -1. */
+static int find_case(const fw_scenario *scenario, const char *name)
 {
     char own[FW_CASE_NAME];
-    for (int n = 0;
-         scenario && fw_scenario_is_sweep(scenario) && n < scenario->study.sweep.value_count; ++n) {
+    if (!scenario || !fw_scenario_is_sweep(scenario)) return -1;
+    for (int n = 0; n < scenario->study.sweep.value_count; ++n) {
         fw_scenario_case_name(scenario, n, own);
-        if (strcmp(own, name) == 0) return true;
+        if (strcmp(own, name) == 0) return n;
     }
-    return false;
+    return -1;
+}
+
+static bool has_control(const fw_scenario *scenario)
+{
+    return !fw_scenario_is_sweep(scenario) && scenario->study.control_count > 0;
+}
+
+/* What is done with each table and picture that a result of a scenario has. */
+typedef fw_status visitor(void *object, const char *directory, const char *name, fw_error *error);
+
+static fw_status visit_files(const fw_scenario *scenario, const char *directory, visitor *visit,
+                             void *object, fw_error *error)
+{
+    static const char *const tables[] = {FW_SUMMARY_FILE, FW_PROFILE_FILE, FW_LAYER_FILE};
+    char name[FW_NAME_BYTES + 8];
+    for (size_t n = 0; n < sizeof tables / sizeof tables[0]; ++n)
+        FW_TRY(visit(object, directory, tables[n], error));
+    for (int n = 0; n < scenario->picture_count; ++n) {
+        snprintf(name, sizeof name, "%.*s.png", FW_NAME_BYTES, scenario->pictures[n].name);
+        FW_TRY(visit(object, directory, name, error));
+    }
+    /* What is drawn where the scenario has no picture of its own. */
+    return visit(object, directory, fw_scenario_is_sweep(scenario) ? "sweep.png" : "motion.png",
+                 error);
+}
+
+/* --- what the new result needs --- */
+
+static bool is_there(const char *directory, const char *name)
+{
+    char path[FW_PATH_SIZE];
+    struct stat facts;
+    fw_error ignored;
+    return fw_path_join(path, directory, name, &ignored) == FW_OK && lstat(path, &facts) == 0;
+}
+
+static fw_status refuse(const char *directory, const char *name, fw_error *error)
+{
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s/%s is in the way, and is not as this program wrote it: move it away, or "
+                   "put the result elsewhere with -o DIR",
+                   directory, name);
+}
+
+static fw_status check_file(void *object, const char *directory, const char *name, fw_error *error)
+{
+    const bool *overwrite = object;
+    if (!is_there(directory, name)) return FW_OK;
+    if (!fw_manifest_knows(directory, name)) return refuse(directory, name, error);
+    return *overwrite ? FW_OK : fw_trajectory_refuse(directory, error);
+}
+
+/* Files by which a folder holds a result. */
+static fw_status check_result(const char *directory, bool overwrite, fw_error *error)
+{
+    for (int n = 0; fw_result_file(n); ++n) {
+        if (!is_there(directory, fw_result_file(n))) continue;
+        if (!fw_result_file_is_ours(directory, n))
+            return refuse(directory, fw_result_file(n), error);
+        /* What a killed run left before it was whole is no result yet. */
+        const bool unfinished = strstr(fw_result_file(n), FW_FRESH_SUFFIX) != NULL;
+        if (!overwrite && !unfinished) return fw_trajectory_refuse(directory, error);
+    }
+    return FW_OK;
+}
+
+/* `fixed`: also the files by which a folder holds a result, which a run that goes on has. */
+static fw_status check_needs(const char *directory, const fw_scenario *fresh, bool fixed,
+                             bool overwrite, fw_error *error)
+{
+    char path[FW_PATH_SIZE], name[FW_CASE_NAME];
+    if (fixed) FW_TRY(check_result(directory, overwrite, error));
+    FW_TRY(visit_files(fresh, directory, check_file, &overwrite, error));
+    if (has_control(fresh)) {
+        FW_TRY(fw_path_join(path, directory, FW_CONTROL_FOLDER, error));
+        FW_TRY(fw_path_check_inner(path, error));
+        if (fixed) FW_TRY(check_result(path, overwrite, error));
+    }
+    for (int n = 0; fw_scenario_is_sweep(fresh) && n < fresh->study.sweep.value_count; ++n) {
+        fw_scenario *case_of = NULL;
+        fw_scenario_case_name(fresh, n, name);
+        FW_TRY(fw_path_join(path, directory, name, error));
+        FW_TRY(fw_path_check_inner(path, error));
+        FW_TRY(fw_scenario_read_case(&case_of, fresh, n, error));
+        const fw_status status = check_needs(path, case_of, fixed, overwrite, error);
+        fw_scenario_destroy(case_of);
+        FW_TRY(status);
+    }
+    return FW_OK;
+}
+
+fw_status fw_leftovers_check(const char *directory, const fw_scenario *scenario, fw_error *error)
+{
+    return check_needs(directory, scenario, false, true, error);
+}
+
+/* --- what the old one leaves --- */
+
+static fw_status add_file(void *object, const char *directory, const char *name, fw_error *error)
+{
+    return fw_manifest_knows(directory, name) ? add(object, error, directory, name) : FW_OK;
 }
 
 static fw_status add_result(fw_leftovers *list, const char *directory, const fw_scenario *old,
                             const fw_scenario *fresh, fw_error *error);
 
-/* A folder within, unless the new result has one of that name. */
+/* A folder within; it stays, unless the new result has none of that name. */
 static fw_status add_folder(fw_leftovers *list, const char *directory, const char *name,
-                            const fw_scenario *old, fw_error *error)
+                            const fw_scenario *old, bool stays, fw_error *error)
 {
     char path[FW_PATH_SIZE];
-    if (snprintf(path, sizeof path, "%s/%s", directory, name) >= FW_PATH_SIZE) return FW_OK;
+    fw_error ignored;
+    if (fw_path_join(path, directory, name, &ignored) != FW_OK ||
+        fw_path_check_inner(path, &ignored) != FW_OK)
+        return FW_OK;
     FW_TRY(add_result(list, path, old, NULL, error));
-    return add(list, error, path, "");
+    return stays ? FW_OK : add(list, error, path, "");
 }
 
 static fw_status add_result(fw_leftovers *list, const char *directory, const fw_scenario *old,
                             const fw_scenario *fresh, fw_error *error)
 {
-    static const char *const tables[] = {FW_SUMMARY_FILE, FW_PROFILE_FILE, FW_LAYER_FILE};
-    char name[FW_NAME_BYTES + 8];
-    for (size_t n = 0; n < sizeof tables / sizeof tables[0]; ++n)
-        FW_TRY(add(list, error, directory, tables[n]));
-    for (int n = 0; n < old->picture_count; ++n) {
-        snprintf(name, sizeof name, "%.*s.png", FW_NAME_BYTES, old->pictures[n].name);
-        FW_TRY(add(list, error, directory, name));
-    }
-    const bool is_sweep = fw_scenario_is_sweep(old);
-    if (!is_sweep && old->study.control_count > 0 &&
-        (!fresh || fw_scenario_is_sweep(fresh) || fresh->study.control_count == 0))
-        FW_TRY(add_folder(list, directory, FW_CONTROL_FOLDER, old, error));
-    for (int n = 0; is_sweep && n < old->study.sweep.value_count; ++n) {
+    FW_TRY(visit_files(old, directory, add_file, list, error));
+    if (has_control(old))
+        FW_TRY(add_folder(list, directory, FW_CONTROL_FOLDER, old, fresh && has_control(fresh),
+                          error));
+    for (int n = 0; fw_scenario_is_sweep(old) && n < old->study.sweep.value_count; ++n) {
         fw_scenario *case_of = NULL;
-        char case_name[FW_CASE_NAME];
-        fw_scenario_case_name(old, n, case_name);
-        if (has_case(fresh, case_name)) continue;
+        char name[FW_CASE_NAME];
+        fw_scenario_case_name(old, n, name);
         if (fw_scenario_read_case(&case_of, old, n, error) != FW_OK) continue;
-        const fw_status status = add_folder(list, directory, case_name, case_of, error);
+        const fw_status status =
+            add_folder(list, directory, name, case_of, find_case(fresh, name) >= 0, error);
         fw_scenario_destroy(case_of);
         FW_TRY(status);
     }
@@ -106,8 +209,10 @@ static fw_status add_result(fw_leftovers *list, const char *directory, const fw_
 }
 
 fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
-                            const fw_scenario *fresh, fw_error *error)
+                            const fw_scenario *fresh, bool overwrite, fw_error *error)
 {
+    *leftovers = NULL;
+    FW_TRY(check_needs(directory, fresh, true, overwrite, error));
     *leftovers = calloc(1, sizeof **leftovers);
     if (!*leftovers) return fw_fail_memory(error, "a list of files");
     fw_scenario *old = scenario_in(directory);
@@ -119,12 +224,19 @@ fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
     return status;
 }
 
+/* The files by which a folder holds a result, as far as they are ours. */
 static void discard_result(const char *path)
 {
     fw_folder *folder;
     fw_error ignored;
-    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return;
-    fw_trajectory_discard(folder, &ignored);
+    int count = 0;
+    bool ours[32];
+    if (fw_path_check_inner(path, &ignored) != FW_OK) return;
+    for (; fw_result_file(count); ++count) ours[count] = fw_result_file_is_ours(path, count);
+    /* Whoever writes there keeps them. */
+    if (fw_folder_open(&folder, path, &ignored) != FW_OK) return;
+    for (int n = 0; n < count; ++n)
+        if (ours[n]) fw_folder_remove(folder, fw_result_file(n), &ignored);
     fw_folder_close(folder);
 }
 
@@ -133,7 +245,10 @@ void fw_leftovers_remove(const fw_leftovers *leftovers)
     for (int n = 0; n < leftovers->count; ++n) {
         const leftover *item = &leftovers->item[n];
         if (item->is_folder) discard_result(item->path);
-        remove(item->path);
+        if (item->is_folder)
+            rmdir(item->path);
+        else
+            unlink(item->path);
     }
 }
 

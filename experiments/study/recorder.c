@@ -18,11 +18,6 @@ typedef struct body_frame {
     double **fields; /* NULL where the body does not have that field */
 } body_frame;
 
-/* Part of every checkpoint. */
-typedef struct written {
-    int64_t frames, rows;
-} written;
-
 struct fw_recorder {
     fw_observer *observer;
     fw_experiment *experiment; /* of the observer */
@@ -34,7 +29,8 @@ struct fw_recorder {
     int section_count;
     fw_checkpoint_section *sections;
     fw_state_list *states;
-    written written;
+    fw_written written; /* part of every checkpoint */
+    char warnings[FW_WARNINGS_SIZE + 1];
     body_frame *bodies;
     fw_frame_body *frame;
     /* Arrays per solid of the scene: whole solids are asked, bodies are parts of them. */
@@ -305,6 +301,10 @@ fw_status fw_recorder_create(fw_recorder **recorder, fw_observer *observer,
         status = fw_trajectory_create(&r->trajectory, &r->def, error);
         if (status == FW_OK)
             status = fw_checkpoint_open(&r->checkpoint, directory, r->scenario_text, error);
+        if (status != FW_OK) {
+            fw_trajectory_abandon(r->trajectory);
+            r->trajectory = NULL;
+        }
     }
     return give_up(recorder, status);
 }
@@ -321,6 +321,9 @@ static fw_status check_restored(const fw_recorder *r, const fw_checkpoint_origin
         return fw_fail(error, FW_BAD_INPUT, "it is of step %lld and holds step %lld of %lld",
                        (long long)origin->step, (long long)step,
                        (long long)r->experiment->scenario->run.steps);
+    if (r->written.warning_bytes < 0 || r->written.warning_bytes > FW_WARNINGS_SIZE)
+        return fw_fail(error, FW_BAD_INPUT, "it speaks of %lld bytes of warnings, expected 0 to %d",
+                       (long long)r->written.warning_bytes, FW_WARNINGS_SIZE);
     if (rows >= 1 && rows <= r->def.sample_count && frames >= 1 && frames <= r->def.frame_count)
         return FW_OK;
     return fw_fail(error, FW_BAD_INPUT,
@@ -337,9 +340,18 @@ static fw_status load(fw_recorder *r, fw_checkpoint_origin *origin, fw_error *er
     return fw_fail_within(error, "%s/%s", r->directory, origin->name);
 }
 
+static void tell_fallback(const fw_checkpoint_origin *origin, char note[FW_SENTENCE_SIZE])
+{
+    fw_error told;
+    fw_fail(&told, FW_OK,
+            "going on from %s at step %lld, since the other checkpoint cannot be used: %s",
+            origin->name, (long long)origin->step, origin->newer_error.sentence);
+    snprintf(note, FW_SENTENCE_SIZE, "%s", told.sentence);
+}
+
 fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
                              const fw_measurement *measurement, const char *directory, int threads,
-                             int64_t *rows, char note[FW_SENTENCE_SIZE], fw_error *error)
+                             fw_written *written, char note[FW_SENTENCE_SIZE], fw_error *error)
 {
     fw_status status = prepare(recorder, observer, measurement, directory, threads, error);
     fw_recorder *r = *recorder;
@@ -347,24 +359,24 @@ fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
     if (status == FW_OK)
         status = fw_checkpoint_open(&r->checkpoint, directory, r->scenario_text, error);
     if (status == FW_OK && !fw_checkpoint_exists(r->checkpoint)) {
-        *rows = 0;
+        *written = (fw_written){0};
         snprintf(note, FW_SENTENCE_SIZE,
                  "the run ended before its first checkpoint, it begins again");
     } else if (status == FW_OK) {
         status = load(r, &origin, error);
-        *rows = r->written.rows;
-        if (status == FW_OK && origin.fallen_back)
-            snprintf(note, FW_SENTENCE_SIZE,
-                     "the newer checkpoint cannot be used, going on from %s at step %lld (%.700s)",
-                     origin.name, (long long)origin.step, origin.newer_error.sentence);
+        *written = r->written;
+        if (status == FW_OK && origin.fallen_back) tell_fallback(&origin, note);
     }
     return give_up(recorder, status);
 }
 
-fw_status fw_recorder_go_on(fw_recorder *recorder, fw_error *error)
+fw_status fw_recorder_go_on(fw_recorder *recorder, const char *warnings, fw_error *error)
 {
-    return fw_trajectory_reopen(&recorder->trajectory, &recorder->def, recorder->written.frames,
-                                recorder->written.rows, error);
+    snprintf(recorder->warnings, sizeof recorder->warnings, "%.*s",
+             (int)recorder->written.warning_bytes, warnings);
+    FW_TRY(fw_trajectory_reopen(&recorder->trajectory, &recorder->def, recorder->written.frames,
+                                recorder->written.rows, error));
+    return fw_trajectory_warn(recorder->trajectory, recorder->warnings, error);
 }
 
 /* --- writing --- */
@@ -451,6 +463,24 @@ fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error)
                                      fw_scene_time(experiment->scene), recorder->frame, error);
 }
 
+fw_status fw_recorder_add_warnings(fw_recorder *recorder, const char *lines, int64_t warned,
+                                   fw_error *error)
+{
+    const size_t before = strlen(recorder->warnings), more = strlen(lines);
+    recorder->written.warned = warned;
+    if (more == 0) return FW_OK;
+    /* What there is no room for was said all the same. */
+    if (before + more > FW_WARNINGS_SIZE) return FW_OK;
+    memcpy(recorder->warnings + before, lines, more + 1);
+    recorder->written.warning_bytes = (int64_t)(before + more);
+    return fw_trajectory_warn(recorder->trajectory, recorder->warnings, error);
+}
+
+const char *fw_recorder_warnings(const fw_recorder *recorder)
+{
+    return recorder->warnings;
+}
+
 fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error)
 {
     FW_TRY(fw_trajectory_sync(recorder->trajectory, error));
@@ -464,8 +494,10 @@ fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_arr
     return fw_trajectory_write_array(recorder->trajectory, array, values, error);
 }
 
-fw_status fw_recorder_finish(fw_recorder *recorder, const char *reason, fw_error *error)
+fw_status fw_recorder_finish(fw_recorder *recorder, fw_status status, const char *reason,
+                             fw_error *error)
 {
+    if (status == FW_DIVERGED) fw_trajectory_fail(recorder->trajectory, status);
     return fw_trajectory_finish(recorder->trajectory, reason ? reason : FW_RUN_FINISHED, error);
 }
 
@@ -489,6 +521,14 @@ static void destroy_bodies(fw_recorder *r)
         if (r->solid_x) free(r->solid_x[s]);
         if (r->solid_y) free(r->solid_y[s]);
     }
+}
+
+void fw_recorder_abandon(fw_recorder *recorder)
+{
+    if (!recorder) return;
+    fw_trajectory_abandon(recorder->trajectory);
+    recorder->trajectory = NULL;
+    fw_recorder_destroy(recorder);
 }
 
 void fw_recorder_destroy(fw_recorder *recorder)

@@ -37,7 +37,6 @@ static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_
     if (!made) return fw_fail_memory(error, "a run");
     made->scenario = scenario;
     made->options = *options;
-    made->warning.out = options->warnings;
     omp_set_num_threads(options->threads > 0 ? options->threads : 1);
     FW_TRY(fw_observer_create(&made->observer, scenario, error));
     made->experiment = made->observer->experiment;
@@ -53,9 +52,36 @@ static fw_status measure(fw_run *run, fw_error *error)
                                  run->measurement->times[last], row, error);
 }
 
+enum { LOOKED = 1, HURRIED = 2, MET = 4 };
+
+/* What was said is not said again by a run that goes on. */
+static int64_t warned(const fw_run *run)
+{
+    return (run->warning.looked ? LOOKED : 0) | (run->warning.hurried ? HURRIED : 0) |
+           (run->warning.met ? MET : 0);
+}
+
+/* Says what is new to the user, and keeps it in the results. */
+static fw_status look(fw_run *run, fw_error *error)
+{
+    char *lines = NULL;
+    size_t size = 0;
+    if (!run->options.warnings && !run->recorder) return FW_OK;
+    run->warning.out = open_memstream(&lines, &size);
+    if (!run->warning.out) return fw_fail_memory(error, "warnings");
+    fw_status status = fw_warning_look(&run->warning, run->experiment, error);
+    fclose(run->warning.out);
+    run->warning.out = NULL;
+    if (run->options.warnings) fputs(lines, run->options.warnings);
+    if (status == FW_OK && run->recorder)
+        status = fw_recorder_add_warnings(run->recorder, lines, warned(run), error);
+    free(lines);
+    return status;
+}
+
 static fw_status record(fw_run *run, fw_error *error)
 {
-    FW_TRY(fw_warning_look(&run->warning, run->experiment, error));
+    FW_TRY(look(run, error));
     return run->recorder ? fw_recorder_write_frame(run->recorder, error) : FW_OK;
 }
 
@@ -85,18 +111,16 @@ fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_o
                                options->directory, options->overwrite, options->threads, error);
     if (status == FW_OK) status = record_start(*run, error);
     if (status != FW_OK) {
-        fw_run_destroy(*run);
+        fw_run_abandon(*run);
         *run = NULL;
     }
     return status;
 }
 
 /* The rows that were measured before the checkpoint, from the results file. */
-static fw_status restore_rows(fw_run *run, int64_t rows, fw_error *error)
+static fw_status restore_rows(fw_run *run, fw_playback *playback, int64_t rows, fw_error *error)
 {
-    fw_playback *playback;
     fw_measurement *m = run->measurement;
-    FW_TRY(fw_playback_open(&playback, run->options.directory, error));
     size_t count = (size_t)playback->sample_count, width = (size_t)m->width;
     double *table = calloc(count * width + 1, sizeof *table);
     double *column = calloc(count * FW_COMPONENTS_MAX + 1, sizeof *column);
@@ -136,18 +160,27 @@ static fw_status restore_rows(fw_run *run, int64_t rows, fw_error *error)
     free(column);
     free(times);
     free(steps);
-    fw_playback_close(playback);
     return status;
 }
 
 static fw_status resume(fw_run *run, char *note, fw_error *error)
 {
-    int64_t rows = 0;
+    fw_written written = {0};
+    fw_playback *playback;
     FW_TRY(fw_recorder_reopen(&run->recorder, run->observer, run->measurement,
-                              run->options.directory, run->options.threads, &rows, note, error));
-    FW_TRY(restore_rows(run, rows, error));
-    FW_TRY(fw_recorder_go_on(run->recorder, error));
-    return rows > 0 ? FW_OK : record_start(run, error);
+                              run->options.directory, run->options.threads, &written, note, error));
+    run->warning.looked = written.warned & LOOKED;
+    run->warning.hurried = written.warned & HURRIED;
+    run->warning.met = written.warned & MET;
+    FW_TRY(fw_playback_open(&playback, run->options.directory, error));
+    char *warnings = strdup(playback->warnings);
+    fw_status status = warnings ? FW_OK : fw_fail_memory(error, "warnings");
+    if (status == FW_OK) status = restore_rows(run, playback, written.rows, error);
+    fw_playback_close(playback);
+    if (status == FW_OK) status = fw_recorder_go_on(run->recorder, warnings, error);
+    free(warnings);
+    FW_TRY(status);
+    return written.rows > 0 ? FW_OK : record_start(run, error);
 }
 
 fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
@@ -217,7 +250,7 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error)
     if (status == FW_OK) return run->options.keep_open ? FW_OK : fw_run_finish(run, error);
     /* The reason goes into the file as far as the disk still takes it. */
     fw_error ignored;
-    fw_recorder_finish(run->recorder, error->sentence, &ignored);
+    fw_recorder_finish(run->recorder, status, error->sentence, &ignored);
     return status;
 }
 
@@ -229,7 +262,27 @@ fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, cons
 
 fw_status fw_run_finish(fw_run *run, fw_error *error)
 {
-    return run->recorder ? fw_recorder_finish(run->recorder, NULL, error) : FW_OK;
+    return run->recorder ? fw_recorder_finish(run->recorder, FW_OK, NULL, error) : FW_OK;
+}
+
+void fw_run_fail(fw_run *run, fw_status status, const char *reason)
+{
+    fw_error ignored;
+    if (run->recorder) fw_recorder_finish(run->recorder, status, reason, &ignored);
+}
+
+fw_status fw_run_warn(fw_run *run, const char *line, fw_error *error)
+{
+    char text[FW_SENTENCE_SIZE + 16];
+    snprintf(text, sizeof text, "warning: %s\n", line);
+    if (run->options.warnings) fputs(text, run->options.warnings);
+    return run->recorder ? fw_recorder_add_warnings(run->recorder, text, warned(run), error)
+                         : FW_OK;
+}
+
+const char *fw_run_warnings(const fw_run *run)
+{
+    return run->recorder ? fw_recorder_warnings(run->recorder) : "";
 }
 
 void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
@@ -244,6 +297,14 @@ void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count
 {
     run->measurement->seeds = seeds;
     run->measurement->seed_count = count;
+}
+
+void fw_run_abandon(fw_run *run)
+{
+    if (!run) return;
+    fw_recorder_abandon(run->recorder);
+    run->recorder = NULL;
+    fw_run_destroy(run);
 }
 
 void fw_run_destroy(fw_run *run)

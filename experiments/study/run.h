@@ -23,7 +23,7 @@ typedef struct fw_run_options {
 
 typedef struct fw_run fw_run;
 
-/* From the beginning. */
+/* From the beginning. On failure nothing of it stays on disk. */
 fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
                        fw_error *error);
 /* From the newest checkpoint in options->directory. FW_BAD_INPUT: the run is finished, or there is
@@ -40,6 +40,13 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error);
 fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,
                              fw_error *error);
 fw_status fw_run_finish(fw_run *run, fw_error *error);
+/* The same where another run of the study has failed. */
+void fw_run_fail(fw_run *run, fw_status status, const char *reason);
+/* Warns of something that only shows at the end: a sentence without its end of line. To be called
+ * before fw_run_finish. */
+fw_status fw_run_warn(fw_run *run, const char *line, fw_error *error);
+/* What the user was warned of, a line each, as the results keep it; "" without results. */
+const char *fw_run_warnings(const fw_run *run);
 /* For expectations of a study's outcome; all are observed. */
 void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
                         const double *outcome_of_seeds);
@@ -47,6 +54,8 @@ void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcom
 void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count);
 
 void fw_run_destroy(fw_run *run);
+/* The same, of a run that has just begun and is not to be: nothing of it stays on disk. */
+void fw_run_abandon(fw_run *run);
 
 const fw_experiment *fw_run_experiment(const fw_run *run);
 const fw_observer *fw_run_observer(const fw_run *run);

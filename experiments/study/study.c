@@ -75,11 +75,8 @@ static fw_status make_replica(fw_study *study, int number, const fw_run_options 
     replica->scenario = replica->own;
     replica->options = (fw_run_options){.threads = 1, .overwrite = true};
     if (number != study->seed_count || !options->directory) return FW_OK;
-    const int length = snprintf(study->control_folder, sizeof study->control_folder, "%s/%s",
-                                options->directory, FW_CONTROL_FOLDER);
-    if (length >= (int)sizeof study->control_folder)
-        return fw_fail(error, FW_BAD_INPUT, "%.200s...: the name of the folder is too long",
-                       options->directory);
+    FW_TRY(fw_path_join(study->control_folder, options->directory, FW_CONTROL_FOLDER, error));
+    FW_TRY(fw_path_check_inner(study->control_folder, error));
     replica->options.directory = study->control_folder;
     return FW_OK;
 }
@@ -116,9 +113,25 @@ static fw_status begin_others(fw_study *study, fw_error *error)
     return FW_OK;
 }
 
-static fw_status give_up(fw_study **study, fw_status status)
+/* Could the control begin? Asked before anything of an earlier result is replaced. */
+static fw_status check_control(const fw_study *study, fw_error *error)
+{
+    fw_run *run;
+    if (study->run_count == study->seed_count) return FW_OK;
+    const fw_run_options nothing_written = {.threads = 1};
+    FW_TRY(
+        fw_run_begin(&run, study->replicas[study->seed_count].scenario, &nothing_written, error));
+    fw_run_destroy(run);
+    return FW_OK;
+}
+
+static fw_status give_up(fw_study **study, bool begun, fw_status status)
 {
     if (status == FW_OK) return FW_OK;
+    for (int n = 0; begun && *study && (*study)->replicas && n < (*study)->run_count; ++n) {
+        fw_run_abandon((*study)->replicas[n].run);
+        (*study)->replicas[n].run = NULL;
+    }
     fw_study_destroy(*study);
     *study = NULL;
     return status;
@@ -128,12 +141,13 @@ fw_status fw_study_begin(fw_study **study, const fw_scenario *scenario,
                          const fw_run_options *options, fw_error *error)
 {
     fw_status status = create(study, scenario, options, error);
+    if (status == FW_OK) status = check_control(*study, error);
     if (status == FW_OK) {
         fw_replica *first = &(*study)->replicas[0];
         status = fw_run_begin(&first->run, scenario, &first->options, error);
     }
     if (status == FW_OK) status = begin_others(*study, error);
-    return give_up(study, status);
+    return give_up(study, true, status);
 }
 
 fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
@@ -146,7 +160,7 @@ fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
         status = fw_run_resume(&first->run, scenario, &first->options, note, error);
     }
     if (status == FW_OK) status = begin_others(*study, error);
-    return give_up(study, status);
+    return give_up(study, false, status);
 }
 
 void fw_study_destroy(fw_study *study)
@@ -307,26 +321,25 @@ static fw_status write_profile(fw_study *study, const char *directory, fw_error 
                                     fw_profile_table_values(study->table, n), error);
     free(arrays);
     FW_TRY(status);
-    char path[FW_PATH_SIZE + sizeof FW_PROFILE_FILE];
-    snprintf(path, sizeof path, "%s/%s", directory, FW_PROFILE_FILE);
-    FW_TRY(fw_profile_table_write(study->table, path, error));
-    snprintf(path, sizeof path, "%s/%s", directory, FW_LAYER_FILE);
-    return fw_csv_save(path, write_layers, study, error);
+    FW_TRY(fw_profile_table_write(study->table, directory, FW_PROFILE_FILE, error));
+    return fw_csv_keep(directory, FW_LAYER_FILE, write_layers, study, error);
 }
 
 /* Of several seeds, and of a case, which a sweep that goes on reads back. */
 static fw_status write_summary(const fw_study *study, const char *directory, fw_error *error)
 {
-    char path[FW_PATH_SIZE + sizeof FW_SUMMARY_FILE];
     if (study->seed_count == 1 && !study->scenario->study.sweep.is_case) return FW_OK;
-    snprintf(path, sizeof path, "%s/%s", directory, FW_SUMMARY_FILE);
-    return fw_summary_write(path, study->scenario, fw_study_measurement(study), error);
+    return fw_summary_write(directory, study->scenario, fw_study_measurement(study), error);
 }
 
 fw_status fw_study_to_end(fw_study *study, fw_error *error)
 {
     const char *directory = study->replicas[0].options.directory;
-    FW_TRY(run_all(study, error));
+    const fw_status status = run_all(study, error);
+    /* Of the experiment itself there are results, which tell that another run has failed. */
+    if (status == FW_DIVERGED && study->replicas[0].status == FW_OK)
+        fw_run_fail(study->replicas[0].run, status, error->sentence);
+    FW_TRY(status);
     if (study->scenario->profile.every != 0) FW_TRY(evaluate(study, error));
     compare_seeds(study);
     if (!directory) return FW_OK;
@@ -338,6 +351,11 @@ fw_status fw_study_to_end(fw_study *study, fw_error *error)
 const fw_measurement *fw_study_measurement(const fw_study *study)
 {
     return fw_run_measurement(study->replicas[0].run);
+}
+
+const char *fw_study_warnings(const fw_study *study)
+{
+    return fw_run_warnings(study->replicas[0].run);
 }
 
 const fw_profile_table *fw_study_table(const fw_study *study)

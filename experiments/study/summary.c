@@ -3,8 +3,9 @@
 #include "summary.h"
 
 #include "experiments/storage/csv.h"
+#include "experiments/storage/manifest.h"
+#include "experiments/text/text.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -41,10 +42,10 @@ static void write(FILE *out, const void *object)
     for (int n = 0; n < s->scenario->expectation_count; ++n) write_row(out, s, n);
 }
 
-fw_status fw_summary_write(const char *path, const fw_scenario *scenario,
+fw_status fw_summary_write(const char *directory, const fw_scenario *scenario,
                            const fw_measurement *measurement, fw_error *error)
 {
-    return fw_csv_save(path, write, &(summary){scenario, measurement}, error);
+    return fw_csv_keep(directory, FW_SUMMARY_FILE, write, &(summary){scenario, measurement}, error);
 }
 
 /* --- read again --- */
@@ -62,37 +63,37 @@ static bool read_row(char *line, fw_verdict *verdict)
     return true;
 }
 
-static fw_status read_rows(FILE *in, const char *path, const fw_scenario *scenario,
-                           fw_verdicts *verdicts, fw_error *error)
+static bool read_rows(char *text, const fw_scenario *scenario, fw_verdicts *verdicts)
 {
-    char *line = NULL;
-    size_t size = 0;
-    bool whole = getline(&line, &size, in) > 0;
+    bool whole = fw_text_line(&text) != NULL;
     for (int n = 0; n < scenario->expectation_count && whole; ++n) {
         const fw_expectation *e = &scenario->expectations[n];
         fw_verdict *verdict = &verdicts->item[verdicts->count++];
         *verdict = (fw_verdict){.expectation = e,
                                 .seeds = (int)scenario->study.seeds,
                                 .asked = fw_verdict_is_asked(scenario, e)};
-        whole = getline(&line, &size, in) > 0 && read_row(line, verdict);
+        whole = read_row(fw_text_line(&text), verdict);
         if (whole) fw_verdict_judge(verdict);
     }
-    free(line);
-    if (whole) return FW_OK;
-    return fw_fail(error, FW_BAD_INPUT, "%s does not hold the %d rows of what was expected", path,
-                   scenario->expectation_count);
+    return whole;
 }
 
-fw_status fw_summary_read(const char *path, const fw_scenario *scenario, fw_verdicts *verdicts,
+fw_status fw_summary_read(const char *directory, const fw_scenario *scenario, fw_verdicts *verdicts,
                           fw_error *error)
 {
+    char *text;
+    size_t size;
     *verdicts = (fw_verdicts){0};
-    FILE *in = fopen(path, "r");
-    if (!in) return fw_fail(error, FW_BAD_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
+    FW_TRY(fw_manifest_read(&text, &size, directory, FW_SUMMARY_FILE, error));
     verdicts->item = calloc((size_t)scenario->expectation_count + 1, sizeof *verdicts->item);
-    fw_status status = verdicts->item ? read_rows(in, path, scenario, verdicts, error)
-                                      : fw_fail_memory(error, path);
-    fclose(in);
+    fw_status status = FW_OK;
+    if (!verdicts->item)
+        status = fw_fail_memory(error, "a summary");
+    else if (!read_rows(text, scenario, verdicts))
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "%s/" FW_SUMMARY_FILE " does not hold the %d rows of what was expected",
+                         directory, scenario->expectation_count);
+    free(text);
     if (status != FW_OK) fw_verdicts_clear(verdicts);
     return status;
 }

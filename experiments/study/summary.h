@@ -10,10 +10,10 @@
 
 /* One row per expectation: quantity, expected, mean over the seeds, its standard error, verdict,
  * and the number of each seed. FW_SYSTEM_FAILED where the file cannot be written. */
-fw_status fw_summary_write(const char *path, const fw_scenario *scenario,
+fw_status fw_summary_write(const char *directory, const fw_scenario *scenario,
                            const fw_measurement *measurement, fw_error *error);
-/* The verdicts again, of the same scenario. FW_BAD_INPUT: it is not such a file. */
-fw_status fw_summary_read(const char *path, const fw_scenario *scenario, fw_verdicts *verdicts,
+/* The verdicts again, of the same scenario. FW_BAD_INPUT: the file is not as it was written. */
+fw_status fw_summary_read(const char *directory, const fw_scenario *scenario, fw_verdicts *verdicts,
                           fw_error *error);
 
 #endif

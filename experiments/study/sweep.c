@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep.c - studies one after the other.
  * State: the cases, and what came out of each. Invariant: the table is there when all cases are
- * finished.
- * Start reading at fw_sweep_to_end(). */
+ * finished or have diverged. Start reading at fw_sweep_to_end(). */
 #include "experiments/study/sweep.h"
 
-#include "experiments/storage/whole_file.h"
+#include "experiments/storage/manifest.h"
 #include "sweep_case.h"
 #include "sweep_outcome.h"
 
@@ -117,15 +116,15 @@ static fw_status refuse_held(const fw_sweep *sweep, fw_error *error)
 static fw_status take_folder(fw_sweep *sweep, fw_error *error)
 {
     const char *directory = sweep->options.directory;
-    char path[FW_PATH_SIZE], *text;
+    char *text;
     if (!directory) return FW_OK;
     FW_TRY(fw_folder_create(&sweep->folder, directory, error));
     FW_TRY(refuse_held(sweep, error));
     if (!sweep->options.overwrite) FW_TRY(clear_folders(sweep, false, error));
     FW_TRY(clear_folders(sweep, true, error));
-    FW_TRY(fw_path_join(path, directory, FW_SWEEP_SCENARIO, error));
     FW_TRY(fw_scenario_print(sweep->scenario, &text, error));
-    const fw_status status = fw_whole_file_write(path, text, strlen(text), error);
+    const fw_status status =
+        fw_manifest_write(directory, FW_SWEEP_SCENARIO, text, strlen(text), error);
     free(text);
     return status;
 }
@@ -164,10 +163,14 @@ bool fw_sweep_is_in(const char *directory)
 
 fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error *error)
 {
-    char path[FW_PATH_SIZE];
+    char path[FW_PATH_SIZE], *text;
+    size_t size;
     *scenario = NULL;
     FW_TRY(fw_path_join(path, directory, FW_SWEEP_SCENARIO, error));
-    FW_TRY(fw_scenario_load(scenario, path, NULL, 0, error));
+    FW_TRY(fw_manifest_read(&text, &size, directory, FW_SWEEP_SCENARIO, error));
+    const fw_status status = fw_scenario_read(scenario, path, text, size, NULL, 0, error);
+    free(text);
+    FW_TRY(status);
     if (fw_scenario_is_sweep(*scenario)) return FW_OK;
     fw_scenario_destroy(*scenario);
     *scenario = NULL;
@@ -193,7 +196,6 @@ fw_status fw_sweep_refuse(const char *directory, fw_error *error)
 static fw_status tell_case(const fw_sweep *sweep, int number, fw_status status, fw_error *error)
 {
     const char *name = sweep->cases[number].name, *directory = sweep->options.directory;
-    if (status == FW_DIVERGED) return fw_fail_within(error, "%s", name);
     if (status != FW_INTERRUPTED && status != FW_TERMINATED) return status;
     if (!directory)
         return fw_fail(error, status, "interrupted in case %d of %d, %s", number + 1,
@@ -224,21 +226,44 @@ static fw_status complete_case(fw_sweep *sweep, int number, fw_error *error)
 
 static fw_status write_table(const fw_sweep *sweep, fw_error *error)
 {
+    const char *directory = sweep->options.directory;
     fw_sweep_table table;
-    char path[FW_PATH_SIZE];
-    if (!sweep->options.directory) return FW_OK;
-    FW_TRY(fw_path_join(path, sweep->options.directory, FW_SWEEP_FILE, error));
+    if (!directory) return FW_OK;
     fw_status status = fw_sweep_outcome_table(&table, sweep->scenario, sweep->cases, error);
-    if (status == FW_OK) status = fw_sweep_table_write(&table, sweep->scenario->title, path, error);
+    if (status == FW_OK)
+        status = fw_sweep_table_write(&table, sweep->scenario->title, directory, error);
     fw_sweep_table_clear(&table);
     return status;
 }
 
+/* The first reason stands for all. */
+static fw_status tell_failures(const fw_sweep *sweep, fw_error *error)
+{
+    const fw_sweep_case *first = NULL;
+    int failed = 0;
+    for (int n = sweep->case_count - 1; n >= 0; --n) {
+        if (sweep->cases[n].failure.status == FW_OK) continue;
+        first = &sweep->cases[n];
+        failed += 1;
+    }
+    if (failed == 0) return FW_OK;
+    if (failed == 1)
+        return fw_fail(error, FW_DIVERGED, "case %s of %d failed: %s", first->name,
+                       sweep->case_count, first->failure.sentence);
+    return fw_fail(error, FW_DIVERGED, "%d of %d cases failed; the first is %s: %s", failed,
+                   sweep->case_count, first->name, first->failure.sentence);
+}
+
 fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error)
 {
-    for (int n = 0; n < sweep->case_count; ++n) FW_TRY(complete_case(sweep, n, error));
+    for (int n = 0; n < sweep->case_count; ++n) {
+        const fw_status status = complete_case(sweep, n, error);
+        /* The others have something to say all the same. */
+        if (status != FW_DIVERGED) FW_TRY(status);
+    }
     FW_TRY(fw_sweep_outcome_verdicts(&sweep->verdicts, sweep->scenario, sweep->cases, error));
-    return write_table(sweep, error);
+    FW_TRY(write_table(sweep, error));
+    return tell_failures(sweep, error);
 }
 
 const fw_verdicts *fw_sweep_verdicts(const fw_sweep *sweep)

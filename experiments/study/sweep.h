@@ -18,7 +18,8 @@ fw_status fw_sweep_begin(fw_sweep **sweep, const fw_scenario *scenario,
 /* Goes on in a folder that fw_sweep_begin took: cases that are finished are read back. */
 fw_status fw_sweep_resume(fw_sweep **sweep, const fw_scenario *scenario,
                           const fw_run_options *options, fw_error *error);
-/* Every case to its end, then the table. As fw_study_to_end. */
+/* Every case to its end, then the table. As fw_study_to_end; FW_DIVERGED when all cases were run,
+ * but some have failed: the table says which and why. */
 fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error);
 void fw_sweep_destroy(fw_sweep *sweep);
 

@@ -49,7 +49,7 @@ fw_status fw_sweep_case_check(const fw_sweep_case *c, fw_error *error)
 
 /* --- cases that are there already --- */
 
-typedef enum stage { NOT_BEGUN, BEGUN, FINISHED } stage;
+typedef enum stage { NOT_BEGUN, BEGUN, FINISHED, FAILED } stage;
 
 static fw_status compare_scenarios(const fw_sweep_case *c, const fw_playback *playback,
                                    const char *path, fw_error *error)
@@ -63,7 +63,7 @@ static fw_status compare_scenarios(const fw_sweep_case *c, const fw_playback *pl
                    "%s holds results of another scenario than the sweep that it lies in", path);
 }
 
-static fw_status find_stage(const fw_sweep_case *c, const fw_run_options *options, stage *found,
+static fw_status find_stage(fw_sweep_case *c, const fw_run_options *options, stage *found,
                             fw_error *error)
 {
     fw_folder *folder;
@@ -77,7 +77,10 @@ static fw_status find_stage(const fw_sweep_case *c, const fw_run_options *option
     FW_TRY(fw_trajectory_mend(path, error));
     FW_TRY(fw_playback_open(&playback, path, error));
     const fw_status status = compare_scenarios(c, playback, path, error);
-    *found = strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0 ? FINISHED : BEGUN;
+    *found = strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0 ? FINISHED
+             : playback->exit_status == FW_DIVERGED              ? FAILED
+                                                                 : BEGUN;
+    if (*found == FAILED) fw_fail(&c->failure, FW_DIVERGED, "%s", playback->exit_reason);
     if (status == FW_OK && options->warnings)
         fw_provenance_compare(options->warnings, playback->revision, path);
     fw_playback_close(playback);
@@ -99,10 +102,8 @@ static fw_status read_layer(fw_sweep_case *c, const char *path, fw_error *error)
 
 static fw_status read_case(fw_sweep_case *c, const char *path, fw_error *error)
 {
-    char summary[FW_PATH_SIZE + sizeof FW_SUMMARY_FILE];
     if (c->scenario->profile.every != 0) FW_TRY(read_layer(c, path, error));
-    snprintf(summary, sizeof summary, "%s/%s", path, FW_SUMMARY_FILE);
-    return fw_summary_read(summary, c->scenario, &c->verdicts, error);
+    return fw_summary_read(path, c->scenario, &c->verdicts, error);
 }
 
 /* --- running --- */
@@ -123,6 +124,7 @@ static fw_status run_case(fw_sweep_case *c, const fw_run_options *options, stage
     if (status == FW_OK)
         status = fw_verdicts_create(&c->verdicts, c->scenario, fw_study_measurement(study), error);
     fw_study_destroy(study);
+    if (status == FW_DIVERGED) c->failure = *error;
     return status;
 }
 
@@ -132,6 +134,10 @@ fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options
     stage found = NOT_BEGUN;
     if (going_on) FW_TRY(find_stage(c, options, &found, error));
     if (found == FINISHED) return read_case(c, options->directory, error);
+    if (found == FAILED) {
+        *error = c->failure;
+        return FW_DIVERGED;
+    }
     const fw_status signal = fw_interrupt_seen();
     return signal == FW_OK ? run_case(c, options, found, error) : signal;
 }

@@ -13,6 +13,7 @@ typedef struct fw_sweep_case {
     fw_scenario *scenario;
     fw_verdicts verdicts;                /* one per expectation; none before the end */
     fw_outcome layer[FW_LAYER_MEASURES]; /* where there is a profile */
+    fw_error failure;                    /* FW_DIVERGED, and why: it has none of the above */
 } fw_sweep_case;
 
 /* Case `number` of the sweep; to be cleared also after a failure. */
@@ -23,7 +24,8 @@ void fw_sweep_case_clear(fw_sweep_case *c);
 fw_status fw_sweep_case_check(const fw_sweep_case *c, fw_error *error);
 
 /* To its end, in options->directory, where `going_on` says that results may lie already. As
- * fw_study_to_end. FW_BAD_INPUT: these are of another scenario. */
+ * fw_study_to_end; a case that has diverged earlier is not run again. FW_BAD_INPUT: the results are
+ * of another scenario. */
 fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options, bool going_on,
                                  fw_error *error);
 

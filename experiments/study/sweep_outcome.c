@@ -43,6 +43,7 @@ static bool add_verdict(fw_sweep_table *table, int row, const fw_verdict *verdic
 
 static bool add_case(fw_sweep_table *table, int row, const fw_sweep_case *c)
 {
+    if (c->failure.status != FW_OK) return fw_sweep_table_fail(table, row, c->failure.sentence);
     for (int m = 0; m < FW_LAYER_MEASURES && c->scenario->profile.every != 0; ++m) {
         const fw_quantity *quantity = &fw_layer_quantities[m];
         fw_sweep_column *column = fw_sweep_table_column(table, quantity->name, quantity->unit);
@@ -68,13 +69,15 @@ fw_status fw_sweep_outcome_table(fw_sweep_table *table, const fw_scenario *sweep
 
 /* --- verdicts --- */
 
-/* The case with the next larger value, or -1. */
-static int case_after(const fw_scenario_sweep *plan, int number)
+/* The case with the next larger value that has not failed, or -1. */
+static int case_after(const fw_scenario_sweep *plan, const fw_sweep_case *cases, int number)
 {
     const double *values = plan->values;
     int next = -1;
     for (int n = 0; n < plan->value_count; ++n)
-        if (values[n] > values[number] && (next < 0 || values[n] < values[next])) next = n;
+        if (cases[n].failure.status == FW_OK && values[n] > values[number] &&
+            (next < 0 || values[n] < values[next]))
+            next = n;
     return next;
 }
 
@@ -85,12 +88,16 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
     const fw_scenario_sweep *plan = &sweep->study.sweep;
     const fw_expectation *e = &sweep->expectations[number];
     const double sign = e->kind == FW_VERDICT_RISES ? 1 : -1;
-    const fw_verdict *first = &cases[0].verdicts.item[number];
-    fw_verdict verdict = {.expectation = e, .asked = true, .seeds = first->seeds};
+    fw_verdict verdict = {.expectation = e,
+                          .asked = true,
+                          .seeds = (int)sweep->study.seeds,
+                          .measured = NAN,
+                          .error = NAN};
     double worst = INFINITY;
+    snprintf(verdict.quantity, sizeof verdict.quantity, "%s", e->quantity.text);
     for (int n = 0; n < plan->value_count; ++n) {
-        const int next = case_after(plan, n);
-        if (next < 0) continue;
+        const int next = case_after(plan, cases, n);
+        if (next < 0 || cases[n].failure.status != FW_OK) continue;
         const fw_verdict *low = &cases[n].verdicts.item[number];
         const fw_verdict *high = &cases[next].verdicts.item[number];
         const double change = high->measured - low->measured;
@@ -105,7 +112,7 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
         verdict.error = unsure;
         verdict.in = cases[next].name;
         snprintf(verdict.quantity, sizeof verdict.quantity, "%.100s, least %s (from %.100s)",
-                 first->quantity, sign > 0 ? "rise" : "fall", cases[n].name);
+                 low->quantity, sign > 0 ? "rise" : "fall", cases[n].name);
     }
     fw_verdict_judge(&verdict);
     return verdict;

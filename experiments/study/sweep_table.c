@@ -3,12 +3,14 @@
  * Invariant: a column has a number, or NaN, for every value of the parameter. */
 #include "experiments/study/sweep_table.h"
 
+#include "experiments/results/trajectory.h"
 #include "experiments/storage/csv.h"
+#include "experiments/storage/manifest.h"
 #include "experiments/text/number.h"
+#include "experiments/text/text.h"
 
 #include "core/array.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,7 +25,8 @@ fw_status fw_sweep_table_create(fw_sweep_table *table, const char *parameter, co
     snprintf(table->parameter, sizeof table->parameter, "%s", parameter);
     snprintf(table->unit, sizeof table->unit, "%s", unit ? unit : "");
     table->values = fw_array_of_doubles((size_t)value_count);
-    if (!table->values) return fw_fail_memory(error, "the table of a sweep");
+    table->failures = calloc((size_t)value_count + 1, sizeof *table->failures);
+    if (!table->values || !table->failures) return fw_fail_memory(error, "the table of a sweep");
     memcpy(table->values, values, (size_t)value_count * sizeof *values);
     return FW_OK;
 }
@@ -31,7 +34,9 @@ fw_status fw_sweep_table_create(fw_sweep_table *table, const char *parameter, co
 void fw_sweep_table_clear(fw_sweep_table *table)
 {
     for (int c = 0; c < table->column_count; ++c) free(table->columns[c].mean);
+    for (int v = 0; table->failures && v < table->value_count; ++v) free(table->failures[v]);
     free(table->columns);
+    free(table->failures);
     free(table->values);
     *table = (fw_sweep_table){0};
 }
@@ -68,7 +73,23 @@ fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, 
     return made;
 }
 
+bool fw_sweep_table_fail(fw_sweep_table *table, int row, const char *reason)
+{
+    free(table->failures[row]);
+    table->failures[row] = strdup(reason);
+    return table->failures[row] != NULL;
+}
+
+static bool has_failures(const fw_sweep_table *table)
+{
+    for (int v = 0; v < table->value_count; ++v)
+        if (table->failures[v]) return true;
+    return false;
+}
+
 /* --- writing --- */
+
+#define FAILURE "failure"
 
 typedef struct titled {
     const fw_sweep_table *table;
@@ -95,6 +116,7 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
             fputc(',', out);
             fw_csv_write_text(out, table->columns[c].unit);
         }
+    if (has_failures(table)) fputc(',', out);
     fprintf(out, "\n%s", table->parameter);
     for (int c = 0; c < table->column_count; ++c)
         for (int p = 0; p < parts_of(table, c); ++p) {
@@ -102,6 +124,7 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
             fputc(',', out);
             fw_csv_write_text(out, name);
         }
+    if (has_failures(table)) fputs("," FAILURE, out);
     fputc('\n', out);
 }
 
@@ -119,14 +142,16 @@ static void write(FILE *out, const void *object)
                 fputc(',', out);
                 fw_csv_write_number(out, part_of(table, c, p)[v]);
             }
+        if (has_failures(table)) fputc(',', out);
+        if (table->failures[v]) fw_csv_write_text(out, table->failures[v]);
         fputc('\n', out);
     }
 }
 
-fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title, const char *path,
-                               fw_error *error)
+fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title,
+                               const char *directory, fw_error *error)
 {
-    return fw_csv_save(path, write, &(titled){table, title}, error);
+    return fw_csv_keep(directory, FW_SWEEP_FILE, write, &(titled){table, title}, error);
 }
 
 /* --- reading --- */
@@ -137,6 +162,7 @@ enum { CELLS_MAX = 4096 };
 typedef struct layout {
     int count;
     int column[CELLS_MAX], part[CELLS_MAX];
+    bool failures; /* behind them a reason */
 } layout;
 
 /* "energy, mean error" is part 1 of the column "energy, mean", which comes before it. */
@@ -161,12 +187,16 @@ static bool read_names(fw_sweep_table *table, layout *cells, char *units, char *
     while (names && units && cells->count < CELLS_MAX) {
         units = fw_csv_cut(units, &unit);
         names = fw_csv_cut(names, &name);
+        if (!names && strcmp(name, FAILURE) == 0) {
+            cells->failures = true;
+            break;
+        }
         const int part = find_part(table, name);
         if (part == 0 && !fw_sweep_table_column(table, name, unit)) return false;
         cells->column[cells->count] = table->column_count - 1;
         cells->part[cells->count++] = part;
     }
-    return !names && !units && cells->count > 0;
+    return !names && !units && (cells->count > 0 || cells->failures);
 }
 
 static bool read_values(fw_sweep_table *table, const layout *cells, char *line, int row)
@@ -179,17 +209,10 @@ static bool read_values(fw_sweep_table *table, const layout *cells, char *line, 
         line = fw_csv_cut(line, &cell);
         part_of(table, cells->column[n], cells->part[n])[row] = strtod(cell, NULL);
     }
-    return !line;
-}
-
-/* Lines of a file, one after the other; one that is not there is NULL. */
-static char *next_line(char **text)
-{
-    char *line = *text, *end = line ? strchr(line, '\n') : NULL;
-    if (!end) return NULL;
-    *end = '\0';
-    *text = end + 1;
-    return line;
+    if (!cells->failures) return !line;
+    if (!line) return false;
+    line = fw_csv_cut(line, &cell);
+    return !line && (!cell[0] || fw_sweep_table_fail(table, row, cell));
 }
 
 static int count_lines(const char *text)
@@ -203,32 +226,31 @@ static bool read_text(fw_sweep_table *table, char *text)
 {
     static const char units_head[] = "# units: ";
     *table = (fw_sweep_table){.value_count = count_lines(text) - 3};
-    next_line(&text);
-    char *units = next_line(&text), *names = next_line(&text);
+    fw_text_line(&text);
+    char *units = fw_text_line(&text), *names = fw_text_line(&text);
     layout *cells = calloc(1, sizeof *cells);
     bool fine = cells && names && table->value_count > 0 &&
                 strncmp(units, units_head, strlen(units_head)) == 0;
     table->values = fine ? fw_array_of_doubles((size_t)table->value_count) : NULL;
-    fine = fine && table->values && read_names(table, cells, units + strlen(units_head), names);
+    table->failures = fine ? calloc((size_t)table->value_count, sizeof *table->failures) : NULL;
+    fine = fine && table->values && table->failures &&
+           read_names(table, cells, units + strlen(units_head), names);
     for (int v = 0; fine && v < table->value_count; ++v)
-        fine = read_values(table, cells, next_line(&text), v);
+        fine = read_values(table, cells, fw_text_line(&text), v);
     free(cells);
     return fine;
 }
 
-fw_status fw_sweep_table_read(fw_sweep_table *table, const char *path, fw_error *error)
+fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, fw_error *error)
 {
-    enum { BYTES_MAX = 1 << 26 };
+    char *text;
+    size_t size;
     *table = (fw_sweep_table){0};
-    FILE *in = fopen(path, "r");
-    if (!in) return fw_fail(error, FW_BAD_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
-    char *text = NULL;
-    size_t room = 0;
-    const ssize_t length = getdelim(&text, &room, '\0', in);
-    const bool fine = length > 0 && length < BYTES_MAX && read_text(table, text);
-    fclose(in);
+    FW_TRY(fw_manifest_read(&text, &size, directory, FW_SWEEP_FILE, error));
+    const bool fine = read_text(table, text);
     free(text);
     if (fine) return FW_OK;
     fw_sweep_table_clear(table);
-    return fw_fail(error, FW_BAD_INPUT, "%s is not the table of a sweep", path);
+    return fw_fail(error, FW_BAD_INPUT, "%s/" FW_SWEEP_FILE " is not the table of a sweep",
+                   directory);
 }

@@ -21,6 +21,7 @@ typedef struct fw_sweep_table {
     double *values; /* of the parameter */
     int column_count, column_room;
     fw_sweep_column *columns;
+    char **failures; /* why a case has no numbers; NULL of one that has */
 } fw_sweep_table;
 
 /* Values of the parameter, and no columns yet. A table that is all zero may be cleared. */
@@ -32,10 +33,14 @@ void fw_sweep_table_clear(fw_sweep_table *table);
  * move it. */
 fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, const char *unit);
 
-/* Two lines that begin with # (title and units), one of names, then one per value. */
-fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title, const char *path,
-                               fw_error *error);
-/* FW_BAD_INPUT: there is no such file, or it is not one. */
-fw_status fw_sweep_table_read(fw_sweep_table *table, const char *path, fw_error *error);
+/* The case of this value has failed; false without memory. */
+bool fw_sweep_table_fail(fw_sweep_table *table, int row, const char *reason);
+
+/* DIRECTORY/sweep.csv: two lines that begin with # (title and units), one of names, then one per
+ * value. Where a case has failed a last column, `failure`, tells why. */
+fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title,
+                               const char *directory, fw_error *error);
+/* FW_BAD_INPUT: there is no such file, or it is not as it was written. */
+fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, fw_error *error);
 
 #endif

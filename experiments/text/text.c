@@ -90,3 +90,12 @@ fw_quote fw_text_quote(const char *text, size_t length)
     quote.text[used] = '\0';
     return quote;
 }
+
+char *fw_text_line(char **text)
+{
+    char *line = *text, *end = line ? strchr(line, '\n') : NULL;
+    if (!end) return NULL;
+    *end = '\0';
+    *text = end + 1;
+    return line;
+}

@@ -27,4 +27,8 @@ typedef struct fw_quote {
 } fw_quote;
 fw_quote fw_text_quote(const char *text, size_t length);
 
+/* The first line of *text, ended in place of its line end, and *text goes behind it; NULL when
+ * there is no whole line left. */
+char *fw_text_line(char **text);
+
 #endif

@@ -29,13 +29,14 @@ record: {velocity: true, force: true, fields: [energy]}
 run: {steps: 2500, record-every: 17, measure-every: 3, checkpoint-every: 11, seed: 3}
 """
 PROVENANCE = "parameters/provenance"
+OWN = (PROVENANCE, "parameters/seal")  # of each run
 
 
 def datasets(path):
     found = {}
     with h5py.File(path, "r") as file:
         def keep(name, item):
-            if isinstance(item, h5py.Dataset) and not name.startswith(PROVENANCE):
+            if isinstance(item, h5py.Dataset) and not name.startswith(OWN):
                 found[name] = item[()]
         file.visititems(keep)
     return found
@@ -98,7 +99,7 @@ class Killer:
             def compare(name, item):
                 if not isinstance(item, h5py.Dataset) or not item.chunks:
                     return
-                rows = frames if name.startswith("particles") else samples
+                rows = frames if name.startswith(("particles", "observables")) else samples
                 wanted = self.whole[name][:rows]
                 assert item[:rows].tobytes() == wanted.tobytes(), (name, rows)
                 self.compared += 1

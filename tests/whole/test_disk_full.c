@@ -130,7 +130,7 @@ static void folder_that_may_not_be_written_to(void **state)
     }
     shell(folder, "chmod 000 part/checkpoint-?");
     seen = await_program(start_program_as(folder, "resume part --quiet", user));
-    expect_sentence(&seen, 4, "cannot read part/checkpoint-A: Permission denied");
+    expect_sentence(&seen, 4, "cannot open part/checkpoint-A: Permission denied");
     /* None of this has changed anything. */
     shell(folder, "chmod 755 . part && chmod 644 part/*");
     seen = run_program(folder, "resume part --quiet --no-plot");

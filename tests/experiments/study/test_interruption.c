@@ -85,7 +85,7 @@ static void killed_run_goes_on_from_its_last_checkpoint(void **state)
     seen = run_program(folder, "resume part --quiet --no-plot");
     expect_end(&seen, 0, "");
     seen = run_program(folder, "resume hurt --quiet --no-plot");
-    expect_end(&seen, 0, "the newer checkpoint cannot be used, going on from checkpoint-");
+    expect_end(&seen, 0, "since the other checkpoint cannot be used");
     expect_same_results(folder, "whole", "part hurt");
     remove_folder(folder);
 }
@@ -96,14 +96,14 @@ static void run_without_a_checkpoint_begins_again(void **state)
     char folder[64];
     (void)state;
     make_quick_folder(folder, sizeof folder);
-    shell(folder, "mkdir part && mkdir part/checkpoint-A.new");
-    outcome seen = run_program(folder, BOUNCE "part");
-    expect_end(&seen, 4, "part/checkpoint-A.new: Is a directory");
-    check_exit_reason(folder, "part", FW_RUN_RUNNING);
-    shell(folder, "rmdir part/checkpoint-A.new");
-    seen = run_program(folder, "resume part --quiet --no-plot");
+    const running killed = start_program(folder, BOUNCE "part --set run.record-every=24000");
+    await_file(folder, "part/trajectory.h5");
+    kill(killed.process, SIGKILL);
+    await_program(killed);
+    shell(folder, "rm -f part/checkpoint-*");
+    outcome seen = run_program(folder, "resume part --quiet --no-plot");
     expect_end(&seen, 0, "the run ended before its first checkpoint, it begins again");
-    seen = run_program(folder, BOUNCE "whole");
+    seen = run_program(folder, BOUNCE "whole --set run.record-every=24000");
     expect_same_results(folder, "whole", "part");
     /* Frames without a checkpoint are not thrown away unasked. */
     seen = run_program(folder, "run wall-bounce -q --no-plot --set run.limit=21 -o lost");
