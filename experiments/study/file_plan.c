@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* file_plan.c - bodies, fields, observables and arrays of a results file, as an experiment has
+ * them. Start reading at fw_file_plan_make(). */
+#include "file_plan.h"
+
+#include "experiments/measures/profile_table.h"
+#include "experiments/text/spelling.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int64_t frame_count(const fw_scenario *scenario)
+{
+    int64_t whole = scenario->run.steps / scenario->run.record_every;
+    return whole + 1 + (scenario->run.steps % scenario->run.record_every != 0);
+}
+
+static fw_status describe_bodies(fw_file_plan *plan, fw_error *error)
+{
+    const fw_experiment *experiment = plan->experiment;
+    int count = experiment->body_count;
+    fw_trajectory_body *bodies = calloc((size_t)count, sizeof *bodies);
+    plan->bodies = bodies;
+    plan->masses = calloc((size_t)count, sizeof *plan->masses);
+    plan->links = calloc((size_t)count, sizeof *plan->links);
+    plan->def.bodies = bodies;
+    if (!bodies || !plan->masses || !plan->links)
+        return fw_fail_memory(error, "the bodies of a results file");
+    plan->def.body_count = count;
+    for (int b = 0; b < count; ++b) {
+        const fw_body_range *range = &experiment->bodies[b];
+        const fw_solid *solid = fw_experiment_solid(experiment, b);
+        double *mass = calloc((size_t)solid->count, sizeof *mass);
+        int *links = calloc(2 * (size_t)solid->link_count + 1, sizeof *links);
+        plan->masses[b] = mass;
+        plan->links[b] = links;
+        bodies[b] = (fw_trajectory_body){
+            .name = range->name, .count = range->count, .mass = mass, .links = links};
+        if (!mass || !links) return fw_fail_memory(error, "the bodies of a results file");
+        solid->model->masses(solid, mass);
+        memmove(mass, mass + range->first, (size_t)range->count * sizeof *mass);
+        for (int n = 0; n < solid->link_count; ++n) {
+            int one = solid->links[n][0] - range->first, other = solid->links[n][1] - range->first;
+            if (one < 0 || one >= range->count || other < 0 || other >= range->count) continue;
+            links[2 * bodies[b].link_count] = one;
+            links[2 * bodies[b].link_count + 1] = other;
+            bodies[b].link_count += 1;
+        }
+    }
+    return FW_OK;
+}
+
+/* A field by name, from the first body that has it; once. */
+static fw_status refuse_field(const fw_file_plan *plan, fw_scenario_name name, fw_error *error)
+{
+    fw_suggestion suggestion = fw_suggestion_begin(name.text);
+    for (int b = 0; b < plan->experiment->body_count; ++b) {
+        const fw_field *field = fw_experiment_solid(plan->experiment, b)->model->fields;
+        for (; field && field->name; ++field) fw_suggestion_offer(&suggestion, field->name);
+    }
+    if (suggestion.best)
+        return fw_scenario_fail(plan->experiment->scenario, name.place, error,
+                                "no body has a field %s; did you mean %s?", name.text,
+                                suggestion.best);
+    return fw_scenario_fail(plan->experiment->scenario, name.place, error,
+                            "no body has a field %s, expected one of those that `fretwork "
+                            "quantities` lists",
+                            name.text);
+}
+
+static fw_status add_field(fw_file_plan *plan, fw_trajectory_field *fields, fw_scenario_name name,
+                           fw_error *error)
+{
+    for (int n = 0; n < plan->def.field_count; ++n)
+        if (strcmp(fields[n].name, name.text) == 0) return FW_OK;
+    for (int b = 0; b < plan->experiment->body_count; ++b) {
+        const fw_field *field =
+            fw_solid_find_field(fw_experiment_solid(plan->experiment, b), name.text);
+        if (!field) continue;
+        fields[plan->def.field_count++] = (fw_trajectory_field){field->name, field->meaning};
+        return FW_OK;
+    }
+    return refuse_field(plan, name, error);
+}
+
+/* What a picture shows that names none: the field of its kind, where nothing is recorded in any
+ * case and a body has it. */
+static fw_scenario_name standard_field(const fw_file_plan *plan, const fw_scenario_picture *picture)
+{
+    const char *wanted = fw_picture_rows[picture->kind].field;
+    if (plan->def.field_count > 0 || !wanted) return (fw_scenario_name){0};
+    for (int b = 0; b < plan->experiment->body_count; ++b) {
+        const fw_solid *solid = fw_experiment_solid(plan->experiment, b);
+        if (wanted[0] && fw_solid_find_field(solid, wanted))
+            return (fw_scenario_name){.text = wanted};
+        if (!wanted[0] && solid->model->fields && solid->model->fields[0].name)
+            return (fw_scenario_name){.text = solid->model->fields[0].name};
+    }
+    return (fw_scenario_name){0};
+}
+
+/* Those of `record`, and those that pictures show. */
+static fw_status describe_fields(fw_file_plan *plan, fw_error *error)
+{
+    const fw_scenario *scenario = plan->experiment->scenario;
+    const fw_scenario_names *wanted = &scenario->record.fields;
+    size_t most = (size_t)wanted->count + (size_t)scenario->picture_count;
+    fw_trajectory_field *fields = calloc(most + 1, sizeof *fields);
+    plan->def.fields = plan->fields = fields;
+    if (!fields) return fw_fail_memory(error, "the fields of a results file");
+    for (int n = 0; n < wanted->count; ++n) FW_TRY(add_field(plan, fields, wanted->item[n], error));
+    for (int p = 0; p < scenario->picture_count; ++p)
+        if (scenario->pictures[p].field.text)
+            FW_TRY(add_field(plan, fields, scenario->pictures[p].field, error));
+    for (int p = 0; p < scenario->picture_count; ++p) {
+        const fw_scenario_name standard = standard_field(plan, &scenario->pictures[p]);
+        if (!scenario->pictures[p].field.text && standard.text)
+            FW_TRY(add_field(plan, fields, standard, error));
+    }
+    return FW_OK;
+}
+
+static fw_status describe_observables(fw_file_plan *plan, fw_error *error)
+{
+    const fw_measurement *m = plan->measurement;
+    fw_observable *observables = calloc((size_t)m->probe_count + 1, sizeof *observables);
+    plan->def.observables = plan->observables = observables;
+    plan->def.observable_count = m->probe_count;
+    if (!observables) return fw_fail_memory(error, "the observables of a results file");
+    for (int n = 0; n < m->probe_count; ++n) {
+        const fw_probe *probe = &m->probes[n];
+        observables[n] = (fw_observable){probe->label, probe->quantity->unit,
+                                         probe->quantity->meaning, probe->components};
+    }
+    return FW_OK;
+}
+
+static fw_status describe_analyses(fw_file_plan *plan, fw_error *error)
+{
+    const fw_observer *observer = plan->observer;
+    fw_table_group *groups = calloc((size_t)observer->analysis_count + 1, sizeof *groups);
+    plan->def.groups = plan->groups = groups;
+    if (!groups) return fw_fail_memory(error, "the analyses of a results file");
+    for (int n = 0; n < observer->analysis_count; ++n) {
+        const fw_analysis *analysis = observer->analyses[n];
+        if (analysis->table_count == 0) continue;
+        groups[plan->def.group_count++] =
+            (fw_table_group){analysis->what->name, analysis->tables, analysis->table_count};
+    }
+    return FW_OK;
+}
+
+fw_status fw_file_plan_make(fw_file_plan *plan, const fw_observer *observer,
+                            const fw_measurement *measurement, const char *directory, int threads,
+                            fw_error *error)
+{
+    const fw_scenario *scenario = observer->experiment->scenario;
+    *plan = (fw_file_plan){
+        .observer = observer, .experiment = observer->experiment, .measurement = measurement};
+    plan->directory = strdup(directory);
+    if (!plan->directory) return fw_fail_memory(error, "the plan of a results file");
+    FW_TRY(fw_scenario_print(scenario, &plan->scenario, error));
+    plan->def = fw_trajectory_def_default();
+    plan->def.directory = plan->directory;
+    plan->def.title = scenario->title;
+    plan->def.scenario = plan->scenario;
+    plan->def.seed = (uint64_t)scenario->run.seed;
+    plan->def.threads = threads;
+    plan->def.velocity = scenario->record.velocity;
+    plan->def.force = scenario->record.force;
+    plan->def.frame_count = frame_count(scenario);
+    plan->def.sample_count = fw_measurement_row_count(scenario);
+    FW_TRY(describe_bodies(plan, error));
+    FW_TRY(describe_fields(plan, error));
+    if (observer->profile) {
+        fw_trajectory_array *arrays;
+        FW_TRY(fw_profile_table_arrays(&arrays, &plan->def.array_count,
+                                       fw_profile_bin_count(observer->profile), error));
+        plan->def.arrays = arrays;
+    }
+    FW_TRY(describe_analyses(plan, error));
+    return describe_observables(plan, error);
+}
+
+void fw_file_plan_clear(fw_file_plan *plan)
+{
+    for (int b = 0; b < plan->def.body_count; ++b) {
+        free(plan->masses[b]);
+        free(plan->links[b]);
+    }
+    free(plan->masses);
+    free(plan->links);
+    free(plan->bodies);
+    free(plan->fields);
+    free(plan->observables);
+    free(plan->arrays);
+    free(plan->groups);
+    free(plan->scenario);
+    free(plan->directory);
+    *plan = (fw_file_plan){0};
+}
