@@ -341,14 +341,16 @@ static fw_status check_clock(const fw_scene *scene, fw_error *error)
                    (long long)clock->step, scene->ticks_per_step, (long long)clock->ticks);
 }
 
-/* A facet that a particle remembers is one of the scene. */
+/* A facet that a particle remembers is one of the scene; without one it has felt no force. */
 static fw_status check_memory(const fw_scene *scene, const scene_body *body, fw_error *error)
 {
     for (int i = 0; body->memory && i < body->solid->count; ++i)
-        if (body->memory[i].facet < 0 || body->memory[i].facet > scene->facet_count)
+        if (body->memory[i].facet < 0 || body->memory[i].facet > scene->facet_count ||
+            (body->memory[i].facet == 0 && body->memory[i].reaction != 0))
             return fw_fail(error, FW_BAD_INPUT,
-                           "particle %d of body %s touches facet %d, expected 0 to %d", i,
-                           body->name, body->memory[i].facet, scene->facet_count);
+                           "particle %d of body %s touches facet %d, expected 1 to %d, or 0 where "
+                           "it feels no force",
+                           i, body->name, body->memory[i].facet, scene->facet_count);
     return FW_OK;
 }
 
