@@ -74,6 +74,8 @@ typedef struct fw_solid_model {
                          fw_error *error);
     fw_energies (*energies)(const fw_solid *solid);
     fw_vec2 (*momentum)(const fw_solid *solid);
+    /* About the origin, of `count` particles from `first` on. */
+    double (*angular_momentum)(const fw_solid *solid, int first, int count);
     /* Weighted by mass, straight for a free body. */
     fw_vec2 (*centre_of_mass)(const fw_solid *solid);
     /* Total mass; a matrix where rest masses are. */
@@ -161,6 +163,11 @@ static inline fw_energies fw_solid_energies(const fw_solid *solid)
 static inline fw_vec2 fw_solid_momentum(const fw_solid *solid)
 {
     return solid->model->momentum(solid);
+}
+
+static inline double fw_solid_angular_momentum(const fw_solid *solid, int first, int count)
+{
+    return solid->model->angular_momentum(solid, first, count);
 }
 
 static inline fw_vec2 fw_solid_position(const fw_solid *solid, int particle)

@@ -133,6 +133,7 @@ void fw_automaton_list_bonds(fw_automaton *body);
 /* The model's measurements: automaton_measure.c. */
 fw_energies fw_automaton_energies(const fw_solid *solid);
 fw_vec2 fw_automaton_momentum(const fw_solid *solid);
+double fw_automaton_angular_momentum(const fw_solid *solid, int first, int count);
 fw_sym2 fw_automaton_mass(const fw_solid *solid);
 fw_vec2 fw_automaton_centre_of_mass(const fw_solid *solid);
 void fw_automaton_velocities(const fw_solid *solid, double *x, double *y);

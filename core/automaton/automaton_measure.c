@@ -65,7 +65,7 @@ fw_energies fw_automaton_energies(const fw_solid *solid)
     return (fw_energies){.kinetic = kinetic, .elastic = total - kinetic};
 }
 
-/* 1/2 sum B (w - b) over the bonds of a black cell. */
+/* 1/2 sum B (w - b) over the bonds of a black cell, 1/2 sum B (b - w) over those of a white one. */
 static totals bond_momentum(const fw_automaton *body, int colour, int cell)
 {
     const fw_vec2 self = fw_automaton_at(&body->colour[colour], cell);
@@ -88,6 +88,21 @@ fw_vec2 fw_automaton_momentum(const fw_solid *solid)
     const totals sum = sum_over(body, FW_BLACK, bond_momentum);
     const double sign = fw_automaton_moving(body) == FW_BLACK ? 1 : -1;
     return (fw_vec2){sign * sum.value[0], sign * sum.value[1]};
+}
+
+/* Each end of a bond has half of its momentum. */
+double fw_automaton_angular_momentum(const fw_solid *solid, int first, int count)
+{
+    const fw_automaton *body = fw_automaton_of_const(solid);
+    double sum = 0;
+    for (int p = first; p < first + count; ++p) {
+        const int colour = body->white[p];
+        const totals whole = bond_momentum(body, colour, body->cell[p]);
+        const double half = colour == fw_automaton_moving(body) ? 0.5 : -0.5;
+        sum += half * fw_vec2_cross(fw_solid_position(solid, p),
+                                    (fw_vec2){whole.value[0], whole.value[1]});
+    }
+    return sum;
 }
 
 static totals cell_mass(const fw_automaton *body, int colour, int cell)

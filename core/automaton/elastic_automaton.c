@@ -176,6 +176,7 @@ const fw_solid_model fw_elastic_automaton_model = {
     .advance = fw_automaton_advance,
     .energies = fw_automaton_energies,
     .momentum = fw_automaton_momentum,
+    .angular_momentum = fw_automaton_angular_momentum,
     .centre_of_mass = fw_automaton_centre_of_mass,
     .mass = fw_automaton_mass,
     .velocities = fw_automaton_velocities,

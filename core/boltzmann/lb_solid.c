@@ -305,6 +305,15 @@ static fw_sym2 mass(const fw_solid *solid)
     return sum;
 }
 
+static double angular_momentum(const fw_solid *solid, int first, int count)
+{
+    const lb_solid *lb = (const lb_solid *)solid;
+    double sum = 0;
+    for (int l = first; l < first + count; ++l)
+        sum += fw_vec2_cross(fw_solid_position(solid, l), lb_psi(lb, l));
+    return sum;
+}
+
 static fw_vec2 centre_of_mass(const fw_solid *solid)
 {
     const lb_solid *lb = (const lb_solid *)solid;
@@ -386,6 +395,7 @@ const fw_solid_model fw_lb_solid_model = {
     .advance = lb_advance,
     .energies = energies,
     .momentum = momentum,
+    .angular_momentum = angular_momentum,
     .centre_of_mass = centre_of_mass,
     .mass = mass,
     .velocities = velocities,

@@ -8,6 +8,7 @@
 
 #include "core/noise.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -91,8 +92,60 @@ void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *co
     solid->head.tick = controls->time_step;
 }
 
-void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, double temperature)
+bool fw_solid_is_langevin(const fw_solid *solid)
 {
+    return solid->model->advance == fw_langevin_advance;
+}
+
+static fw_langevin *langevin_of(fw_solid *head)
+{
+    assert(fw_solid_is_langevin(head));
+    return (fw_langevin *)head;
+}
+
+static const fw_langevin *langevin_of_const(const fw_solid *head)
+{
+    assert(fw_solid_is_langevin(head));
+    return (const fw_langevin *)head;
+}
+
+fw_vec2 fw_langevin_velocity(const fw_solid *head, int particle)
+{
+    const fw_langevin *solid = langevin_of_const(head);
+    return (fw_vec2){solid->velocity_x[particle], solid->velocity_y[particle]};
+}
+
+void fw_langevin_set_velocity(fw_solid *head, int particle, fw_vec2 velocity)
+{
+    fw_langevin *solid = langevin_of(head);
+    solid->velocity_x[particle] = velocity.x;
+    solid->velocity_y[particle] = velocity.y;
+}
+
+void fw_langevin_add_heat(const fw_solid *head, int first, int count, fw_vec2 drift, fw_vec2 *heat)
+{
+    const fw_langevin *solid = langevin_of_const(head);
+    for (int i = first; i < first + count; ++i) {
+        const double x = solid->velocity_x[i] - drift.x, y = solid->velocity_y[i] - drift.y;
+        heat->x += solid->mass[i] * x * x;
+        heat->y += solid->mass[i] * y * y;
+    }
+}
+
+fw_status fw_langevin_set_bath(fw_solid *head, double damping, double temperature, fw_error *error)
+{
+    fw_langevin *solid = langevin_of(head);
+    fw_langevin_controls controls = solid->controls;
+    controls.damping = damping;
+    controls.temperature = temperature;
+    FW_TRY(fw_langevin_check(&controls, error));
+    fw_langevin_set_controls(solid, &controls);
+    return FW_OK;
+}
+
+void fw_langevin_draw_velocities(fw_solid *head, int first, int count, double temperature)
+{
+    fw_langevin *solid = langevin_of(head);
     double mass = 0;
     fw_vec2 momentum = {0, 0};
     for (int i = first; i < first + count; ++i) {
@@ -321,6 +374,17 @@ fw_vec2 fw_langevin_momentum(const fw_solid *head)
     const fw_langevin *solid = (const fw_langevin *)head;
     const double x = weighted_sum(solid, solid->velocity_x);
     return (fw_vec2){x, weighted_sum(solid, solid->velocity_y)};
+}
+
+double fw_langevin_angular_momentum(const fw_solid *head, int first, int count)
+{
+    const fw_langevin *solid = (const fw_langevin *)head;
+    double sum = 0;
+    for (int i = first; i < first + count; ++i) {
+        const fw_vec2 velocity = {solid->velocity_x[i], solid->velocity_y[i]};
+        sum += fw_vec2_cross(fw_solid_position(head, i), fw_vec2_scale(solid->mass[i], velocity));
+    }
+    return sum;
 }
 
 fw_vec2 fw_langevin_centre_of_mass(const fw_solid *head)

@@ -63,9 +63,22 @@ void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *co
 /* Turns every velocity round: without damping the way back is the way it came. */
 void fw_langevin_reverse(fw_solid *solid);
 
+/* --- for everybody who has such a solid --- */
+
+/* Does the solid consist of point masses that move by these steps? All below takes one that does.
+ */
+bool fw_solid_is_langevin(const fw_solid *solid);
+fw_vec2 fw_langevin_velocity(const fw_solid *solid, int particle);
+void fw_langevin_set_velocity(fw_solid *solid, int particle, fw_vec2 velocity);
 /* Velocities drawn from Maxwell's distribution at that temperature, for particles first to
  * first + count - 1, then shifted to leave their momentum zero. */
-void fw_langevin_draw_velocities(fw_langevin *solid, int first, int count, double temperature);
+void fw_langevin_draw_velocities(fw_solid *solid, int first, int count, double temperature);
+/* Adds sum m (v - drift)^2 of those particles, per component, to *heat. */
+void fw_langevin_add_heat(const fw_solid *solid, int first, int count, fw_vec2 drift,
+                          fw_vec2 *heat);
+/* Another bath from now on. FW_BAD_INPUT: a negative number, or one that is not finite. */
+fw_status fw_langevin_set_bath(fw_solid *solid, double damping, double temperature,
+                               fw_error *error);
 
 /* Operations of fw_solid_model, for solids that embed fw_langevin. */
 void fw_langevin_predict(const fw_solid *solid, const int *particles, int count,
@@ -74,6 +87,7 @@ fw_status fw_langevin_advance(fw_solid *solid, const fw_constraint *constraints,
                               int constraint_count, fw_error *error);
 double fw_langevin_kinetic_energy(const fw_langevin *solid);
 fw_vec2 fw_langevin_momentum(const fw_solid *solid);
+double fw_langevin_angular_momentum(const fw_solid *solid, int first, int count);
 fw_vec2 fw_langevin_centre_of_mass(const fw_solid *solid);
 fw_sym2 fw_langevin_mass(const fw_solid *solid);
 void fw_langevin_velocities(const fw_solid *solid, double *x, double *y);

@@ -180,6 +180,7 @@ const fw_solid_model fw_linear_lattice_model = {
     .advance = fw_langevin_advance,
     .energies = energies,
     .momentum = fw_langevin_momentum,
+    .angular_momentum = fw_langevin_angular_momentum,
     .centre_of_mass = fw_langevin_centre_of_mass,
     .mass = fw_langevin_mass,
     .velocities = fw_langevin_velocities,

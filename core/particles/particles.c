@@ -98,6 +98,7 @@ const fw_solid_model fw_particles_model = {
     .advance = fw_langevin_advance,
     .energies = energies,
     .momentum = fw_langevin_momentum,
+    .angular_momentum = fw_langevin_angular_momentum,
     .centre_of_mass = fw_langevin_centre_of_mass,
     .mass = fw_langevin_mass,
     .velocities = fw_langevin_velocities,
@@ -288,7 +289,7 @@ void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature
     fw_particles *particles = fw_particles_of(solid);
     const int first = group < 0 ? 0 : particles->groups[group].first;
     const int count = group < 0 ? solid->count : particles->groups[group].count;
-    fw_langevin_draw_velocities(&particles->langevin, first, count, temperature);
+    fw_langevin_draw_velocities(solid, first, count, temperature);
 }
 
 /* --- reading --- */

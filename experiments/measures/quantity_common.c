@@ -4,7 +4,6 @@
 #include "experiments/setup/body_range.h"
 
 #include "core/boltzmann/lb_solid.h"
-#include "core/particles/langevin.h"
 
 #include <math.h>
 
@@ -127,20 +126,10 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
     put(out, fw_vec2_subtract(now, booked));
 }
 
-static fw_vec2 momentum_of_particle(const fw_solid *solid, int i)
-{
-    if (solid->model == &fw_lb_solid_model) return fw_lb_solid_psi(solid, i);
-    const fw_langevin *motion = (const fw_langevin *)solid;
-    return fw_vec2_scale(motion->mass[i], (fw_vec2){motion->velocity_x[i], motion->velocity_y[i]});
-}
-
 static void angular_momentum(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const fw_body_range *range = &experiment->bodies[subject.body];
-    const fw_solid *solid = body_of(experiment, subject);
-    out[0] = 0;
-    for (int i = range->first; i < range->first + range->count; ++i)
-        out[0] += fw_vec2_cross(fw_solid_position(solid, i), momentum_of_particle(solid, i));
+    out[0] = fw_solid_angular_momentum(body_of(experiment, subject), range->first, range->count);
 }
 
 static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, double *out)

@@ -146,8 +146,7 @@ static void wave_speed(const fw_experiment *experiment, fw_subject subject, doub
         fw_vec2_subtract(position_of(experiment, subject.body, middle), body->lattice.origin);
     const fw_vec2 along = fw_vec2_scale(1 / length, q), across = fw_vec2_turn(along);
     const fw_solid *solid = fw_experiment_solid(experiment, subject.body);
-    const bool damped = fw_solid_is_particles(solid) || fw_solid_is_linear_lattice(solid);
-    const double damping = damped ? experiment->scenario->dynamics.damping : 0;
+    const double damping = fw_solid_is_langevin(solid) ? experiment->scenario->dynamics.damping : 0;
     const fw_vec2 parts[2] = {along, across};
     for (int c = 0; c < 2; ++c)
         out[c] = frequency_of(fw_vec2_dot(u, parts[c]) / fw_vec2_dot(amplitude, parts[c]), damping,

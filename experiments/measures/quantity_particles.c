@@ -31,39 +31,33 @@ static particle_set particles_of(const fw_experiment *experiment, fw_subject sub
 
 static bool is_point_masses(const fw_experiment *experiment, int body)
 {
-    const fw_material_kind kind =
-        experiment->scenario->materials[experiment->scenario->bodies[body].material].kind;
-    return kind == FW_MOVABLE_PARTICLES || kind == FW_LINEAR_LATTICE;
+    return fw_solid_is_langevin(fw_experiment_solid(experiment, body));
 }
 
 /* --- heat --- */
 
 /* Adds sum m (v - V)^2 per component, V the body's mean velocity; returns how many particles' worth
  * of freedom that leaves. */
-static int add_heat(const fw_experiment *experiment, int body, double *heat)
+static int add_heat(const fw_experiment *experiment, int body, fw_vec2 *heat)
 {
     const fw_body_range *range = &experiment->bodies[body];
-    const fw_langevin *motion = (const fw_langevin *)fw_experiment_solid(experiment, body);
     const fw_vec2 drift =
         fw_vec2_scale(1 / fw_body_range_mass(experiment->scene, &experiment->bodies[body]).xx,
                       fw_body_range_momentum(experiment->scene, &experiment->bodies[body]));
-    for (int i = range->first; i < range->first + range->count; ++i) {
-        const double x = motion->velocity_x[i] - drift.x, y = motion->velocity_y[i] - drift.y;
-        heat[0] += motion->mass[i] * x * x;
-        heat[1] += motion->mass[i] * y * y;
-    }
+    fw_langevin_add_heat(fw_experiment_solid(experiment, body), range->first, range->count, drift,
+                         heat);
     return range->count - 1;
 }
 
 static void temperature_along(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     int freedom = 0;
-    out[0] = out[1] = 0;
+    fw_vec2 heat = {0, 0};
     for (int b = 0; b < experiment->body_count; ++b)
         if (subject.body == b || (subject.body < 0 && is_point_masses(experiment, b)))
-            freedom += add_heat(experiment, b, out);
-    out[0] /= freedom;
-    out[1] /= freedom;
+            freedom += add_heat(experiment, b, &heat);
+    out[0] = heat.x / freedom;
+    out[1] = heat.y / freedom;
 }
 
 static void temperature(const fw_experiment *experiment, fw_subject subject, double *out)

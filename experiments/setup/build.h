@@ -33,10 +33,7 @@ fw_status fw_build_linear(const fw_scenario *scenario, int body, const fw_sites 
 fw_status fw_build_automaton(const fw_scenario *scenario, int body, const fw_sites *sites,
                              fw_solid **solid, fw_error *error);
 
-/* Heat baths and limits: see fw_solid_kind. */
-fw_status fw_particles_set_bath(fw_solid *solid, double damping, double temperature,
-                                fw_error *error);
-fw_status fw_linear_set_bath(fw_solid *solid, double damping, double temperature, fw_error *error);
+/* Limits: see fw_solid_kind. */
 fw_status fw_boltzmann_print_limits(FILE *out, const fw_start *start, int *warnings,
                                     fw_error *error);
 fw_status fw_particles_print_limits(FILE *out, const fw_start *start, int *warnings,

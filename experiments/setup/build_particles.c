@@ -73,22 +73,20 @@ static fw_status set_in_motion(const fw_scenario *scenario, int number, const fw
 
 /* Thermal velocities come from the solid, which knows the masses; everything else is added. */
 static fw_status add_motion(const fw_scenario *scenario, int number, const fw_sites *sites,
-                            fw_langevin *langevin, int first, fw_vec2 *room, fw_error *error)
+                            fw_solid *solid, int first, fw_vec2 *room, fw_error *error)
 {
     const fw_scenario_body *body = &scenario->bodies[number];
     fw_vec2 *positions = room, *velocities = room + sites->count;
     if (body->temperature > 0)
-        fw_langevin_draw_velocities(langevin, first, sites->count, body->temperature);
+        fw_langevin_draw_velocities(solid, first, sites->count, body->temperature);
     for (int l = 0; l < sites->count; ++l) {
         const int i = first + l;
-        positions[l] = fw_solid_position(&langevin->head, i);
-        velocities[l] = (fw_vec2){langevin->velocity_x[i], langevin->velocity_y[i]};
+        positions[l] = fw_solid_position(solid, i);
+        velocities[l] = fw_langevin_velocity(solid, i);
     }
     FW_TRY(set_in_motion(scenario, number, sites, positions, velocities, error));
-    for (int l = 0; l < sites->count; ++l) {
-        langevin->velocity_x[first + l] = velocities[l].x;
-        langevin->velocity_y[first + l] = velocities[l].y;
-    }
+    for (int l = 0; l < sites->count; ++l)
+        fw_langevin_set_velocity(solid, first + l, velocities[l]);
     return FW_OK;
 }
 
@@ -184,7 +182,7 @@ static fw_status create(fw_gathering *gathering, fw_solid **solid, fw_error *err
                       fw_particles_create(solid, &def, error), error));
     for (int g = 0; g < def.group_count; ++g) {
         const int b = gathering->body[g];
-        FW_TRY(add_motion(scenario, b, &gathering->ranges[b].sites, (fw_langevin *)*solid,
+        FW_TRY(add_motion(scenario, b, &gathering->ranges[b].sites, *solid,
                           fw_particles_group(*solid, g)->first, gathering->room, error));
     }
     return FW_OK;
@@ -233,7 +231,7 @@ static fw_status create_linear(const fw_scenario *scenario, int number, const fw
     def.seed = seed_of_body(scenario, number);
     FW_TRY(fail_solid(scenario, number, fw_linear_lattice_time_step_limit(def.k1, def.k2, def.mass),
                       fw_linear_lattice_create(solid, &def, error), error));
-    return add_motion(scenario, number, sites, (fw_langevin *)*solid, 0, room, error);
+    return add_motion(scenario, number, sites, *solid, 0, room, error);
 }
 
 fw_status fw_build_linear(const fw_scenario *scenario, int number, const fw_sites *sites,
@@ -251,24 +249,7 @@ fw_status fw_build_linear(const fw_scenario *scenario, int number, const fw_site
     return status;
 }
 
-/* --- heat baths and limits --- */
-
-fw_status fw_particles_set_bath(fw_solid *solid, double damping, double temperature,
-                                fw_error *error)
-{
-    FW_TRY(fw_particles_set_damping(solid, damping, error));
-    return fw_particles_set_temperature(solid, temperature, error);
-}
-
-fw_status fw_linear_set_bath(fw_solid *solid, double damping, double temperature, fw_error *error)
-{
-    fw_langevin_controls controls = ((fw_langevin *)solid)->controls;
-    (void)error;
-    controls.damping = damping;
-    controls.temperature = temperature;
-    fw_langevin_set_controls((fw_langevin *)solid, &controls);
-    return FW_OK;
-}
+/* --- limits --- */
 
 static void print_time_step(FILE *out, const fw_start *start, double limit)
 {

@@ -2,16 +2,17 @@
 /* solids.c - one row for each material. Constant. */
 #include "experiments/setup/solids.h"
 
+#include "core/particles/langevin.h"
 #include "experiments/setup/build.h"
 
 static const fw_solid_kind solids[] = {
     [FW_LATTICE_BOLTZMANN] = {.build = fw_build_boltzmann,
                               .print_limits = fw_boltzmann_print_limits},
     [FW_MOVABLE_PARTICLES] = {.build_together = fw_build_particles,
-                              .set_bath = fw_particles_set_bath,
+                              .set_bath = fw_langevin_set_bath,
                               .print_limits = fw_particles_print_limits},
     [FW_LINEAR_LATTICE] = {.build = fw_build_linear,
-                           .set_bath = fw_linear_set_bath,
+                           .set_bath = fw_langevin_set_bath,
                            .print_limits = fw_linear_print_limits},
     [FW_ELASTIC_AUTOMATON] = {.build = fw_build_automaton,
                               .print_limits = fw_automaton_print_limits}};
