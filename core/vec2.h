@@ -86,6 +86,15 @@ static inline fw_sym2 fw_sym2_invert(fw_sym2 m)
     return (fw_sym2){m.yy / determinant, -m.xy / determinant, m.xx / determinant};
 }
 
+/* How many times the rounding of a is larger in m^-1 a, of a positive m: its condition number after
+ * both axes are given their own unit, (1 + |r|)/(1 - |r|) with r = m_xy/(m_xx m_yy)^(1/2). A
+ * diagonal matrix has 1, however different its entries. */
+static inline double fw_sym2_condition(fw_sym2 m)
+{
+    const double diagonal = m.xx * m.yy, r = fabs(m.xy) / sqrt(diagonal);
+    return m.xy == 0 ? 1 : (1 + r) * (1 + r) * diagonal / fw_sym2_determinant(m);
+}
+
 /* m m, which is symmetric. */
 static inline fw_sym2 fw_sym2_square(fw_sym2 m)
 {

@@ -47,6 +47,23 @@ static fw_sym2 stiffness_of(const fw_lb_solid_def *def, int site, int direction)
     return own ? own[site] : def->stiffness;
 }
 
+static fw_status check_stiffness(fw_sym2 kappa, fw_site site, fw_error *error)
+{
+    if (!is_positive(kappa))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "link stiffness %g at site [%d, %d], expected a positive number or a "
+                       "positive definite matrix",
+                       kappa.xx, site.i, site.j);
+    if (!(fw_sym2_condition(kappa) <= FW_LB_CONDITION_MAX))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "link stiffness [%.17g, %.17g, %.17g] at site [%d, %d] has the condition "
+                       "number %.2g, expected at most %.2g: beyond it rounding takes energy and "
+                       "momentum from the body",
+                       kappa.xx, kappa.xy, kappa.yy, site.i, site.j, fw_sym2_condition(kappa),
+                       FW_LB_CONDITION_MAX);
+    return FW_OK;
+}
+
 static fw_status check_definition(const fw_lb_solid_def *def, fw_error *error)
 {
     if (def->lattice.kind != FW_SQUARE)
@@ -69,11 +86,7 @@ static fw_status check_definition(const fw_lb_solid_def *def, fw_error *error)
             return fw_fail(error, FW_BAD_INPUT, "rest mass of site [%d, %d] is not finite", site.i,
                            site.j);
         for (int d = FW_EAST; d <= FW_NORTH; ++d)
-            if (!is_positive(stiffness_of(def, l, d)))
-                return fw_fail(error, FW_BAD_INPUT,
-                               "link stiffness %g at site [%d, %d], expected a positive number or "
-                               "a positive definite matrix",
-                               stiffness_of(def, l, d).xx, site.i, site.j);
+            FW_TRY(check_stiffness(stiffness_of(def, l, d), site, error));
     }
     return FW_OK;
 }
@@ -183,6 +196,14 @@ static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error
                            "site [%d, %d] has no links and a rest mass that leaves it without "
                            "mass, expected a rest mass that is not singular",
                            def->sites->site[l].i, def->sites->site[l].j);
+        const double condition = fw_sym2_condition(mass);
+        if (!(condition <= FW_LB_CONDITION_MAX))
+            return fw_fail(error, FW_BAD_INPUT,
+                           "site [%d, %d] has the mass (M0^2 + sum of its link stiffnesses)/2 = "
+                           "[%.17g, %.17g, %.17g] with the condition number %.2g, expected at most "
+                           "%.2g: beyond it rounding takes energy and momentum from the body",
+                           def->sites->site[l].i, def->sites->site[l].j, mass.xx, mass.xy, mass.yy,
+                           condition, FW_LB_CONDITION_MAX);
         lb_put(&lb->mass, l, mass);
         lb_put(&lb->inverse, l, fw_sym2_invert(mass));
     }
