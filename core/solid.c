@@ -14,6 +14,7 @@ fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int
     solid->model = model;
     solid->count = count;
     solid->tick = 1;
+    solid->conserves = true;
     solid->x = fw_array_of_doubles(size);
     solid->y = fw_array_of_doubles(size);
     solid->external_x = fw_array_of_doubles(size);

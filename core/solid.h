@@ -104,6 +104,7 @@ struct fw_solid {
     double *x, *y;                   /* positions */
     double *external_x, *external_y; /* external force of this tick; kept by the loads */
     bool loaded;                     /* false: external_x/y are all zero and need not be read */
+    bool conserves;                  /* energy changes only by what the ledger says */
     int *boundary;                   /* particles that can touch something, ascending */
     int boundary_count;
     int boundary_revision; /* grows whenever the boundary changes (links break, particles flow) */

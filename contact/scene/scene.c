@@ -112,5 +112,6 @@ fw_status fw_scene_step(fw_scene *scene, fw_error *error)
         scene->clock.ticks += 1;
     }
     scene->clock.step += 1;
+    scene_note_work(scene);
     return check_finite(scene, error);
 }

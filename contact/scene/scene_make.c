@@ -304,6 +304,7 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
                           scene->ledgers);
         fw_state_list_add(list, "energy-at-start", FW_F64, 1, &scene->energy_at_start);
         fw_state_list_add(list, "momentum-at-start", FW_F64, 2, &scene->momentum_at_start);
+        fw_state_list_add(list, "energy-scale", FW_F64, 1, &scene->energy_scale);
         return "scene";
     }
     if (section > scene->body_count + (scene->grip_count > 0)) {

@@ -100,7 +100,11 @@ struct fw_scene {
     fw_barrier *near;     /* room for the candidates of one run */
     double energy_at_start;
     fw_vec2 momentum_at_start;
+    double energy_scale; /* the largest energy or work so far */
 };
+
+/* Keeps the largest work so far, after a step. */
+void scene_note_work(fw_scene *scene);
 
 /* 3. and 4. of the time step for given motions of the walls: which facets are near which run of
  * boundary particles, and the forces that hold contact particles. Books nothing. */

@@ -94,6 +94,7 @@ static fw_status build(fw_automaton **made, const fw_elastic_automaton_def *def,
         return status;
     }
     body->head.tick = 0.5;
+    body->head.conserves = body->boundary != FW_BOUNDARY_MIRROR;
     *made = body;
     return FW_OK;
 }

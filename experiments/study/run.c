@@ -213,6 +213,7 @@ static fw_status step_once(fw_run *run, fw_error *error)
 {
     FW_TRY(fw_observer_step(run->observer, error));
     int64_t step = fw_scene_steps(run->experiment->scene);
+    if (frame_is_due(run, step)) FW_TRY(fw_scene_check_energy(run->experiment->scene, error));
     if (fw_measurement_is_due(run->scenario, step)) FW_TRY(measure(run, error));
     if (frame_is_due(run, step)) FW_TRY(record(run, error));
     fw_status signal = fw_interrupt_seen();
