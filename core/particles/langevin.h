@@ -39,6 +39,8 @@ struct fw_langevin {
     /* Makes force_x/y for the positions of the head; the only thing that models differ in.
      * FW_SYSTEM_FAILED without memory. */
     fw_status (*find_forces)(fw_langevin *solid, fw_error *error);
+    /* The largest temperature that steps of that length follow; NULL: any. */
+    double (*hottest)(const fw_langevin *solid, double time_step);
 
     /* Private. */
     double *inverse_mass, *root_inverse_mass;
@@ -56,6 +58,9 @@ void fw_langevin_release(fw_langevin *solid);
 /* FW_BAD_INPUT with a sentence for: a time step that is not positive, a negative damping or
  * temperature, numbers that are not finite. */
 fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *error);
+/* FW_BAD_INPUT where a bath acts that is hotter than the time step allows. */
+fw_status fw_langevin_check_bath(const fw_langevin *solid, const fw_langevin_controls *controls,
+                                 fw_error *error);
 /* To be called once positions, velocities, masses and controls stand: finds the first forces. */
 fw_status fw_langevin_start(fw_langevin *solid, fw_error *error);
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
@@ -76,7 +81,8 @@ void fw_langevin_draw_velocities(fw_solid *solid, int first, int count, double t
 /* Adds sum m (v - drift)^2 of those particles, per component, to *heat. */
 void fw_langevin_add_heat(const fw_solid *solid, int first, int count, fw_vec2 drift,
                           fw_vec2 *heat);
-/* Another bath from now on. FW_BAD_INPUT: a negative number, or one that is not finite. */
+/* Another bath from now on. FW_BAD_INPUT: a negative number, one that is not finite, or a bath too
+ * hot for the time step. */
 fw_status fw_langevin_set_bath(fw_solid *solid, double damping, double temperature,
                                fw_error *error);
 

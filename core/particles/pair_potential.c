@@ -40,6 +40,45 @@ fw_status fw_pair_potential_check(const fw_pair_potential *potential, fw_error *
     return FW_OK;
 }
 
+double fw_pair_potential_curvature(const fw_pair_potential *potential, double r)
+{
+    const fw_smooth_cut cut = potential->cut;
+    if (r >= cut.outer) return 0;
+    double energy, slope, curvature; /* without the cut */
+    if (potential->kind == FW_LENNARD_JONES) {
+        const double sixth = pow(potential->distance / r, 6);
+        energy = sixth * (sixth - 2);
+        slope = -12 * sixth * (sixth - 1) / r;
+        curvature = 12 * sixth * (13 * sixth - 7) / (r * r);
+    } else {
+        const double a = potential->steepness, decay = exp(-a * (r - potential->distance));
+        energy = decay * (decay - 2);
+        slope = -2 * a * decay * (decay - 1);
+        curvature = 2 * a * a * decay * (2 * decay - 1);
+    }
+    const fw_weight weight = fw_smooth_cut_at(cut, r);
+    const double x = fmin(1, fmax(0, (r - cut.inner) * cut.scale));
+    const double bend = -60 * x * (1 - x) * (1 - 2 * x) * cut.scale * cut.scale;
+    return potential->depth * (curvature * weight.value + 2 * slope * weight.slope + energy * bend);
+}
+
+double fw_pair_potential_hottest(const fw_pair_potential *potential, double strength, double mass,
+                                 double time_step)
+{
+    enum { COLLISION = 10, HALVINGS = 60 };
+    const double depth = strength * potential->depth;
+    if (!(depth > 0)) return INFINITY;
+    const double stiffest = 2 * mass / (time_step * time_step);
+    double hard = 1e-3 * potential->distance, soft = potential->distance;
+    if (!(strength * fw_pair_potential_curvature(potential, hard) > stiffest)) return INFINITY;
+    for (int n = 0; n < HALVINGS; ++n) {
+        const double middle = 0.5 * (hard + soft);
+        const bool too_stiff = strength * fw_pair_potential_curvature(potential, middle) > stiffest;
+        *(too_stiff ? &hard : &soft) = middle;
+    }
+    return (strength * fw_pair_at(potential, soft * soft).energy + depth) / COLLISION;
+}
+
 double fw_pair_potential_stiffness(const fw_pair_potential *potential)
 {
     if (potential->kind == FW_MORSE)

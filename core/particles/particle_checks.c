@@ -110,6 +110,83 @@ fw_status fw_particles_check(const fw_particles_def *def, fw_error *error)
                                         error);
 }
 
+/* --- the start --- */
+
+static double strength_of(const fw_particles *particles, int i, int j)
+{
+    const int g = particles->group_of[i];
+    return g == particles->group_of[j] ? particles->groups[g].strength : particles->strength_across;
+}
+
+/* What particle i feels of its neighbours, each fixed: the positive parts of second derivatives. */
+static double stiffness_around(const fw_particles *particles, int i)
+{
+    const fw_solid *head = &particles->langevin.head;
+    const fw_neighbours *neighbours = particles->neighbours;
+    fw_sym2 sum = {0, 0, 0};
+    for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
+        const int j = neighbours->list[k];
+        const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
+        const double r2 = dx * dx + dy * dy, strength = strength_of(particles, i, j);
+        if (!(strength * particles->potential.depth > 0)) continue;
+        const double radial = fw_pair_potential_curvature(&particles->potential, sqrt(r2));
+        const double along = strength * fmax(0, radial) / r2;
+        const double across = strength * fmax(0, -fw_pair_at(&particles->potential, r2).push) / r2;
+        sum = fw_sym2_add(sum,
+                          (fw_sym2){along * dx * dx + across * dy * dy, (along - across) * dx * dy,
+                                    along * dy * dy + across * dx * dx});
+    }
+    return 0.5 * (sum.xx + sum.yy) + hypot(0.5 * (sum.xx - sum.yy), sum.xy);
+}
+
+double fw_particles_start_limit(const fw_solid *solid, int *particle)
+{
+    const fw_particles *particles = (const fw_particles *)solid;
+    double highest = 0;
+    for (int i = 0; i < solid->count; ++i) {
+        const double square =
+            2 * stiffness_around(particles, i) * particles->langevin.inverse_mass[i];
+        if (!(square > highest)) continue;
+        highest = square;
+        if (particle) *particle = i;
+    }
+    return 2 / sqrt(highest);
+}
+
+fw_status fw_particles_check_start(const fw_particles *particles, fw_error *error)
+{
+    int i = 0;
+    const double time_step = particles->langevin.controls.time_step;
+    const double limit = fw_particles_start_limit(&particles->langevin.head, &i);
+    /* A crystal at rest has the limit of its bonds, up to rounding. */
+    if (time_step < limit * (1 + 1e-9)) return FW_OK;
+    const fw_particle_group *group = &particles->groups[particles->group_of[i]];
+    return fw_fail(error, FW_BAD_INPUT,
+                   "the time step is %g, expected less than %.4g: particle %d of body '%s' starts "
+                   "so near to its neighbours that a longer step throws it out",
+                   time_step, limit, i - group->first, group->name);
+}
+
+double fw_particles_hottest_at(const fw_langevin *solid, double time_step)
+{
+    const fw_particles *particles = (const fw_particles *)solid;
+    double hottest = INFINITY;
+    for (int g = 0; g < particles->group_count; ++g) {
+        const fw_particle_group *group = &particles->groups[g];
+        hottest = fmin(hottest,
+                       fw_pair_potential_hottest(&particles->potential,
+                                                 fmax(group->strength, particles->strength_across),
+                                                 solid->mass[group->first], time_step));
+    }
+    return hottest;
+}
+
+double fw_particles_hottest(const fw_solid *solid)
+{
+    const fw_langevin *langevin = (const fw_langevin *)solid;
+    return fw_particles_hottest_at(langevin, langevin->controls.time_step);
+}
+
 /* The first pair whose energy is above the limit, if there is one. */
 fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error)
 {
@@ -121,7 +198,7 @@ fw_status fw_particles_check_overlaps(const fw_particles *particles, double limi
             if (j < i) continue;
             const fw_particle_group *a = &particles->groups[particles->group_of[i]];
             const fw_particle_group *b = &particles->groups[particles->group_of[j]];
-            const double strength = a == b ? a->strength : particles->strength_across;
+            const double strength = strength_of(particles, i, j);
             const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
             const double r2 = dx * dx + dy * dy;
             if (!(strength * particles->potential.depth > 0)) continue;

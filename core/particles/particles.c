@@ -211,9 +211,12 @@ static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_
     langevin->head.boundary_count = count;
     langevin->seed = def->seed;
     langevin->find_forces = fw_particles_find_forces;
+    langevin->hottest = fw_particles_hottest_at;
     fw_langevin_set_controls(langevin, &def->controls);
     FW_TRY(fw_langevin_start(langevin, error));
-    return fw_particles_check_overlaps(particles, def->overlap_energy, error);
+    FW_TRY(fw_langevin_check_bath(langevin, &def->controls, error));
+    FW_TRY(fw_particles_check_overlaps(particles, def->overlap_energy, error));
+    return fw_particles_check_start(particles, error);
 }
 
 fw_status fw_particles_create(fw_solid **solid, const fw_particles_def *def, fw_error *error)
@@ -254,6 +257,7 @@ fw_status fw_particles_set_controls(fw_solid *solid, const fw_langevin_controls 
         FW_TRY(fw_particles_check_time_step(
             controls->time_step, present_limit(particles, g, &particles->groups[g].return_force),
             error));
+    FW_TRY(fw_langevin_check_bath(&particles->langevin, controls, error));
     fw_langevin_set_controls(&particles->langevin, controls);
     return FW_OK;
 }

@@ -50,12 +50,21 @@ fw_particles_def fw_particles_def_default(void);
 /* FW_BAD_INPUT with a sentence for whatever the parts refuse (pair_potential.h, return_force.h,
  * langevin.h), and for: no particles, names used twice, positions or velocities that are not
  * finite, masses or strengths out of range, pairs above the overlap energy, a time step beyond the
- * stiffest bond's limit. */
+ * stiffest bond's limit or beyond that of the start, a bath too hot for the time step. */
 fw_status fw_particles_create(fw_solid **solid, const fw_particles_def *def, fw_error *error);
 
 /* The longest stable time step of Verlet's scheme, 2/omega of a hexagonal crystal's fastest
  * oscillation, all bonds as stiff as at their rest length. */
 double fw_particles_time_step_limit(const fw_particles_def *def);
+
+/* The same of a solid as it lies now: 2/omega of what its pairs, with the curvature that each has
+ * at its own distance, may do at most. An overlap can be far stiffer than a bond at rest. (With
+ * K_ij the positive parts of the pairs' second derivatives, omega^2 <= 2 max_i lambda(sum_j
+ * K_ij)/m_i, which for a crystal at rest is exact.) INFINITY without pairs. *particle, unless NULL:
+ * the stiffest. */
+double fw_particles_start_limit(const fw_solid *solid, int *particle);
+/* The hottest bath that the time step follows: the least of fw_pair_potential_hottest. */
+double fw_particles_hottest(const fw_solid *solid);
 
 typedef struct fw_particles fw_particles;
 /* The solid must be of this model. */

@@ -272,7 +272,12 @@ fw_status fw_particles_print_limits(FILE *out, const fw_start *start, int *warni
         .groups = &group, .group_count = 1, .potential = material->potential};
     (void)warnings;
     (void)error;
-    print_time_step(out, start, fw_particles_time_step_limit(&def));
+    print_time_step(
+        out, start,
+        fmin(fw_particles_time_step_limit(&def), fw_particles_start_limit(start->solid, NULL)));
+    if (scenario->dynamics.damping > 0)
+        fprintf(out, "  %-14s bath of temperature %g, expected up to %.3g with this time step\n",
+                "", scenario->dynamics.temperature, fw_particles_hottest(start->solid));
     return FW_OK;
 }
 
