@@ -8,6 +8,7 @@
 #include "lb_measure.h"
 #include "lb_step.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +28,9 @@ static bool is_finite(fw_sym2 m)
 
 static bool is_positive(fw_sym2 m)
 {
-    return is_finite(m) && m.xx > 0 && m.yy > 0 && fw_sym2_determinant(m) > 0;
+    /* Not below DBL_MIN, so that the inverse is finite. */
+    if (!(is_finite(m) && m.xx >= DBL_MIN && m.yy >= DBL_MIN)) return false;
+    return m.xy == 0 || fw_sym2_determinant(m) > 0;
 }
 
 static bool is_scalar(fw_sym2 m)

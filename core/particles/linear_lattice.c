@@ -211,14 +211,34 @@ double fw_linear_lattice_time_step_limit(double k1, double k2, double mass)
     return 2 / sqrt(fmax(middle, corner) / mass);
 }
 
-static fw_status check_stability(double k1, double k2, double mass, double time_step,
-                                 fw_error *error)
+/* Waves must not grow, and no body may: with surface forces each triangle is a body of its own,
+ * with the bulk modulus (sqrt3/2) k2; without them each bond is one, and k1 its resistance to
+ * turning. */
+static fw_status check_material(double k1, double k2, bool compensated, fw_error *error)
 {
     if (!(k1 + 0.25 * k2 > 0 && k1 + 0.75 * k2 > 0))
         return fw_fail(error, FW_BAD_INPUT,
                        "the linear lattice has k1 = %g and k2 = %g, expected k1 + k2/4 > 0 and k1 "
                        "+ 3 k2/4 > 0: otherwise it collapses",
                        k1, k2);
+    if (compensated && !(k2 >= 0))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the linear lattice has k2 = %g, expected k2 >= 0: with surface forces its "
+                       "bulk modulus is (sqrt3/2) k2, and a body with free sides collapses",
+                       k2);
+    if (!compensated && !(k1 >= 0 && k1 + k2 >= 0))
+        return fw_fail(
+            error, FW_BAD_INPUT,
+            "the linear lattice has k1 = %g and k2 = %g without surface forces, expected "
+            "k1 >= 0 and k1 + k2 >= 0: otherwise a body with free sides turns or grows "
+            "without end",
+            k1, k2);
+    return FW_OK;
+}
+
+static fw_status check_time_step(double k1, double k2, double mass, double time_step,
+                                 fw_error *error)
+{
     const double limit = fw_linear_lattice_time_step_limit(k1, k2, mass);
     if (!(time_step < limit))
         return fw_fail(error, FW_BAD_INPUT,
@@ -243,7 +263,8 @@ static fw_status check_def(const fw_linear_lattice_def *def, fw_error *error)
         return fw_fail(error, FW_BAD_INPUT, "k1 = %g and k2 = %g, expected finite numbers", def->k1,
                        def->k2);
     FW_TRY(fw_langevin_check(&def->controls, error));
-    return check_stability(def->k1, def->k2, def->mass, def->controls.time_step, error);
+    FW_TRY(check_material(def->k1, def->k2, def->compensated, error));
+    return check_time_step(def->k1, def->k2, def->mass, def->controls.time_step, error);
 }
 
 static fw_site neighbour_site(fw_site site, int alpha)
@@ -359,7 +380,7 @@ fw_status fw_linear_lattice_set_controls(fw_solid *solid, const fw_langevin_cont
     assert(fw_solid_is_linear_lattice(solid));
     fw_linear_lattice *lattice = (fw_linear_lattice *)solid;
     FW_TRY(fw_langevin_check(controls, error));
-    FW_TRY(check_stability(lattice->k1, lattice->k2, lattice->langevin.mass[0], controls->time_step,
+    FW_TRY(check_time_step(lattice->k1, lattice->k2, lattice->langevin.mass[0], controls->time_step,
                            error));
     fw_langevin_set_controls(&lattice->langevin, controls);
     return FW_OK;

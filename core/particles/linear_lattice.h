@@ -26,8 +26,9 @@ typedef struct fw_linear_lattice_def {
     const fw_vec2 *displacements; /* NULL: none */
     const fw_vec2 *velocities;    /* NULL: at rest */
     double mass;                  /* of each particle, > 0 */
-    double k1, k2;                /* force per length; k1 + 3/4 k2 > 0 and k1 + 1/4 k2 > 0 */
-    bool compensated;             /* with surface forces */
+    double k1, k2; /* force per length; k1 + 3/4 k2 > 0 and k1 + 1/4 k2 > 0; compensated: k2 >= 0,
+                      else k1 >= 0 and k1 + k2 >= 0 */
+    bool compensated; /* with surface forces */
     fw_langevin_controls controls;
     uint64_t seed;
 } fw_linear_lattice_def;

@@ -232,6 +232,46 @@ static void impossible_lattices_are_refused(void **state)
     fw_sites_clear(&sites);
 }
 
+/* Next to the bounds a shaken free body stays as it is; beyond them it would collapse or turn
+ * without end, at k2 = -5 with surface forces within 2000 steps. */
+static void free_bodies_of_allowed_lattices_last(void **state)
+{
+    (void)state;
+    const struct {
+        double k1, k2;
+        bool compensated, refused;
+    } cases[] = {{10, 0.01, true, false},  {10, -5, true, true},  {-12.4, 50, true, false},
+                 {0.01, 50, false, false}, {-1, 50, false, true}, {10, -9.99, false, false},
+                 {10, -11, false, true}};
+    fw_sites sites = rectangle(5, 5);
+    fw_vec2 shaken[25];
+    for (int i = 0; i < 25; ++i)
+        shaken[i] = fw_vec2_scale(0.01, fw_noise_uniform(4, (uint32_t)i, 0, 0));
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; ++n) {
+        fw_linear_lattice_def def = fw_linear_lattice_def_default();
+        def.sites = &sites;
+        def.displacements = shaken;
+        def.k1 = cases[n].k1;
+        def.k2 = cases[n].k2;
+        def.compensated = cases[n].compensated;
+        fw_solid *solid;
+        fw_error error;
+        const fw_status status = fw_linear_lattice_create(&solid, &def, &error);
+        assert_int_equal(status, cases[n].refused ? FW_BAD_INPUT : FW_OK);
+        if (cases[n].refused) {
+            assert_non_null(strstr(error.sentence, "a body with free sides"));
+            continue;
+        }
+        for (int step = 0; step < 10000; ++step) advance_free(solid);
+        for (int i = 0; i < 25; ++i) {
+            const fw_vec2 home = fw_linear_lattice_home(solid, i);
+            assert_below(hypot(solid->x[i] - home.x, solid->y[i] - home.y), 1);
+        }
+        fw_solid_destroy(solid);
+    }
+    fw_sites_clear(&sites);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -241,6 +281,7 @@ int main(void)
         cmocka_unit_test(rows_shear_with_the_corrected_modulus),
         cmocka_unit_test(free_sides_contract_by_lame_only_if_compensated),
         cmocka_unit_test(impossible_lattices_are_refused),
+        cmocka_unit_test(free_bodies_of_allowed_lattices_last),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
