@@ -22,7 +22,8 @@ void fw_automaton_closed_form(fw_automaton_speeds speeds, fw_vec2 wave, double s
     const double p0 = sqrt(fmax(0, 1 - shear / 2));
     const double p1 = sqrt(fmax(0, 1 - shear / 2 - coupling / 2));
     const double sx = sin(wave.x), sy = sin(wave.y);
-    /* 2 - g and 2 + g of the notes, without the cancellation of forming g first. */
+    /* 4 - H^+ H, with the matrices of Eqs 29 to 31, is `mean` times 1 and `split` times a
+     * reflection. Both vanish for long waves, and are written so that nothing cancels there. */
     const double minus = shear + coupling / 2, plus = 4 - minus;
     const double s = sx * sx + sy * sy;
     /* v = cos kx - cos ky, kept exact for long waves. */

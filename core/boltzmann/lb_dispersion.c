@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lb_dispersion.c - plane waves of the LB solid (Chopard & Marconi Sec. 1.1, section 4 of the
- * physics). Keeps no state. */
+/* lb_dispersion.c - plane waves of the LB solid. Keeps no state.
+ *
+ * Two steps of the solid make M (u+ - 2 u + u-) = sum over links (u_m - u), Stoermer and Verlet's
+ * scheme (Chopard & Marconi Sec. 1.1). A wave u = a e^{i(k.r - omega t)} therefore has
+ * 4 sin^2(omega/2) M a = (4 sin^2(kx/2) + 4 sin^2(ky/2)) a: the closed form of the header. */
 #include "core/boltzmann/lb_dispersion.h"
 
 #include "core/lattice.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_particle_contact.c - movable particles against hard walls: the hold rule for velocity Verlet
- * and for BAOAB with noise (Popov & Filippov's particles, section 6 of their physics). */
+ * and for BAOAB with noise (Popov & Filippov's particles). */
 #include "tests/support/laws.h"
 
 #include "contact/scene/scene.h"

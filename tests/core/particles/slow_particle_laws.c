@@ -68,7 +68,8 @@ static fw_solid *fluid(double temperature, double time_step, fw_return_variant v
                     (fw_langevin_controls){time_step, 1, temperature}, seed);
 }
 
-/* Section 7, thermostat: a crystal at .05 and a dense liquid at .5, 4 seeds: T_kin/T = 1 +- .01. */
+/* Equipartition (Popov & Filippov Eqs 15 to 17): a crystal at .05 and a dense liquid at .5, 4
+ * seeds: T_kin/T = 1 +- .01. */
 static void bath_sets_the_temperature(void **state)
 {
     (void)state;
@@ -96,8 +97,10 @@ static void bath_sets_the_temperature(void **state)
     }
 }
 
-/* Section 6: particles that do not feel each other fall on a wall through a bath, m = g = T = 1:
- * <z> = 1, <v^2> = 1, nobody below the wall. 20000 particles, 30 times: .003. */
+/* Holding a particle for a step must not favour any place or velocity. Particles that do not feel
+ * each other fall on a wall through a bath, m = g = T = 1: the barometric law e^{-m g z/T} and
+ * Maxwell's distribution say <z> = 1, <v^2> = 1, nobody below the wall. 20000 particles, 30 times:
+ * .003. */
 static void hold_rule_keeps_detailed_balance(void **state)
 {
     (void)state;
@@ -137,7 +140,7 @@ static void hold_rule_keeps_detailed_balance(void **state)
     free(crowd.at);
 }
 
-/* Section 7, drift: a liquid at T = 1 without bath. The walls' constraints let Verlet's energy
+/* A liquid at T = 1 without bath. The walls' constraints let Verlet's energy
  * wander by some 1e-4 per particle at this time step (each adds an error of order dt^2 of either
  * sign); the constant force heats at 1e-2 per time. */
 static void only_the_constant_force_heats(void **state)
@@ -163,7 +166,8 @@ static void only_the_constant_force_heats(void **state)
 }
 
 /* Contraction of a bar with free sides that is pulled: k2/(3 k2 + 4 k1) with k1 = n f0/r0 and
- * k2 = U'' - k1 (section 2). Surface forces of its axes make no difference while it does not turn.
+ * k2 = U'' - k1: near its rest length a bond is that of Eq 2. Surface forces of its axes make no
+ * difference while it does not turn.
  */
 static double contraction(double amplitude)
 {

@@ -107,8 +107,8 @@ static void forces_are_gradients(void **state)
     }
 }
 
-/* Section 7, isotropy: plane waves in 7 directions. The force inside a body is that of the
- * dynamical matrix, and for small q the speeds are those of an isotropic medium. */
+/* A hexagonal lattice is isotropic: plane waves in 7 directions. The force inside a body is that of
+ * the dynamical matrix, and for small q the speeds are those of an isotropic medium. */
 static void waves_run_alike_in_all_directions(void **state)
 {
     (void)state;
@@ -198,9 +198,11 @@ static double poisson_ratio(bool compensated)
     return -across / along;
 }
 
-/* Lame's ratio (k2 - 4 k1)/(3 k2 + 4 k1) = .0526 with surface forces, k2/(3 k2 + 4 k1) = .263
- * without (section 2 and the row "lame"). The edge's own stiffness leaves some per mille in a bar
- * of 25 rows. */
+/* Poisson's ratio of a bar in the plane is lambda/(lambda + 2 mu), with the Lame coefficients of
+ * linear_lattice.h (k2 - 4 k1)/(3 k2 + 4 k1) = .0526: with surface forces. Without them the bonds'
+ * own energy, k1 d^2 + k2 (e . d)^2 each, is least for a contraction by
+ * k2/(3 k2 + 4 k1) = .263. The edge's own
+ * stiffness leaves some per mille in a bar of 25 rows. */
 static void free_sides_contract_by_lame_only_if_compensated(void **state)
 {
     (void)state;

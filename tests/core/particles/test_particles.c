@@ -18,7 +18,7 @@ static void run(fw_solid *solid, int steps)
     for (int step = 0; step < steps; ++step) advance_free(solid);
 }
 
-/* A pair 8 degrees off its axis comes to rest on the axis (section 7, sign). */
+/* A pair 8 degrees off its axis comes to rest on the axis: the sign that Eq 18 should have. */
 static void pair_turns_to_its_axis(void **state)
 {
     (void)state;
@@ -210,8 +210,9 @@ static void prediction_is_what_happens(void **state)
     fw_solid_destroy(solid);
 }
 
-/* Heat bath and free flight: kinetic temperature and mean square displacement of free particles
- * (section 7, thermostat), within 4 standard errors of what 4000 of them can show. */
+/* Heat bath and free flight: kinetic temperature T and mean square displacement 2 T/(m damping) (t
+ * - (1 - e^{-damping t})/damping) per component of free particles (Ornstein and Uhlenbeck), within
+ * 4 standard errors of what 4000 of them can show. */
 static void free_particles_diffuse(void **state)
 {
     (void)state;
