@@ -77,16 +77,18 @@ fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *erro
     return FW_OK;
 }
 
-fw_status fw_langevin_check_bath(const fw_langevin *solid, const fw_langevin_controls *controls,
+fw_status fw_langevin_check_heat(const fw_solid *head, const fw_langevin_controls *controls,
                                  fw_error *error)
 {
+    const fw_langevin *solid = (const fw_langevin *)head;
+    assert(fw_solid_is_langevin(head));
     if (!(controls->damping > 0) || !solid->hottest) return FW_OK;
     const double hottest = solid->hottest(solid, controls->time_step);
     if (controls->temperature <= hottest) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT,
-                   "the bath has the temperature %g, expected at most %.4g with a time step of %g: "
-                   "particles that collide in a hotter bath are pressed together further than "
-                   "such a step follows",
+                   "the temperature is %g, expected at most %.4g with a time step of %g: at higher "
+                   "ones particles that collide are pressed together further than such a step "
+                   "follows",
                    controls->temperature, hottest, controls->time_step);
 }
 
@@ -142,7 +144,7 @@ fw_status fw_langevin_set_bath(fw_solid *head, double damping, double temperatur
     controls.damping = damping;
     controls.temperature = temperature;
     FW_TRY(fw_langevin_check(&controls, error));
-    FW_TRY(fw_langevin_check_bath(solid, &controls, error));
+    FW_TRY(fw_langevin_check_heat(head, &controls, error));
     fw_langevin_set_controls(solid, &controls);
     return FW_OK;
 }

@@ -58,9 +58,6 @@ void fw_langevin_release(fw_langevin *solid);
 /* FW_BAD_INPUT with a sentence for: a time step that is not positive, a negative damping or
  * temperature, numbers that are not finite. */
 fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *error);
-/* FW_BAD_INPUT where a bath acts that is hotter than the time step allows. */
-fw_status fw_langevin_check_bath(const fw_langevin *solid, const fw_langevin_controls *controls,
-                                 fw_error *error);
 /* To be called once positions, velocities, masses and controls stand: finds the first forces. */
 fw_status fw_langevin_start(fw_langevin *solid, fw_error *error);
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
@@ -81,6 +78,10 @@ void fw_langevin_draw_velocities(fw_solid *solid, int first, int count, double t
 /* Adds sum m (v - drift)^2 of those particles, per component, to *heat. */
 void fw_langevin_add_heat(const fw_solid *solid, int first, int count, fw_vec2 drift,
                           fw_vec2 *heat);
+/* FW_BAD_INPUT where the temperature of those controls, of a bath or of a start, is higher than
+ * their time step allows; without damping no temperature acts. */
+fw_status fw_langevin_check_heat(const fw_solid *solid, const fw_langevin_controls *controls,
+                                 fw_error *error);
 /* Another bath from now on. FW_BAD_INPUT: a negative number, one that is not finite, or a bath too
  * hot for the time step. */
 fw_status fw_langevin_set_bath(fw_solid *solid, double damping, double temperature,

@@ -214,7 +214,7 @@ static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_
     langevin->hottest = fw_particles_hottest_at;
     fw_langevin_set_controls(langevin, &def->controls);
     FW_TRY(fw_langevin_start(langevin, error));
-    FW_TRY(fw_langevin_check_bath(langevin, &def->controls, error));
+    FW_TRY(fw_langevin_check_heat(&langevin->head, &def->controls, error));
     FW_TRY(fw_particles_check_overlaps(particles, def->overlap_energy, error));
     return fw_particles_check_start(particles, error);
 }
@@ -257,7 +257,7 @@ fw_status fw_particles_set_controls(fw_solid *solid, const fw_langevin_controls 
         FW_TRY(fw_particles_check_time_step(
             controls->time_step, present_limit(particles, g, &particles->groups[g].return_force),
             error));
-    FW_TRY(fw_langevin_check_bath(&particles->langevin, controls, error));
+    FW_TRY(fw_langevin_check_heat(solid, controls, error));
     fw_langevin_set_controls(&particles->langevin, controls);
     return FW_OK;
 }

@@ -77,8 +77,11 @@ static fw_status add_motion(const fw_scenario *scenario, int number, const fw_si
 {
     const fw_scenario_body *body = &scenario->bodies[number];
     fw_vec2 *positions = room, *velocities = room + sites->count;
-    if (body->temperature > 0)
+    if (body->temperature > 0) {
+        const fw_langevin_controls hot = {scenario->dynamics.time_step, 1, body->temperature};
+        FW_TRY(fw_build_fail(scenario, number, fw_langevin_check_heat(solid, &hot, error), error));
         fw_langevin_draw_velocities(solid, first, sites->count, body->temperature);
+    }
     for (int l = 0; l < sites->count; ++l) {
         const int i = first + l;
         positions[l] = fw_solid_position(solid, i);

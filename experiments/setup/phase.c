@@ -3,6 +3,7 @@
  * the parameters of, kept by the caller. Start reading at fw_phase_enter(). */
 #include "phase.h"
 
+#include "core/particles/langevin.h"
 #include "experiments/setup/solids.h"
 
 #include <math.h>
@@ -98,17 +99,41 @@ fw_status fw_grips_add(const fw_scenario *scenario, fw_scene *scene, const fw_bo
 
 /* --- phases --- */
 
+static fw_langevin_controls controls_in(const fw_scenario *scenario, const fw_scenario_phase *phase)
+{
+    const fw_scenario_dynamics *dynamics = &scenario->dynamics;
+    return (fw_langevin_controls){
+        .time_step = dynamics->time_step,
+        .damping = phase->damping >= 0 ? phase->damping : dynamics->damping,
+        .temperature = phase->temperature >= 0 ? phase->temperature : dynamics->temperature};
+}
+
+fw_status fw_phases_check(const fw_scenario *scenario, const fw_scene *scene, fw_error *error)
+{
+    for (int p = 0; p < scenario->phase_count; ++p) {
+        const fw_scenario_phase *phase = &scenario->phases[p];
+        const fw_langevin_controls controls = controls_in(scenario, phase);
+        for (int b = 0; b < fw_scene_body_count(scene); ++b) {
+            const fw_solid *solid = fw_scene_observe_body(scene, b);
+            fw_error inner;
+            if (!fw_solid_is_langevin(solid)) continue;
+            if (fw_langevin_check_heat(solid, &controls, &inner) != FW_OK)
+                return fw_scenario_fail(scenario, phase->place, error, "phase %s: %s", phase->name,
+                                        inner.sentence);
+        }
+    }
+    return FW_OK;
+}
+
 static fw_status set_bath(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,
                           const fw_scenario_phase *phase, fw_error *error)
 {
-    const fw_scenario_dynamics *dynamics = &scenario->dynamics;
-    const double damping = phase->damping >= 0 ? phase->damping : dynamics->damping;
-    const double temperature = phase->temperature >= 0 ? phase->temperature : dynamics->temperature;
+    const fw_langevin_controls controls = controls_in(scenario, phase);
     for (int b = 0; b < scenario->body_count; ++b) {
         const fw_solid_kind *kind = fw_solid_kind_of(scenario, b);
         if (kind->set_bath)
-            FW_TRY(
-                kind->set_bath(fw_scene_body(scene, ranges[b].solid), damping, temperature, error));
+            FW_TRY(kind->set_bath(fw_scene_body(scene, ranges[b].solid), controls.damping,
+                                  controls.temperature, error));
     }
     return FW_OK;
 }

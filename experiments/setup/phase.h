@@ -12,6 +12,8 @@
 fw_status fw_grips_add(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,
                        fw_error *error);
 
+/* FW_BAD_INPUT where a phase has a bath too hot for the time step. */
+fw_status fw_phases_check(const fw_scenario *scenario, const fw_scene *scene, fw_error *error);
 /* Gives the scene the parameters of the phase that the next step belongs to. *current: the one that
  * it has, -1: none yet. */
 fw_status fw_phase_enter(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,

@@ -91,7 +91,7 @@ static void a_bath_too_hot_is_refused(void **state)
     assert_close(fw_pair_potential_hottest(&potential, 1, 1, 0.005), 18.86, 0.01);
     assert_int_equal(make_pair(&solid, from, potential, &error), FW_OK);
     assert_int_equal(fw_langevin_set_bath(solid, 1, 1e9, &error), FW_BAD_INPUT);
-    assert_non_null(strstr(error.sentence, "temperature 1e+09, expected at most 18.86"));
+    assert_non_null(strstr(error.sentence, "the temperature is 1e+09, expected at most 18.86"));
     assert_int_equal(fw_particles_set_temperature(solid, 19, &error), FW_BAD_INPUT);
     assert_int_equal(fw_langevin_set_bath(solid, 0, 1e9, &error), FW_OK);
     fw_solid_destroy(solid);
