@@ -101,6 +101,7 @@ typedef struct fw_figure_stack_plan {
     fw_view_look look;
     fw_colouring colouring;
     const char *y_label; /* of the views; NULL: "y" */
+    fw_range y_range;    /* of the views; where high <= low it comes from their bodies */
     const fw_chart *charts;
     int chart_count;
     const char *label; /* what x is, with unit */

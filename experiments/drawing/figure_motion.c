@@ -109,28 +109,27 @@ static long particle_count(const fw_figure_motion_plan *plan)
     return particles;
 }
 
-/* A path goes over the bodies; but where each is a single particle, it would hide them. */
-static bool has_lone_particles(const fw_figure_motion_plan *plan)
+/* A path goes over the bodies; but it would hide a lone particle. */
+static bool is_lone(const fw_view_body *body)
 {
-    for (int k = 0; k < plan->view_count; ++k)
-        for (int b = 0; b < plan->views[k].body_count; ++b)
-            if (plan->views[k].bodies[b].count != 1) return false;
-    return true;
+    return body->count == 1;
 }
 
-static fw_status draw_instants(const fw_figure_motion_plan *plan, const fw_panel *panel,
+/* Of the lone bodies, or of the others. */
+static fw_status draw_instants(const fw_figure_motion_plan *plan, const fw_panel *panel, bool lone,
                                fw_error *error)
 {
     fw_status status = FW_OK;
-    bool raster = particle_count(plan) > 6000, lone = has_lone_particles(plan);
+    bool raster = particle_count(plan) > 6000 && !lone;
     if (raster) fw_canvas_raster_begin(panel->canvas, panel->box);
     for (int k = 0; k < plan->view_count && status == FW_OK; ++k) {
         fw_colour colour = colour_of_instant(plan, k);
         for (int b = 0; b < plan->views[k].body_count && status == FW_OK; ++b) {
             const fw_view_body *body = &plan->views[k].bodies[b];
+            if (is_lone(body) != lone) continue;
             double spacing = fw_view_spacing(body) * fw_panel_scale(panel);
             /* Without links a body that lies on another one could not be told from it. */
-            if (body->link_count == 0 && body->count > 1 && !lone && plan->view_count > 1)
+            if (body->link_count == 0 && !lone && plan->view_count > 1)
                 status = fw_view_draw_silhouette(body, panel, with_white(colour, .78, .7), error);
             fw_view_draw_links(
                 body, panel,
@@ -202,7 +201,6 @@ static void draw_path(const fw_figure_path *path, const fw_panel *panel)
 static fw_status draw(const fw_figure_motion_plan *plan, const motion_layout *layout,
                       fw_error *error)
 {
-    fw_status status = FW_OK;
     const fw_panel *panel = &layout->panel;
     fw_canvas_clip(panel->canvas, panel->box);
     if (plan->view_count > 0)
@@ -210,10 +208,9 @@ static fw_status draw(const fw_figure_motion_plan *plan, const motion_layout *la
     for (int k = 0; k < plan->view_count - 1; ++k)
         fw_view_draw_moved(&plan->views[k], &plan->views[plan->view_count - 1], panel,
                            (fw_stroke){colour_of_instant(plan, k), .35, FW_DASH_NONE});
-    bool lone = has_lone_particles(plan);
-    if (!lone) status = draw_instants(plan, panel, error);
+    fw_status status = draw_instants(plan, panel, false, error);
     for (int k = 0; k < plan->path_count; ++k) draw_path(&plan->paths[k], panel);
-    if (lone) status = draw_instants(plan, panel, error);
+    if (status == FW_OK) status = draw_instants(plan, panel, true, error);
     if (plan->view_count > 0) fw_view_draw_surfaces(&plan->views[plan->view_count - 1], panel);
     fw_canvas_unclip(panel->canvas);
     if (plan->view_count == 0) fw_panel_say(panel, "no particles");

@@ -59,6 +59,7 @@ static void describe_axes(fw_stack *stack)
         if (k < plan->view_count) {
             fw_view_bounds bounds = fw_view_bounds_empty();
             fw_view_bounds_include_bodies(&bounds, &plan->views[k]);
+            if (is_fixed(plan->y_range)) bounds.y = plan->y_range;
             panel->y = (fw_axis){.range = fw_range_roomy(bounds.y, .02, false),
                                  .label = plan->y_label ? plan->y_label : "y"};
         } else {

@@ -40,15 +40,20 @@ static void mark_regions(side *s, const fw_scenario_profile *plan)
     s->regions[2] = (fw_figure_region){middle + contact, middle + far, "intermediate", .35};
 }
 
-/* From 0 to a little above the largest value of experiment and control. */
+static double top_of(double mean, double error)
+{
+    return isfinite(mean) ? mean + (isfinite(error) ? error : 0) : 0;
+}
+
+/* From 0 to a little above the largest value of experiment and control, errors included. */
 static fw_range range_of(const fw_outcome *column, int count)
 {
     double most = 0;
     for (int b = 0; b < count; ++b) {
-        if (isfinite(column[b].mean)) most = fmax(most, column[b].mean);
-        if (isfinite(column[b].control)) most = fmax(most, column[b].control);
+        most = fmax(most, top_of(column[b].mean, column[b].error));
+        most = fmax(most, top_of(column[b].control, column[b].control_error));
     }
-    return most > 0 ? (fw_range){-.03 * most, 1.15 * most} : (fw_range){-.03, 1};
+    return most > 0 ? (fw_range){-.03 * most, 1.1 * most} : (fw_range){-.03, 1};
 }
 
 static fw_status fill_curves(side *s, const fw_profile_table *table, bool control, fw_error *error)
@@ -132,18 +137,82 @@ static void lay_across(fw_plot_view *view, char axis)
     view->view.wall_count = 0; /* their shapes lie as they lie */
 }
 
+/* Widens `across` by the particles above the bins; returns how many lie elsewhere. */
+static int include_above(fw_range *across, const fw_view *view, fw_range bins)
+{
+    int elsewhere = 0;
+    for (int b = 0; b < view->body_count; ++b) {
+        const fw_view_body *body = &view->bodies[b];
+        for (int n = 0; n < body->count; ++n) {
+            const double y = body->y[n];
+            if (body->x[n] >= bins.low && body->x[n] <= bins.high)
+                fw_range_include(across, (double[]){y - body->spacing, y + body->spacing}, 2,
+                                 false);
+            else
+                elsewhere += 1;
+        }
+    }
+    return elsewhere;
+}
+
+/* The bins, and one more at either end. */
+static fw_range bins_of(const fw_profile_table *table)
+{
+    const double bin = table->edges[1] - table->edges[0];
+    return (fw_range){table->edges[0] - bin, table->edges[table->bin_count] + bin};
+}
+
+/* The last frame in which most of the bodies are above the bins: where they have been squeezed out,
+ * later ones show nothing. The first where there is none. */
+static fw_status find_frame(const fw_plot_result *result, const fw_profile_table *table,
+                            int64_t *frame, fw_error *error)
+{
+    const int least = 3 * (result->playback->particle_count / 4);
+    for (; *frame > 0; *frame -= 1) {
+        fw_plot_view view;
+        fw_range across = fw_range_empty();
+        int elsewhere = 0;
+        const fw_status status = fw_plot_view_load(&view, result, *frame, NULL, error);
+        if (status == FW_OK) {
+            lay_across(&view, table->axis);
+            elsewhere = include_above(&across, &view.view, bins_of(table));
+        }
+        fw_plot_view_clear(&view);
+        if (status != FW_OK || result->playback->particle_count - elsewhere >= least) return status;
+    }
+    return FW_OK;
+}
+
+/* Experiment and control stand above the bins of the profile: bodies that have left them would
+ * stretch one axis and not the other. Returns whether all particles are there. */
+static bool share_axes(fw_figure_stack_plan plans[2], const side sides[2], int columns,
+                       const fw_profile_table *table)
+{
+    const fw_range bins = bins_of(table);
+    fw_range across = fw_range_empty();
+    int elsewhere = 0;
+    for (int k = 0; k < columns; ++k)
+        elsewhere += include_above(&across, &sides[k].view.view, bins);
+    for (int k = 0; k < columns && !fw_range_is_empty(across); ++k) {
+        plans[k].range = bins;
+        plans[k].y_range = across;
+    }
+    return elsewhere == 0;
+}
+
 static fw_status fill_sides(side sides[2], const fw_plot_result *result,
                             const fw_plot_result *control, const fw_profile_table *table,
                             const fw_plot_picture *picture, fw_error *error)
 {
-    FW_TRY(fw_plot_view_load(&sides[0].view, result, picture->frames[0], picture->asked.field.text,
-                             error));
+    int64_t frame = picture->frames[0];
+    if (picture->asked.instant_count == 0) FW_TRY(find_frame(result, table, &frame, error));
+    FW_TRY(fw_plot_view_load(&sides[0].view, result, frame, picture->asked.field.text, error));
     lay_across(&sides[0].view, table->axis);
     FW_TRY(fill_curves(&sides[0], table, false, error));
     mark_regions(&sides[0], &result->scenario->profile);
     if (!control) return FW_OK;
-    const int64_t frame = fw_plot_nearest_frame(control, result->steps[picture->frames[0]]);
-    FW_TRY(fw_plot_view_load(&sides[1].view, control, frame, picture->asked.field.text, error));
+    const int64_t nearest = fw_plot_nearest_frame(control, result->steps[frame]);
+    FW_TRY(fw_plot_view_load(&sides[1].view, control, nearest, picture->asked.field.text, error));
     lay_across(&sides[1].view, table->axis);
     FW_TRY(fill_curves(&sides[1], table, true, error));
     mark_regions(&sides[1], &result->scenario->profile);
@@ -160,17 +229,20 @@ static fw_status draw_sides(const fw_plot_result *result, const fw_plot_picture 
     fw_colouring colours;
     if (status == FW_OK) status = fw_plot_colours_find(&colours, result, picture, error);
     if (status == FW_OK) {
-        const fw_figure_stack_plan plans[2] = {
+        fw_figure_stack_plan plans[2] = {
             plan_of(&sides[0], table, colours, control ? "experiment" : NULL),
             plan_of(&sides[1], table, colours, "control")};
+        const bool all = share_axes(plans, sides, control ? 2 : 1, table);
         fw_page page = picture->page;
         char caption[2048];
-        snprintf(caption, sizeof caption,
-                 "Above: the particles, coloured by their %s. Below: profiles "
-                 "across %c, means over the samples and %lld seed%s with standard errors as bars. "
-                 "%s",
-                 picture->field_label, table->axis, (long long)result->scenario->study.seeds,
-                 result->scenario->study.seeds == 1 ? "" : "s", page.caption ? page.caption : "");
+        snprintf(
+            caption, sizeof caption,
+            "Above: the particles, coloured by their %s. Below: profiles "
+            "across %c, means over the samples and %lld seed%s with standard errors as bars. %s%s",
+            picture->field_label, table->axis, (long long)result->scenario->study.seeds,
+            result->scenario->study.seeds == 1 ? "" : "s",
+            all ? "" : "Particles that have left the profile are not shown. ",
+            page.caption ? page.caption : "");
         page.caption = caption;
         if (control) page.width = 240;
         status = control ? fw_figure_columns(&page, plans, 2, error)

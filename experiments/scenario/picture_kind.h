@@ -3,7 +3,8 @@
  * and what it needs. The words of the schema, the help and the refusals follow from the rows; the
  * functions that draw them are in the wing of pictures.
  *
- * To add a kind: a row here, and its function in picture_draw.c, which does not compile without. */
+ * To add a kind: a row here, and its function in the table of plot.c, which does not compile
+ * without. */
 #ifndef FW_PICTURE_KIND_H
 #define FW_PICTURE_KIND_H
 
