@@ -14,13 +14,13 @@
 
 /* --- bodies --- */
 
-/* The way of a centre of mass. */
+/* The path of a centre of mass. */
 typedef struct fw_figure_path {
     const double *x, *y;
     int count;
 } fw_figure_path;
 
-/* Bodies at several instants in their walls, graded in colour by time, with the ways of their
+/* Bodies at several instants in their walls, graded in colour by time, with the paths of their
  * centres of mass (Chopard & Marconi Fig 1). Walls are those of the last view. */
 typedef struct fw_figure_motion_plan {
     const fw_view *views; /* in the order of time */

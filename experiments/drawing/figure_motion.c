@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* figure_motion.c - a body on its way: several instants in one panel.
+/* figure_motion.c - a body that moves: several instants in one panel.
  * Keeps no state. Start reading at fw_figure_motion(). */
 #include "colour_bar.h"
 #include "experiments/drawing/figure.h"

@@ -15,7 +15,7 @@ static void clear(fw_table tables[TABLES])
     for (int n = 0; n < TABLES; ++n) free(tables[n].values);
 }
 
-/* Tables of these names, all of rank 1 and one length; FW_BAD_INPUT for a file that is otherwise.
+/* Tables of these names, all of rank 1 and one length; FW_BAD_INPUT for another file.
  */
 static fw_status read_columns(const fw_plot_result *result, const char *analysis,
                               const char *const *names, int count, fw_table *tables,
@@ -89,9 +89,9 @@ static fw_status draw_map(const fw_plot_result *result, const fw_plot_picture *p
 
 enum { CLOSED_POINTS = 241 };
 
-/* The closed form along the whole way, much denser than the waves that were simulated. */
+/* The closed form along the whole path, much denser than the waves that were simulated. */
 typedef struct closed_form {
-    double way[CLOSED_POINTS], frequency[FW_MODES][CLOSED_POINTS], highest;
+    double path[CLOSED_POINTS], frequency[FW_MODES][CLOSED_POINTS], highest;
 } closed_form;
 
 static void find_closed_form(closed_form *c, const fw_scenario_automaton *material)
@@ -105,7 +105,7 @@ static void find_closed_form(closed_form *c, const fw_scenario_automaton *materi
         const fw_vec2 from = corners[leg], along = fw_vec2_subtract(corners[leg + 1], from);
         const double part = (double)(n - leg * PER_LEG) / PER_LEG;
         double squared[FW_MODES];
-        c->way[n] = begin + part * hypot(along.x, along.y);
+        c->path[n] = begin + part * hypot(along.x, along.y);
         fw_automaton_closed_form(material->speeds, fw_vec2_add(from, fw_vec2_scale(part, along)),
                                  squared);
         for (int m = 0; m < FW_MODES; ++m) {
@@ -128,12 +128,12 @@ static fw_status draw_dispersion(const fw_plot_result *result, const fw_plot_pic
     if (status == FW_OK) {
         find_closed_form(&closed, &material->automaton);
         const int count = t[0].extent[0];
-        const double turn = M_PI, back = 2 * M_PI, end = closed.way[CLOSED_POINTS - 1];
+        const double turn = M_PI, back = 2 * M_PI, end = closed.path[CLOSED_POINTS - 1];
         const fw_axis_name places[] = {{0, "Γ"}, {turn, "X"}, {back, "M"}, {end, "Γ"}};
         const fw_curve curves[] = {
-            {"fast, closed form", CLOSED_POINTS, closed.way, closed.frequency[FW_FAST], NULL,
+            {"fast, closed form", CLOSED_POINTS, closed.path, closed.frequency[FW_FAST], NULL,
              FW_CURVE_LINE, 1},
-            {"slow, closed form", CLOSED_POINTS, closed.way, closed.frequency[FW_SLOW], NULL,
+            {"slow, closed form", CLOSED_POINTS, closed.path, closed.frequency[FW_SLOW], NULL,
              FW_CURVE_DASHES, 2},
             {"fast, simulated", count, t[0].values, t[2].values, NULL, FW_CURVE_MARKERS, 1},
             {"slow, simulated", count, t[0].values, t[1].values, NULL, FW_CURVE_MARKERS, 2}};

@@ -58,7 +58,7 @@ static void clear_frames(frames *f)
     free(f->views);
 }
 
-/* --- the way of the centre of mass --- */
+/* --- the path of the centre of mass --- */
 
 static double centre(const double *place, const double *mass, int count)
 {
@@ -70,7 +70,7 @@ static double centre(const double *place, const double *mass, int count)
     return sum / weight;
 }
 
-/* A centre that stays where it is has no way to be shown. */
+/* A centre that stays where it is has no path to be shown. */
 static void keep_moving(fw_plot_paths *paths, const fw_plot_result *result, int points)
 {
     for (int b = 0; b < result->playback->body_count; ++b) {

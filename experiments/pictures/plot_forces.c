@@ -99,22 +99,22 @@ static void add_external_forces(forces *f, int body)
 }
 
 /* Places at rest; of a body that has travelled by more than a spacing, moved along with it, or the
- * picture would show the way and not the deformation. Returns whether they were. */
+ * picture would show the shift and not the deformation. Returns whether they were. */
 static bool place_originals(forces *f, const fw_plot_view *view, int body, double *x, double *y)
 {
     const fw_plot_result *result = f->result;
     const fw_view_body *shown = &view->bodies[body];
     int first = result->playback->bodies[body].first;
-    fw_vec2 way = {0, 0};
+    fw_vec2 shift = {0, 0};
     for (int n = 0; n < shown->count; ++n) {
-        way.x += (shown->x[n] - result->rest_x[first + n]) / shown->count;
-        way.y += (shown->y[n] - result->rest_y[first + n]) / shown->count;
+        shift.x += (shown->x[n] - result->rest_x[first + n]) / shown->count;
+        shift.y += (shown->y[n] - result->rest_y[first + n]) / shown->count;
     }
-    bool travelled = hypot(way.x, way.y) > shown->spacing;
-    if (!travelled) way = (fw_vec2){0, 0};
+    bool travelled = hypot(shift.x, shift.y) > shown->spacing;
+    if (!travelled) shift = (fw_vec2){0, 0};
     for (int n = 0; n < shown->count; ++n) {
-        x[n] = result->rest_x[first + n] + way.x;
-        y[n] = result->rest_y[first + n] + way.y;
+        x[n] = result->rest_x[first + n] + shift.x;
+        y[n] = result->rest_y[first + n] + shift.y;
     }
     return travelled;
 }

@@ -66,7 +66,7 @@ typedef struct fw_plot_picture {
 
 /* --- what is found before anything is drawn --- */
 
-/* The ways of the centres of mass from the first frame shown to the last one (up to it, where it is
+/* The paths of the centres of mass from the first frame shown to the last one (up to it, where it is
  * the only one), of the bodies whose centre moves. */
 typedef struct fw_plot_paths {
     int count;

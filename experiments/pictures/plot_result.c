@@ -145,7 +145,7 @@ static fw_status read_piston(fw_plot_result *result, int wall, fw_error *error)
         return fw_fail(error, FW_BAD_INPUT, "%s: the results do not say where the piston %s was",
                        result->directory, wall_name);
     result->piston_paths[wall] = fw_array_of_doubles(2 * (size_t)playback->sample_count);
-    if (!result->piston_paths[wall]) return fw_fail_memory(error, "the way of a piston");
+    if (!result->piston_paths[wall]) return fw_fail_memory(error, "the path of a piston");
     return fw_playback_read_observable(playback, observable, result->piston_paths[wall], error);
 }
 
@@ -156,7 +156,7 @@ static fw_status read_pistons(fw_plot_result *result, fw_error *error)
     result->piston_paths = calloc((size_t)scenario->wall_count + 1, sizeof *result->piston_paths);
     result->sample_steps = fw_array_allocate(samples + 1, sizeof *result->sample_steps);
     if (!result->piston_paths || !result->sample_steps)
-        return fw_fail_memory(error, "the ways of pistons");
+        return fw_fail_memory(error, "the paths of pistons");
     FW_TRY(fw_playback_read_sample_times(result->playback, result->sample_steps, NULL, error));
     for (int w = 0; w < scenario->wall_count; ++w)
         if (scenario->walls[w].is_piston) FW_TRY(read_piston(result, w, error));

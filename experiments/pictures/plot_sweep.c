@@ -29,8 +29,8 @@ typedef struct sweep_result {
 /* Numbers of one panel in the order of the parameter. */
 typedef struct panel_data {
     char label[FW_SWEEP_NAME + 80];
-    const char *part;            /* what of the quantity; "": there is only one thing */
-    const fw_quantity *quantity; /* of it; NULL: not known */
+    const char *part;                         /* what of the quantity; "": there is only one part */
+    const fw_quantity *quantity;              /* of it; NULL: not known */
     double *mean, *error, *expected, *within; /* one piece of memory */
     fw_curve curves[2];
 } panel_data;
