@@ -34,6 +34,11 @@ double fw_colour_bar_head(const fw_colour_bar *bar)
     return excess + fw_axis_note_height(&bar->axis);
 }
 
+double fw_colour_bar_foot(const fw_colour_bar *bar)
+{
+    return bar->scale.exceeds_low ? 2.6 : 0;
+}
+
 /* Arrow heads at the ends say that some values lie beyond. */
 static void draw_excess(const fw_colour_bar *bar, fw_canvas *canvas, fw_rect box)
 {

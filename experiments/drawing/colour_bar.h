@@ -17,6 +17,8 @@ fw_colour_bar fw_colour_bar_for(fw_colour_scale scale, double height);
 double fw_colour_bar_width(const fw_colour_bar *bar);
 /* Room that its note and the sign for values beyond the end take above it. */
 double fw_colour_bar_head(const fw_colour_bar *bar);
+/* Room below it that the sign for values beyond the low end takes. */
+double fw_colour_bar_foot(const fw_colour_bar *bar);
 /* `left`: right edge of the panels. */
 void fw_colour_bar_draw(const fw_colour_bar *bar, fw_canvas *canvas, double left, double top,
                         double height);

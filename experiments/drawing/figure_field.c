@@ -156,7 +156,8 @@ fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan,
     FW_TRY(fw_view_key_for(&layout.key, plan->views, plan->view_count, plan->colouring, error));
     lay_out_strip(page, plan, &layout);
     fw_rect last = strip_box(&layout, plan->view_count - 1);
-    FW_TRY(fw_page_open(page, last.top + last.height + .5, &canvas, error));
+    const double foot = layout.key.by_field ? fw_colour_bar_foot(&layout.bar) : 0;
+    FW_TRY(fw_page_open(page, last.top + last.height + .5 + foot, &canvas, error));
     fw_status status = FW_OK;
     for (int k = 0; k < plan->view_count && status == FW_OK; ++k) {
         fw_panel panel = {.canvas = canvas,
