@@ -164,9 +164,9 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     return fw_scenario_read_pictures(scenario, error);
 }
 
-/* Takes the document over, whatever happens. */
-static fw_status create(fw_scenario **scenario, fw_document *document, const char *const *settings,
-                        int setting_count, fw_error *error)
+/* Takes the document over, whatever happens. The control of its study is not looked at. */
+static fw_status make(fw_scenario **scenario, fw_document *document, const char *const *settings,
+                      int setting_count, fw_error *error)
 {
     *scenario = calloc(1, sizeof **scenario);
     if (!*scenario) {
@@ -175,6 +175,32 @@ static fw_status create(fw_scenario **scenario, fw_document *document, const cha
     }
     (*scenario)->document = document;
     fw_status status = build(*scenario, settings, setting_count, error);
+    if (status == FW_OK) return FW_OK;
+    fw_scenario_destroy(*scenario);
+    *scenario = NULL;
+    return status;
+}
+
+/* The control must be a scenario as well: better told now than after the runs of the experiment. */
+static fw_status check_control(const fw_scenario *scenario, fw_error *error)
+{
+    const fw_scenario_study *study = &scenario->study;
+    fw_document *document;
+    fw_scenario *control;
+    if (study->control_count == 0) return FW_OK;
+    FW_TRY(fw_document_clone(&document, scenario->document, error));
+    const fw_status status = make(&control, document, study->control, study->control_count, error);
+    fw_scenario_destroy(control);
+    if (status != FW_BAD_INPUT) return status;
+    const fw_error inner = *error;
+    return fw_scenario_fail(scenario, study->control_place, error, "control: %s", inner.sentence);
+}
+
+static fw_status create(fw_scenario **scenario, fw_document *document, const char *const *settings,
+                        int setting_count, fw_error *error)
+{
+    FW_TRY(make(scenario, document, settings, setting_count, error));
+    const fw_status status = check_control(*scenario, error);
     if (status == FW_OK) return FW_OK;
     fw_scenario_destroy(*scenario);
     *scenario = NULL;

@@ -4,6 +4,7 @@
 #include "core/lattice.h"
 #include "scenario_parts.h"
 
+#include <math.h>
 #include <string.h>
 
 static const fw_key elastic_automaton_keys[] = {
@@ -108,12 +109,58 @@ static fw_status check_period(const fw_scenario *scenario, const fw_scenario_bod
                             body->name, columns, rows);
 }
 
+/* The smallest eigenvalue of a bond's matrix: below 0 a body with broken bonds can be unstable. */
+static fw_status find_least(fw_automaton_speeds speeds, double angle, double *least,
+                            fw_error *error)
+{
+    fw_automaton_matrices matrices;
+    FW_TRY(fw_automaton_matrices_make(&matrices, speeds, angle, error));
+    *least = fw_automaton_matrices_least(&matrices);
+    return FW_OK;
+}
+
+/* Bonds may break up to some c2 only, which Poisson's ratio follows from. */
+static fw_status check_fracture(const fw_scenario *scenario, const fw_scenario_body *body,
+                                fw_error *error)
+{
+    enum { HALVINGS = 60 };
+    static const double positive = 1e-9;
+    const fw_scenario_material *material = &scenario->materials[body->material];
+    const fw_automaton_speeds speeds = material->automaton.speeds;
+    double least, low = 0, high = speeds.coupling;
+    int count;
+    FW_TRY(find_least(speeds, body->lattice.angle, &least, error));
+    if (least > positive) return FW_OK;
+    for (int n = 0; n < HALVINGS; ++n) {
+        const double middle = (low + high) / 2;
+        FW_TRY(find_least((fw_automaton_speeds){speeds.transverse, middle}, body->lattice.angle,
+                          &least, error));
+        *(least > positive ? &low : &high) = middle;
+    }
+    const fw_node *node =
+        fw_node_find(fw_node_find(fw_scenario_part(scenario, "materials", &count), material->name),
+                     "elastic-automaton");
+    const fw_node *ratio = fw_node_find(node, "poisson-ratio"), *c2 = fw_node_find(node, "c2");
+    const double mu = speeds.transverse * speeds.transverse,
+                 nu = (low * low - mu) / (low * low + mu);
+    if (ratio)
+        return fw_scenario_fail(scenario, ratio->place, error,
+                                "poisson-ratio is %s, expected -1 to %.4g where bonds break, so "
+                                "that what is left of a body is stable",
+                                ratio->text, floor(nu * 1e4) / 1e4);
+    return fw_scenario_fail(scenario, c2 ? c2->place : material->place, error,
+                            "c2 is %g, expected 0 to %.4g where bonds break and c1 is %g, so that "
+                            "what is left of a body is stable",
+                            speeds.coupling, floor(low * 1e4) / 1e4, speeds.transverse);
+}
+
 fw_status fw_scenario_check_automaton(const fw_scenario *scenario, const fw_scenario_body *body,
                                       fw_error *error)
 {
-    return scenario->materials[body->material].automaton.boundary == FW_EDGES_PERIODIC
-               ? check_period(scenario, body, error)
-               : FW_OK;
+    const fw_scenario_automaton *material = &scenario->materials[body->material].automaton;
+    if (material->boundary == FW_EDGES_BOND && material->break_at > 0)
+        FW_TRY(check_fracture(scenario, body, error));
+    return material->boundary == FW_EDGES_PERIODIC ? check_period(scenario, body, error) : FW_OK;
 }
 
 /* Half-steps are a clock of their own: the scene's ticks would be whole steps for one body and half

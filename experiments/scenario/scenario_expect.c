@@ -124,7 +124,18 @@ static fw_status check_steps(const fw_scenario *scenario, const fw_node *node,
                                 "the expectation of '%s' ends at step %lld, expected %lld to %lld",
                                 quantity, (long long)e->until, (long long)e->from,
                                 (long long)run->steps);
-    return FW_OK;
+    const fw_node *last = until;
+    if (!last) last = fw_node_find(node, "phase");
+    if (!last) last = fw_node_find(node, "from");
+    if (!last) last = fw_node_find(node, "statistic");
+    const int needed = e->statistic == FW_STATISTIC_RATE ? 2 : 1;
+    const int64_t samples = fw_scenario_count_samples(scenario, e->from, e->until);
+    if (samples >= needed) return FW_OK;
+    return fw_scenario_fail(scenario, last->place, error,
+                            "the expectation of '%s' looks at the steps %lld to %lld, of which "
+                            "%lld are measured (run.measure-every is %lld), expected at least %s",
+                            quantity, (long long)e->from, (long long)e->until, (long long)samples,
+                            (long long)run->measure_every, needed == 2 ? "2 for a rate" : "1");
 }
 
 /* How it changes over a sweep, in place of a value. */

@@ -57,6 +57,12 @@ static fw_status read_force(fw_scenario *scenario, const fw_node *node, fw_scena
         force->kind = kinds[n].kind;
         force->vector = (fw_vec2){fw_node_number(vector->first), fw_node_number(vector->last)};
     }
+    const fw_node *from = fw_node_find(node, "from");
+    if (from && force->from >= scenario->run.steps)
+        return fw_scenario_fail(scenario, from->place, error,
+                                "forces.%s.from is %lld, expected less than the %lld steps of the "
+                                "run: it would never act",
+                                node->key, (long long)force->from, (long long)scenario->run.steps);
     if (force->until <= force->from)
         return fw_scenario_fail(scenario, fw_node_find(node, "until")->place, error,
                                 "forces.%s.until is %lld, expected more than 'from', which is %lld",

@@ -89,6 +89,13 @@ static fw_status check_span(const fw_scenario *scenario, const fw_node *node,
                                 "pictures.%s ends at step %lld, expected %lld to %lld", node->key,
                                 (long long)picture->until, (long long)picture->from + 1,
                                 (long long)scenario->run.steps);
+    const int64_t end = until ? picture->until : scenario->run.steps;
+    if ((from || until) && fw_scenario_count_samples(scenario, picture->from, end) < 1)
+        return fw_scenario_fail(scenario, (until ? until : from)->place, error,
+                                "pictures.%s shows the steps %lld to %lld, in which nothing is "
+                                "measured: run.measure-every is %lld",
+                                node->key, (long long)picture->from, (long long)end,
+                                (long long)scenario->run.measure_every);
     return FW_OK;
 }
 

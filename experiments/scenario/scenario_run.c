@@ -118,3 +118,14 @@ fw_status fw_scenario_complete_run(fw_scenario *scenario, fw_error *error)
                                 (long long)run->reverse_at, (long long)run->steps);
     return FW_OK;
 }
+
+int64_t fw_scenario_count_samples(const fw_scenario *scenario, int64_t from, int64_t until)
+{
+    const fw_scenario_run *run = &scenario->run;
+    if (until > run->steps) until = run->steps;
+    if (from > until) return 0;
+    const int64_t before = from > 0 ? (from - 1) / run->measure_every + 1 : 0;
+    const int64_t upto = until / run->measure_every + 1;
+    const bool end = until == run->steps && run->steps % run->measure_every != 0;
+    return upto - before + end;
+}

@@ -115,6 +115,20 @@ static bool selects_any(const fw_selection *s, const fw_scenario_body *body)
     return false;
 }
 
+/* As many columns or rows as the body has, at most. */
+static fw_status check_layers(const fw_scenario *scenario, const char *side, const fw_node *layers,
+                              const fw_scenario_body *body, fw_error *error)
+{
+    const fw_scenario_shape *shape = &body->shape;
+    const bool across = strcmp(side, "left") == 0 || strcmp(side, "right") == 0;
+    const int most = across ? shape->last_column - shape->first_column + 1
+                            : shape->last_row - shape->first_row + 1;
+    if (!layers || fw_node_integer(layers) <= most) return FW_OK;
+    return fw_scenario_fail(
+        scenario, layers->place, error, "layers is %lld, expected at most the %d %s of body '%s'",
+        (long long)fw_node_integer(layers), most, across ? "columns" : "rows", body->name);
+}
+
 fw_status fw_scenario_read_selection(const fw_scenario *scenario, const fw_node *owner,
                                      const fw_scenario_body *body, fw_selection *selection,
                                      fw_error *error)
@@ -132,6 +146,7 @@ fw_status fw_scenario_read_selection(const fw_scenario *scenario, const fw_node 
         select_side(selection, node->text, 1);
     } else {
         const fw_node *side = fw_node_find(node, "side"), *layers = fw_node_find(node, "layers");
+        if (side) FW_TRY(check_layers(scenario, side->text, layers, body, error));
         if (side) select_side(selection, side->text, layers ? (int)fw_node_integer(layers) : 1);
         const fw_node *rows = fw_node_find(node, "rows"), *columns = fw_node_find(node, "columns");
         if (rows)

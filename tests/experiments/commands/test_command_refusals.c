@@ -101,6 +101,7 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set 'forces.push={body: shet, force: [1,0]}'", 2, "--set forces.push={body: shet, force: [1,0]}: there is no body 'shet'; did you mean 'sheet'?"},
     {"run bounce.yaml --set 'forces.push={body: sheet, sites: [[6,6]], force: [1,0]}'", 2, "--set forces.push={body: sheet, sites: [[6,6]], force: [1,0]}: site [6, 6] is not one of body 'sheet', whose sites lie in columns 0 to 5 and rows 0 to 5"},
     {"run bounce.yaml --set record.fields=[sped]", 2, "--set record.fields=[sped]: no body has a field sped; did you mean speed?"},
+    {"run friction --set study.control=[run.stepz=3]", 2, "--set study.control=[run.stepz=3]: control: --set run.stepz=3: unknown key 'stepz' in run; did you mean 'steps'?"},
     {"run bounce.yaml --set record.fields=[colour]", 2, "--set record.fields=[colour]: no body has a field colour, expected one of those that `fretwork quantities` lists"},
     {"run bounce.yaml --set measure=[enrgy]", 2, "--set measure=[enrgy]: quantity enrgy is not known; did you mean energy?"},
     {"run bounce.yaml --set expect.0.quantity=colour", 2, "--set expect.0.quantity=colour: quantity colour is not known, expected one of `fretwork quantities`"},
@@ -182,6 +183,17 @@ static bool is_wanted(const char *found, const char *wanted)
     return line_end && line_end[1] == '\0' && (wanted[length] == '*' || line_end == found + length);
 }
 
+/* The same line with another command; false where it has options that `check` does not know, or
+ * where the sentence names the command. */
+static bool as_check(const char *line, const char *sentence, char *check, size_t size)
+{
+    if (strncmp(line, "run ", 4) != 0 || strstr(sentence, "fretwork run")) return false;
+    for (const char *at = strstr(line, " -"); at; at = strstr(at + 1, " -"))
+        if (strncmp(at, " --set ", 7) != 0) return false;
+    snprintf(check, size, "check %s", line + 4);
+    return true;
+}
+
 static void every_bad_input_gets_its_sentence_and_leaves_nothing(void **state)
 {
     static char before[65536], after[65536];
@@ -202,7 +214,7 @@ static void every_bad_input_gets_its_sentence_and_leaves_nothing(void **state)
     expect_end(&seen, 3, "of body speck is at (");
     for (size_t n = 0; n < sizeof mess / sizeof *mess; ++n) shell(folder, mess[n]);
     take_stock(folder, before, sizeof before);
-    int wrong = 0;
+    int wrong = 0, checked = 0;
     for (size_t n = 0; n < sizeof refusals / sizeof *refusals; ++n) {
         const refusal *r = &refusals[n];
         seen = run_program(folder, r->line);
@@ -211,10 +223,21 @@ static void every_bad_input_gets_its_sentence_and_leaves_nothing(void **state)
             print_error("fretwork %s\n  exit %d: %s  expected exit %d: %s\n", r->line, seen.code,
                         seen.err, r->code, r->sentence);
         wrong += !same;
+        char check[2048];
+        if (r->code == 2 && as_check(r->line, r->sentence, check, sizeof check)) {
+            const outcome other = run_program(folder, check);
+            if (other.code != 2 || strcmp(other.err, seen.err) != 0) {
+                print_error("fretwork %s\n  exit %d: %s  expected what `run` says: %s\n", check,
+                            other.code, other.err, seen.err);
+                wrong += 1;
+            }
+            checked += 1;
+        }
         take_stock(folder, after, sizeof after);
         if (strcmp(before, after) != 0) fail_msg("fretwork %s has left something", r->line);
     }
     assert_int_equal(wrong, 0);
+    assert_true(checked > 10);
     remove_folder(folder);
 }
 

@@ -32,6 +32,35 @@ static const char right[] =
 static const struct {
     const char *written, *instead, *sentence; /* after "scenario.yaml:" */
 } mistakes[] = {
+    {"sites: right, total", "sites: {side: right, layers: 21}, total",
+     "14:52: layers is 21, expected at most the 20 columns of body 'sheet'"},
+    {"sites: right, total", "sites: {side: top, layers: 11}, total",
+     "14:50: layers is 11, expected at most the 10 rows of body 'sheet'"},
+    {"from: 10, until: 20", "from: 4000, until: 5000",
+     "14:60: forces.pull.from is 4000, expected less than the 4000 steps of the run: it would "
+     "never "
+     "act"},
+    {"record-every: 20}\nexpect:\n  - {quantity: energy-drift, below",
+     "measure-every: 30}\nexpect:\n  - {quantity: energy-drift, from: 31, until: 59, below",
+     "17:47: the expectation of 'energy-drift' looks at the steps 31 to 59, of which 0 are "
+     "measured "
+     "(run.measure-every is 30), expected at least 1"},
+    {"record-every: 20}\nexpect:\n  - {quantity: energy-drift, below",
+     "measure-every: 30}\nphases: {a: {until: 31}, mid: {until: 59}, z: {until: 4000}}\nexpect:\n"
+     "  - {quantity: energy-drift, phase: mid, below",
+     "18:37: the expectation of 'energy-drift' looks at the steps 31 to 59, of which 0 are "
+     "measured "
+     "(run.measure-every is 30), expected at least 1"},
+    {"quantity: energy-drift, below",
+     "quantity: energy-drift, from: 60, until: 60, statistic: rate, below",
+     "17:47: the expectation of 'energy-drift' looks at the steps 60 to 60, of which 1 are "
+     "measured "
+     "(run.measure-every is 1), expected at least 2 for a rate"},
+    {"record-every: 20}\nexpect:\n  - {quantity: energy-drift, below: 1e-11}\npictures:\n"
+     "  fig1: {kind: motion, instants: [0, 2000]}",
+     "measure-every: 30}\npictures:\n  fig1: {kind: series, from: 31, until: 59}",
+     "17:41: pictures.fig1 shows the steps 31 to 59, in which nothing is measured: "
+     "run.measure-every is 30"},
     {"damping: 0}", "dampng: 1}",
      "3:46: unknown key 'dampng' in materials.rubber.lattice-boltzmann; did you mean 'damping'?"},
     {"damping: 0}", "viscosity: 1}",

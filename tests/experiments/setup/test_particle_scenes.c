@@ -334,6 +334,12 @@ static const struct {
      "t.yaml:3:25: dynamics.temperature is '-1', expected a number of at least 0"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\ndynamics: {damping: -1}\n" DISC("") TAIL,
      "t.yaml:3:21: dynamics.damping is '-1', expected a number of at least 0"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 3, "
+     "box: [0, 0, 9, 9]}}, spacing: 2}}\n" TAIL,
+     "t.yaml:3:75: bodies.b has 'spacing', but is placed at random and has no lattice"},
+    {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, lattice: square, shape: "
+     "{placed: {count: 3, box: [0, 0, 9, 9]}}}}\n" TAIL,
+     "t.yaml:3:27: bodies.b has 'lattice', but is placed at random and has no lattice"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\n" DISC(", spacing: 0.6") TAIL,
      "t.yaml:3:10: body b: particle 0 of body 'b' and particle 1 of body 'b' overlap: at distance "
      "0.6 their energy is 416.5, expected at most 100"},
