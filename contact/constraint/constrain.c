@@ -11,6 +11,18 @@ static fw_vec2 relative_position(const constrain_problem *p, const fw_barrier *b
     return fw_vec2_subtract(p->position, barrier->place);
 }
 
+/* How far the wall is from its definition, for tolerances. */
+static double away(const fw_barrier *barrier)
+{
+    return fmax(fabs(barrier->place.x), fabs(barrier->place.y));
+}
+
+static bool is_passed(const constrain_problem *p, const fw_barrier *barrier)
+{
+    return fw_facet_is_passed(barrier->facet, relative_position(p, barrier),
+                              fw_vec2_subtract(p->w, barrier->motion), away(barrier));
+}
+
 /* Normal of a round facet at the middle of the step. */
 static fw_vec2 midpoint_normal(const constrain_problem *p, const fw_barrier *barrier)
 {
@@ -198,12 +210,13 @@ static bool keeps_rows(const constrain_problem *p)
     for (int k = 0; k < p->count; ++k) {
         const constrain_row *r = &p->rows[k];
         const fw_facet *facet = r->barrier->facet;
+        const double tolerance = fw_facet_tolerance(facet, away(r->barrier));
         if (r->lame) continue;
         if (facet->kind == FW_ROUND) {
             fw_vec2 end = fw_vec2_add(relative_position(p, r->barrier),
                                       fw_vec2_subtract(p->w, r->barrier->motion));
-            if (fw_facet_gap(facet, end) < -fw_facet_tolerance(facet)) return false;
-        } else if (!(fw_vec2_dot(r->normal, p->w) >= r->bound - fw_facet_tolerance(facet))) {
+            if (fw_facet_gap(facet, end) < -tolerance) return false;
+        } else if (!(fw_vec2_dot(r->normal, p->w) >= r->bound - tolerance)) {
             return false;
         }
     }
@@ -295,9 +308,7 @@ static const fw_barrier *find_passed(const constrain_problem *p, const fw_barrie
         const fw_barrier *barrier = &barriers[n];
         bool known = barrier->surface.law == FW_PENALTY;
         for (int k = 0; k < p->count; ++k) known |= p->rows[k].barrier->number == barrier->number;
-        if (!known && fw_facet_is_passed(barrier->facet, relative_position(p, barrier),
-                                         fw_vec2_subtract(p->w, barrier->motion)))
-            return barrier;
+        if (!known && is_passed(p, barrier)) return barrier;
     }
     return NULL;
 }
@@ -397,9 +408,7 @@ static fw_contact_solution rub_once_more(constrain_problem *p, const fw_barrier 
     constrain_update_row(p, r);
     tension[0] = constrain_rub(p, r, all, memory);
     p->count = 1;
-    const bool turned = fw_facet_is_passed(barrier->facet, relative_position(p, barrier),
-                                           fw_vec2_subtract(p->w, barrier->motion)) ||
-                        find_passed(p, near, near_count);
+    const bool turned = is_passed(p, barrier) || find_passed(p, near, near_count);
     if (!turned) return report(p, tension);
     *memory = (fw_contact_memory){0};
     return (fw_contact_solution){0};

@@ -24,7 +24,7 @@ static double magnitude(fw_vec2 point)
     return larger(fabs(point.x), fabs(point.y));
 }
 
-fw_facet fw_facet_straight(int wall, fw_vec2 a, fw_vec2 b, double excursion)
+fw_facet fw_facet_straight(int wall, fw_vec2 a, fw_vec2 b, double swing)
 {
     fw_vec2 along = fw_vec2_subtract(b, a);
     /* hypot is exact where one component is zero: the normal is then exactly one of the axes. */
@@ -35,10 +35,10 @@ fw_facet fw_facet_straight(int wall, fw_vec2 a, fw_vec2 b, double excursion)
                       .b = b,
                       .normal = {-along.y / length, along.x / length},
                       .length = length,
-                      .reach = larger(magnitude(a), magnitude(b)) + excursion};
+                      .reach = larger(magnitude(a), magnitude(b)) + swing};
 }
 
-fw_facet fw_facet_round(int wall, fw_vec2 centre, double radius, fw_side side, double excursion)
+fw_facet fw_facet_round(int wall, fw_vec2 centre, double radius, fw_side side, double swing)
 {
     return (fw_facet){.kind = FW_ROUND,
                       .wall = wall,
@@ -46,7 +46,7 @@ fw_facet fw_facet_round(int wall, fw_vec2 centre, double radius, fw_side side, d
                       .b = centre,
                       .length = radius,
                       .side = side,
-                      .reach = magnitude(centre) + radius + excursion};
+                      .reach = magnitude(centre) + radius + swing};
 }
 
 double fw_facet_gap(const fw_facet *facet, fw_vec2 point)
@@ -57,9 +57,9 @@ double fw_facet_gap(const fw_facet *facet, fw_vec2 point)
     return facet->side == FW_INSIDE ? facet->length - distance : distance - facet->length;
 }
 
-double fw_facet_tolerance(const fw_facet *facet)
+double fw_facet_tolerance(const fw_facet *facet, double away)
 {
-    return tolerance_share * facet->reach;
+    return tolerance_share * (facet->reach + away);
 }
 
 static double clamped_to_unit(double share)
@@ -99,11 +99,11 @@ static bool cuts_through(const fw_facet *facet, fw_vec2 start, fw_vec2 end, doub
     return depth > 0 && moment * moment < depth * depth * step_squared;
 }
 
-bool fw_facet_is_passed(const fw_facet *facet, fw_vec2 point, fw_vec2 displacement)
+bool fw_facet_is_passed(const fw_facet *facet, fw_vec2 point, fw_vec2 displacement, double away)
 {
     fw_vec2 end = fw_vec2_add(point, displacement);
     double gap = fw_facet_gap(facet, point), gap_after = fw_facet_gap(facet, end);
-    double tolerance = larger(fw_facet_tolerance(facet),
+    double tolerance = larger(fw_facet_tolerance(facet, away),
                               tolerance_share * larger(magnitude(point), magnitude(end)));
     if (gap < -tolerance) return false;
     bool enters = gap_after < 0 && gap_after < gap;
@@ -120,10 +120,10 @@ fw_box fw_facet_bounds(const fw_facet *facet)
                     {larger(a.x, b.x) + radius, larger(a.y, b.y) + radius}};
 }
 
-bool fw_facet_meets_box(const fw_facet *facet, fw_box box)
+bool fw_facet_meets_box(const fw_facet *facet, fw_box box, double away)
 {
     const fw_vec2 low = box.low, high = box.high;
-    const double room = larger(fw_facet_tolerance(facet),
+    const double room = larger(fw_facet_tolerance(facet, away),
                                tolerance_share * larger(magnitude(low), magnitude(high)));
     const fw_box bounds = fw_facet_bounds(facet);
     if (low.x > bounds.high.x + room || high.x < bounds.low.x - room) return false;

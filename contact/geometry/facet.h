@@ -33,31 +33,33 @@ typedef struct fw_facet {
     fw_vec2 normal; /* straight: unit vector to the free side, (b - a) turned to the left */
     double length;  /* straight: |b - a|; round: radius */
     fw_side side;   /* round: where particles are free */
-    double reach;   /* largest coordinate it comes to, sizes rounding errors */
+    double reach;   /* largest coordinate it comes to, swings included; sizes rounding errors */
 } fw_facet;
 
-/* `excursion`: how far the wall gets away from the place of its definition, as far as known. */
-fw_facet fw_facet_straight(int wall, fw_vec2 a, fw_vec2 b, double excursion);
-fw_facet fw_facet_round(int wall, fw_vec2 centre, double radius, fw_side side, double excursion);
+/* `swing`: how far an oscillation carries the wall from the place of its definition. */
+fw_facet fw_facet_straight(int wall, fw_vec2 a, fw_vec2 b, double swing);
+fw_facet fw_facet_round(int wall, fw_vec2 centre, double radius, fw_side side, double swing);
 
 /* Signed distance of a point from the facet's line or circle, positive on the free side. For
  * axis-parallel facets a single exact subtraction. */
 double fw_facet_gap(const fw_facet *facet, fw_vec2 point);
 
 /* Does a particle at `point` that moves by `displacement` pass from the free side to the other
- * through this facet? It ends where the sum, rounded as a solid rounds it, lies: after a step that
- * passes nothing the gap is >= 0 to the last bit. A point behind by no more than the tolerance
- * counts as on the facet, and ends belong to it, so that nothing slips between two facets that
- * meet. From a circle's outside a path that cuts through and comes out again passes, too. */
-bool fw_facet_is_passed(const fw_facet *facet, fw_vec2 point, fw_vec2 displacement);
+ * through this facet, whose wall is `away` from its definition? It ends where the sum, rounded as a
+ * solid rounds it, lies: after a step that passes nothing the gap is >= 0 to the last bit. A point
+ * behind by no more than the tolerance counts as on the facet, and ends belong to it, so that
+ * nothing slips between two facets that meet. From a circle's outside a path that cuts through and
+ * comes out again passes, too. */
+bool fw_facet_is_passed(const fw_facet *facet, fw_vec2 point, fw_vec2 displacement, double away);
 
 /* 2^-40 of the largest coordinate: some thousand rounding errors. So much a particle that is held
  * on an oblique or moving facet may drift in the course of a run; a true particle is never so
- * near to a facet by chance. */
-double fw_facet_tolerance(const fw_facet *facet);
+ * near to a facet by chance. `away` is how far the wall is from its definition now, the larger
+ * component: where its path will ever lead does not matter. */
+double fw_facet_tolerance(const fw_facet *facet, double away);
 
-/* False only if no path inside the box can pass the facet. */
-bool fw_facet_meets_box(const fw_facet *facet, fw_box box);
+/* False only if no path inside the box can pass the facet while its wall is no further `away`. */
+bool fw_facet_meets_box(const fw_facet *facet, fw_box box, double away);
 
 fw_box fw_facet_bounds(const fw_facet *facet);
 

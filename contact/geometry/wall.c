@@ -15,7 +15,7 @@ struct fw_wall {
     char *name;
     fw_vec2 *points;
     bool moves;
-    double excursion; /* largest displacement from the definition; 0 if the path has no end */
+    double swing; /* of the oscillation */
     int facet_count;
     fw_facet *facets;
 };
@@ -31,14 +31,6 @@ fw_wall_def fw_wall_def_default(void)
                          .path = {.until = INFINITY}};
 }
 
-static double excursion_of(const fw_path *path)
-{
-    double oscillation = hypot(path->amplitude.x, path->amplitude.y);
-    double speed = hypot(path->velocity.x, path->velocity.y);
-    bool endless = speed > 0 && isinf(path->until);
-    return oscillation + (speed > 0 && !endless ? speed * (path->until - path->from) : 0);
-}
-
 /* Facets along the corners; counter-clockwise they are free inside. */
 static void build_loop(fw_wall *wall, int index, const fw_vec2 *corners, int count,
                        bool counter_clockwise)
@@ -46,8 +38,8 @@ static void build_loop(fw_wall *wall, int index, const fw_vec2 *corners, int cou
     const bool forward = counter_clockwise == (wall->def.side == FW_INSIDE);
     for (int i = 0; i < count; ++i) {
         fw_vec2 p = corners[i], q = corners[(i + 1) % count];
-        wall->facets[i] = forward ? fw_facet_straight(index, p, q, wall->excursion)
-                                  : fw_facet_straight(index, q, p, wall->excursion);
+        wall->facets[i] = forward ? fw_facet_straight(index, p, q, wall->swing)
+                                  : fw_facet_straight(index, q, p, wall->swing);
     }
 }
 
@@ -93,10 +85,10 @@ static void build_facets(fw_wall *wall, int index)
     case FW_CHAIN:
         for (int i = 0; i < wall->facet_count; ++i)
             wall->facets[i] =
-                fw_facet_straight(index, p[i], p[(i + 1) % def->point_count], wall->excursion);
+                fw_facet_straight(index, p[i], p[(i + 1) % def->point_count], wall->swing);
         break;
     case FW_CIRCLE:
-        wall->facets[0] = fw_facet_round(index, p[0], def->radius, def->side, wall->excursion);
+        wall->facets[0] = fw_facet_round(index, p[0], def->radius, def->side, wall->swing);
         break;
     }
 }
@@ -123,7 +115,7 @@ fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_e
     const fw_path *path = &def->path;
     made->moves = ((path->velocity.x != 0 || path->velocity.y != 0) && path->until > path->from) ||
                   path->amplitude.x != 0 || path->amplitude.y != 0;
-    made->excursion = excursion_of(path);
+    made->swing = hypot(path->amplitude.x, path->amplitude.y);
     build_facets(made, index);
     *wall = made;
     return FW_OK;
@@ -209,30 +201,32 @@ static bool is_joined(const fw_wall *wall, const fw_facet *facet, fw_vec2 point)
 /* Distance to the nearest piece of a chain if the point lies behind it. Where two are as near (a
  * corner, both faces of a blade) the sum of the gaps decides: the sign of the distance along the
  * mean of both normals. Beyond an open end a chain has no back. */
-static double depth_behind_chain(const fw_wall *wall, fw_vec2 point)
+static double depth_behind_chain(const fw_wall *wall, fw_vec2 point, double away)
 {
     double nearest = INFINITY, gaps = 0;
     for (int i = 0; i < wall->facet_count; ++i)
         nearest = fmin(nearest, distance_from_segment(&wall->facets[i], point));
     for (int i = 0; i < wall->facet_count; ++i) {
         const fw_facet *facet = &wall->facets[i];
-        double tolerance = fw_facet_tolerance(facet);
+        double tolerance = fw_facet_tolerance(facet, away);
         if (distance_from_segment(facet, point) > nearest + tolerance) continue;
         double gap = fw_facet_gap(facet, point);
         if (fabs(gap) < nearest - tolerance && !is_joined(wall, facet, point)) return 0;
         gaps += gap;
     }
-    return gaps < -fw_facet_tolerance(&wall->facets[0]) ? nearest : 0;
+    return gaps < -fw_facet_tolerance(&wall->facets[0], away) ? nearest : 0;
 }
 
-double fw_wall_depth(const fw_wall *wall, fw_vec2 point)
+double fw_wall_depth(const fw_wall *wall, fw_vec2 point, fw_vec2 place)
 {
-    if (wall->def.shape == FW_CHAIN) return depth_behind_chain(wall, point);
+    const fw_vec2 from = fw_vec2_subtract(point, place); /* in the wall's frame */
+    if (wall->def.shape == FW_CHAIN)
+        return depth_behind_chain(wall, from, fmax(fabs(place.x), fabs(place.y)));
     /* Free inside a convex shape: in front of all facets; outside: in front of any. */
     const bool inside = wall->def.side == FW_INSIDE;
     double depth = inside ? 0 : INFINITY;
     for (int i = 0; i < wall->facet_count; ++i) {
-        double behind = fmax(-fw_facet_gap(&wall->facets[i], point), 0);
+        double behind = fmax(-fw_facet_gap(&wall->facets[i], from), 0);
         depth = inside ? fmax(depth, behind) : fmin(depth, behind);
     }
     return depth;

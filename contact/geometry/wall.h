@@ -80,11 +80,11 @@ const fw_facet *fw_wall_facet(const fw_wall *wall, int number);
 /* Smallest box around the wall, at the place of its definition. */
 fw_box fw_wall_bounds(const fw_wall *wall);
 
-/* How far `point` (in the wall's frame) is from where it may be, looking at the whole wall: 0 if
+/* How far a point is from where it may be, looking at the whole wall, displaced by `place`: 0 if
  * it is free, else the depth > 0 by which it lies behind the facet that bars it: inside, the one
  * it is furthest behind of; outside, the nearest. Of a chain it is the nearest piece that the point
  * lies beside. */
-double fw_wall_depth(const fw_wall *wall, fw_vec2 point);
+double fw_wall_depth(const fw_wall *wall, fw_vec2 point, fw_vec2 place);
 
 /* The checks of fw_wall_create() alone. */
 fw_status fw_wall_def_check(const fw_wall_def *def, fw_error *error);

@@ -247,7 +247,7 @@ static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, f
         fw_vec2 place = fw_wall_displacement(wall, 0);
         for (int i = 0; i < body->solid->count; ++i) {
             fw_vec2 at = fw_solid_position(body->solid, i);
-            double depth = fw_wall_depth(wall, fw_vec2_subtract(at, place));
+            double depth = fw_wall_depth(wall, at, place);
             if (depth > ON_SURFACE * (1 + fabs(at.x) + fabs(at.y)))
                 return fw_fail(error, FW_BAD_INPUT,
                                "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "

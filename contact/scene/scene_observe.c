@@ -139,8 +139,7 @@ double fw_scene_penetration(const fw_scene *scene, int body)
             if (body >= 0 && b != body) continue;
             for (int n = 0; n < solid->boundary_count; ++n) {
                 fw_vec2 at = fw_solid_position(solid, solid->boundary[n]);
-                deepest =
-                    fmax(deepest, fw_wall_depth(scene->walls[w].wall, fw_vec2_subtract(at, place)));
+                deepest = fmax(deepest, fw_wall_depth(scene->walls[w].wall, at, place));
             }
         }
     }

@@ -84,13 +84,20 @@ b2Vec2 to_b2(fw_vec2 v)
     return b2Vec2(clamped_to_float(v.x), clamped_to_float(v.y));
 }
 
+// How far the wall may be from its definition.
+double away(const placed_wall &place)
+{
+    return magnitude(place.centre) + place.margin;
+}
+
 // By how much a fixture is larger than its facet: the wall's margin, the tolerance of passing, and
 // what Box2D rounds when it puts corners in place (fewer than 8 roundings of the largest number).
 double growth(const fw_broadphase &b, const fw_facet &facet, const placed_wall &place)
 {
     double largest = magnitude(b.scaled(facet.a)) + magnitude(b.scaled(facet.b)) +
                      b.scale * (facet.length + magnitude(place.centre) + place.margin);
-    return b.scale * (place.margin + fw_facet_tolerance(&facet)) + 8 * FLT_EPSILON * largest;
+    return b.scale * (place.margin + fw_facet_tolerance(&facet, away(place))) +
+           8 * FLT_EPSILON * largest;
 }
 
 // Box2D's shapes have a radius by which they are larger than their corners say.
@@ -159,7 +166,7 @@ class sieve : public b2QueryCallback
         // Into the wall's frame, wherever within its margin that is.
         const fw_box around = {fw_vec2_subtract(fw_vec2_subtract(box.low, place.centre), margin),
                                fw_vec2_add(fw_vec2_subtract(box.high, place.centre), margin)};
-        if (fw_facet_meets_box(&facet, around)) {
+        if (fw_facet_meets_box(&facet, around, away(place))) {
             if (count < capacity) facets[count] = static_cast<int>(fixture->GetUserData().pointer);
             count += 1;
         }

@@ -89,7 +89,7 @@ int fw_overlap_find_behind(const fw_scene *scene, const fw_body_range *range, in
     const fw_vec2 place = fw_wall_displacement(of, 0);
     for (int l = 0; l < range->count; ++l) {
         const fw_vec2 at = fw_solid_position(solid, range->first + l);
-        *depth = fw_wall_depth(of, fw_vec2_subtract(at, place));
+        *depth = fw_wall_depth(of, at, place);
         if (*depth > on_surface * (1 + fabs(at.x) + fabs(at.y))) return l;
     }
     return -1;

@@ -76,7 +76,7 @@ static void assert_lawful(const kind *k, const fw_prediction *free, const fw_bar
     for (int n = 0; n < count && !c->unresolved; ++n) {
         fw_vec2 w = fw_vec2_subtract(c->displacement, barriers[n].motion);
         if (fw_facet_gap(barriers[n].facet, w) < -1e-11 * size &&
-            fw_facet_is_passed(barriers[n].facet, (fw_vec2){0, 0}, w))
+            fw_facet_is_passed(barriers[n].facet, (fw_vec2){0, 0}, w, 0))
             fail_msg("%s: a wall is passed by %g and nothing says so", k->name,
                      -fw_facet_gap(barriers[n].facet, w));
     }

@@ -18,7 +18,7 @@ static fw_wall *made(const fw_wall_def *def)
 static bool is_barred(const fw_wall *wall, fw_vec2 point, fw_vec2 displacement)
 {
     for (int i = 0; i < fw_wall_facet_count(wall); ++i)
-        if (fw_facet_is_passed(fw_wall_facet(wall, i), point, displacement)) return true;
+        if (fw_facet_is_passed(fw_wall_facet(wall, i), point, displacement, 0)) return true;
     return false;
 }
 
@@ -116,8 +116,8 @@ static void gap_to_a_circle_is_measured_along_the_radius(void **state)
     fw_vec2 p = {centre.x + 3 * 0.75, centre.y + 4 * 0.75};
     assert_close(fw_facet_gap(fw_wall_facet(in, 0), p), 1.25, 0);
     assert_close(fw_facet_gap(fw_wall_facet(out, 0), p), -1.25, 0);
-    assert_close(fw_wall_depth(in, p), 0, 0);
-    assert_close(fw_wall_depth(out, p), 1.25, 0);
+    assert_close(fw_wall_depth(in, p, (fw_vec2){0, 0}), 0, 0);
+    assert_close(fw_wall_depth(out, p, (fw_vec2){0, 0}), 1.25, 0);
     fw_wall_destroy(in);
     fw_wall_destroy(out);
 }
@@ -180,9 +180,9 @@ static void nothing_is_too_fast_for_a_thin_body(void **state)
  * stopped by a facet, else it leaks. Returns whether it was such a path. */
 static bool path_is_watched(const fw_wall *wall, fw_vec2 start, fw_vec2 step)
 {
-    if (fw_wall_depth(wall, start) > 0) return false;
+    if (fw_wall_depth(wall, start, (fw_vec2){0, 0}) > 0) return false;
     fw_vec2 end = fw_vec2_add(start, step);
-    if (fw_wall_depth(wall, end) == 0) return false;
+    if (fw_wall_depth(wall, end, (fw_vec2){0, 0}) == 0) return false;
     if (!is_barred(wall, start, step))
         fail_msg("leak from [%.17g, %.17g] by [%.17g, %.17g]", start.x, start.y, step.x, step.y);
     return true;
@@ -286,7 +286,7 @@ static fw_vec2 held(const fw_wall *wall, fw_vec2 point, fw_vec2 step)
     int holder = -1;
     for (int i = 0; i < fw_wall_facet_count(wall); ++i) {
         const fw_facet *facet = fw_wall_facet(wall, i);
-        if (i == holder || !fw_facet_is_passed(facet, point, step)) continue;
+        if (i == holder || !fw_facet_is_passed(facet, point, step, 0)) continue;
         if (holder >= 0) return (fw_vec2){0, 0};
         step =
             fw_vec2_subtract(step, fw_vec2_scale(fw_vec2_dot(step, facet->normal), facet->normal));
@@ -314,14 +314,14 @@ static void slanting_walls_hold_for_ever(void **state)
         /* From the middle of a side, as near to it as rounding allows. */
         const fw_facet *first = fw_wall_facet(wall, 0);
         fw_vec2 point = fw_vec2_scale(0.5, fw_vec2_add(first->a, first->b));
-        double tolerance = fw_facet_tolerance(fw_wall_facet(wall, 0));
+        double tolerance = fw_facet_tolerance(fw_wall_facet(wall, 0), 0);
         for (int step = 0; step < 100000; ++step) {
             /* Pressed towards the wall, and jostled along it. */
             fw_vec2 pull = fw_vec2_subtract(centre, point);
             double sign = recipe.def.side == FW_OUTSIDE ? 0.05 : -0.05;
             fw_vec2 wish = dice_point(&d, fw_vec2_scale(sign, pull), 0.1);
             point = fw_vec2_add(point, held(wall, point, wish));
-            double depth = fw_wall_depth(wall, point);
+            double depth = fw_wall_depth(wall, point, (fw_vec2){0, 0});
             assert_below(depth, tolerance);
             deepest = fmax(deepest, depth);
         }
@@ -348,8 +348,8 @@ static void box_without_a_facet_is_never_passed_in(void **state)
                       {fmax(start.x, end.x), fmax(start.y, end.y)}};
         for (int i = 0; i < fw_wall_facet_count(wall); ++i) {
             const fw_facet *facet = fw_wall_facet(wall, i);
-            bool met = fw_facet_meets_box(facet, box);
-            if (fw_facet_is_passed(facet, start, step)) {
+            bool met = fw_facet_meets_box(facet, box, 0);
+            if (fw_facet_is_passed(facet, start, step, 0)) {
                 assert_true(met);
                 passed += 1;
             }

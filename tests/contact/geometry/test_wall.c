@@ -32,9 +32,9 @@ static void polygon_is_the_same_in_either_sense(void **state)
         fw_wall *mirror = made(&recipe.def);
         for (int trial = 0; trial < 100; ++trial) {
             fw_vec2 p = dice_point(&d, (fw_vec2){100, 100}, 15);
-            double depth = fw_wall_depth(wall, p);
+            double depth = fw_wall_depth(wall, p, (fw_vec2){0, 0});
             /* Another end of a side is its origin: a few roundings of 100. */
-            assert_close(fw_wall_depth(mirror, p), depth, 1e-12);
+            assert_close(fw_wall_depth(mirror, p, (fw_vec2){0, 0}), depth, 1e-12);
             free_count += depth == 0;
             trials += 1;
         }
@@ -42,8 +42,9 @@ static void polygon_is_the_same_in_either_sense(void **state)
         fw_vec2 mean = {0, 0};
         for (int i = 0; i < count; ++i)
             mean = fw_vec2_add(mean, fw_vec2_scale(1.0 / count, backwards[i]));
-        assert_int_equal(fw_wall_depth(wall, mean) == 0, recipe.def.side == FW_INSIDE);
-        assert_int_equal(fw_wall_depth(wall, (fw_vec2){200, 0}) == 0,
+        assert_int_equal(fw_wall_depth(wall, mean, (fw_vec2){0, 0}) == 0,
+                         recipe.def.side == FW_INSIDE);
+        assert_int_equal(fw_wall_depth(wall, (fw_vec2){200, 0}, (fw_vec2){0, 0}) == 0,
                          recipe.def.side == FW_OUTSIDE);
         fw_wall_destroy(wall);
         fw_wall_destroy(mirror);
@@ -314,16 +315,17 @@ static void chains_have_a_back(void **state)
     def.points = spike;
     def.point_count = 3;
     assert_int_equal(fw_wall_create(&wall, 0, &def, NULL), FW_OK);
-    assert_true(fw_wall_depth(wall, (fw_vec2){0, 2.5}) == 0);
-    assert_true(fw_wall_depth(wall, (fw_vec2){1.5, 2.1}) == 0);
-    assert_close(fw_wall_depth(wall, (fw_vec2){0, 1}), 1 / sqrt(5), 1e-15);
-    assert_true(fw_wall_depth(wall, (fw_vec2){3, -1}) == 0);
+    assert_true(fw_wall_depth(wall, (fw_vec2){0, 2.5}, (fw_vec2){0, 0}) == 0);
+    assert_true(fw_wall_depth(wall, (fw_vec2){1.5, 2.1}, (fw_vec2){0, 0}) == 0);
+    assert_close(fw_wall_depth(wall, (fw_vec2){0, 1}, (fw_vec2){0, 0}), 1 / sqrt(5), 1e-15);
+    assert_true(fw_wall_depth(wall, (fw_vec2){3, -1}, (fw_vec2){0, 0}) == 0);
     fw_wall_destroy(wall);
     def.points = pit;
     assert_int_equal(fw_wall_create(&wall, 0, &def, NULL), FW_OK);
-    assert_true(fw_wall_depth(wall, (fw_vec2){0, 1}) == 0);
-    assert_close(fw_wall_depth(wall, (fw_vec2){0, -0.5}), 0.5, 1e-15);
-    assert_close(fw_wall_depth(wall, (fw_vec2){0.2, -0.5}), hypot(0.2, 0.5), 1e-15);
+    assert_true(fw_wall_depth(wall, (fw_vec2){0, 1}, (fw_vec2){0, 0}) == 0);
+    assert_close(fw_wall_depth(wall, (fw_vec2){0, -0.5}, (fw_vec2){0, 0}), 0.5, 1e-15);
+    assert_close(fw_wall_depth(wall, (fw_vec2){0.2, -0.5}, (fw_vec2){0, 0}), hypot(0.2, 0.5),
+                 1e-15);
     fw_wall_destroy(wall);
     for (int n = 0; n < 100; ++n) {
         double angle = 0.063 * n, c = cos(angle), s = sin(angle);
@@ -334,8 +336,8 @@ static void chains_have_a_back(void **state)
         assert_int_equal(fw_wall_create(&wall, 0, &def, NULL), FW_OK);
         for (int side = -1; side <= 1; side += 2) {
             fw_vec2 beside = {7 + 2 * c - 0.1 * side * s, 3 + 2 * s + 0.1 * side * c};
-            assert_true(fw_wall_depth(wall, beside) == 0);
-            assert_true(fw_wall_depth(wall, (fw_vec2){7 - c, 3 - s}) == 0);
+            assert_true(fw_wall_depth(wall, beside, (fw_vec2){0, 0}) == 0);
+            assert_true(fw_wall_depth(wall, (fw_vec2){7 - c, 3 - s}, (fw_vec2){0, 0}) == 0);
         }
         fw_wall_destroy(wall);
     }

@@ -78,11 +78,17 @@ typedef struct moment {
     fw_vec2 from[WALLS_MAX], to[WALLS_MAX]; /* displacements of the walls */
 } moment;
 
+static double away(fw_vec2 displacement)
+{
+    return fmax(fabs(displacement.x), fabs(displacement.y));
+}
+
 static bool is_passed(const fw_facet *facet, const moment *now, fw_vec2 start, fw_vec2 step)
 {
     fw_vec2 begin = fw_vec2_subtract(start, now->from[facet->wall]);
     fw_vec2 end = fw_vec2_subtract(fw_vec2_add(start, step), now->to[facet->wall]);
-    return fw_facet_is_passed(facet, begin, fw_vec2_subtract(end, begin));
+    return fw_facet_is_passed(facet, begin, fw_vec2_subtract(end, begin),
+                              away(now->from[facet->wall]));
 }
 
 static void count_pairs_of_run(pairs *sum, const stage *s, const fw_boundary *boundary,
@@ -146,7 +152,9 @@ static long check_reach_of_runs(const stage *s, const fw_boundary *boundary, con
             const fw_box after = {fw_vec2_subtract(box.low, to), fw_vec2_subtract(box.high, to)};
             bool listed = next < run.facet_count && run.facets[next] == i;
             next += listed;
-            if (!fw_facet_meets_box(facet, before) && !fw_facet_meets_box(facet, after)) continue;
+            if (!fw_facet_meets_box(facet, before, away(from)) &&
+                !fw_facet_meets_box(facet, after, away(to)))
+                continue;
             if (!listed) fail_msg("run %d does not see facet %d", number, i);
             count += 1;
         }

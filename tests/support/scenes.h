@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scenes.h - what tests of scenes share: LB bodies, walls, steps that must not fail, and ledgers
+ * that must close. */
+#ifndef FW_TEST_SCENES_H
+#define FW_TEST_SCENES_H
+
+#include "contact/scene/scene.h"
+#include "core/boltzmann/lb_solid.h"
+#include "tests/support/laws.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static fw_error error;
+
+/* Fails with the sentence of `error`. */
+static inline void must(fw_status status)
+{
+    if (status != FW_OK) fail_msg("%s", error.sentence);
+}
+
+typedef struct body_options {
+    int columns, rows;
+    fw_vec2 origin, velocity;
+    double rest_mass, damping, angle;
+    fw_sym2 rest_matrix;
+} body_options;
+
+/* An LB body called "sheet". */
+static inline void add_body(fw_scene *scene, body_options o)
+{
+    fw_sites sites;
+    assert_int_equal(fw_sites_rectangle(&sites, o.columns, o.rows, NULL), FW_OK);
+    fw_vec2 *velocity = malloc((size_t)sites.count * sizeof *velocity);
+    for (int l = 0; l < sites.count; ++l) velocity[l] = o.velocity;
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    def.sites = &sites;
+    def.lattice.origin = o.origin;
+    def.lattice.angle = o.angle;
+    def.velocity = velocity;
+    def.rest_mass = o.rest_matrix.xx != 0 ? o.rest_matrix : fw_sym2_scalar(o.rest_mass);
+    def.damping = o.damping > 0 ? o.damping : 1;
+    fw_solid *solid;
+    must(fw_lb_solid_create(&solid, &def, &error));
+    int body;
+    must(fw_scene_adopt_body(scene, "sheet", solid, &body, &error));
+    free(velocity);
+    fw_sites_clear(&sites);
+}
+
+static inline fw_scene *empty_scene(double limit)
+{
+    fw_scene *scene;
+    must(fw_scene_create(&scene, (fw_vec2){0, 0}, limit, &error));
+    return scene;
+}
+
+static inline void begin(fw_scene *scene)
+{
+    must(fw_scene_begin(scene, &error));
+}
+
+static inline void run(fw_scene *scene, int steps)
+{
+    for (int t = 0; t < steps; ++t) must(fw_scene_step(scene, &error));
+}
+
+static inline double energy_of(const fw_scene *scene)
+{
+    const fw_energies e = fw_scene_energies(scene);
+    return e.kinetic + e.elastic;
+}
+
+#endif
