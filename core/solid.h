@@ -39,6 +39,16 @@ typedef struct fw_constraint {
     fw_vec2 force;
 } fw_constraint;
 
+/* A particle whose velocity is told at the end of a tick, in one component or both: what is held on
+ * a path moves on with the path. `owner` is for whoever makes the list. */
+typedef struct fw_carry {
+    int particle, owner;
+    bool x, y; /* the components that are told */
+    fw_vec2 velocity;
+    fw_vec2 impulse; /* momentum that this takes, */
+    double work;     /* and energy; both 0 when the list is handed over */
+} fw_carry;
+
 typedef struct fw_energies {
     double kinetic;
     double elastic; /* every potential energy of the solid's own forces */
@@ -72,6 +82,9 @@ typedef struct fw_solid_model {
      * without memory; the solid is then of no further use. */
     fw_status (*advance)(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
                          fw_error *error);
+    /* After a tick: gives particles their velocities. `carries` ascends by particle, each at most
+     * once. NULL: the solid has no velocities of its own to keep. */
+    void (*carry)(fw_solid *solid, fw_carry *carries, int count);
     fw_energies (*energies)(const fw_solid *solid);
     fw_vec2 (*momentum)(const fw_solid *solid);
     /* About the origin, of `count` particles from `first` on. */

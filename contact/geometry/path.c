@@ -13,3 +13,16 @@ fw_vec2 fw_path_displacement(const fw_path *path, double time)
     }
     return displacement;
 }
+
+fw_vec2 fw_path_velocity(const fw_path *path, double time, double tick)
+{
+    /* Which part of the tick lies in the time window; time minus tick is not exact. */
+    const double part = (fmin(time, path->until) - fmax(time - tick, path->from)) / tick;
+    fw_vec2 velocity = fw_vec2_scale(part > 1 - 1e-6 ? 1 : fmax(part, 0), path->velocity);
+    if (path->period > 0) {
+        const double rate = FW_TWO_PI / path->period;
+        const double angle = FW_TWO_PI * fmod(time, path->period) / path->period + path->phase;
+        velocity = fw_vec2_add(velocity, fw_vec2_scale(rate * cos(angle), path->amplitude));
+    }
+    return velocity;
+}

@@ -17,4 +17,8 @@ typedef struct fw_path {
 
 fw_vec2 fw_path_displacement(const fw_path *path, double time);
 
+/* The velocity with which the path comes to `time`, at the end of a tick: that of the oscillation
+ * then, and the mean of the constant one over the tick. */
+fw_vec2 fw_path_velocity(const fw_path *path, double time, double tick);
+
 #endif

@@ -136,3 +136,32 @@ void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
     ledger->displacement = fw_vec2_add(ledger->displacement, w);
     ledger->way = fw_vec2_add(ledger->way, (fw_vec2){fabs(w.x), fabs(w.y)});
 }
+
+const fw_drive *fw_grip_drive(const fw_grip *grip)
+{
+    return &grip->drive;
+}
+
+int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries)
+{
+    const fw_drive *drive = &grip->drive;
+    if (!drive->prescribed_x && !drive->prescribed_y) return 0;
+    const fw_vec2 velocity = fw_path_velocity(&drive->path, time, tick);
+    for (int n = 0; n < grip->count; ++n)
+        carries[n] = (fw_carry){.particle = grip->particles[n],
+                                .owner = owner,
+                                .x = drive->prescribed_x,
+                                .y = drive->prescribed_y,
+                                .velocity = velocity};
+    return grip->count;
+}
+
+void fw_grip_book_carry(fw_grip *grip, const fw_carry *carry, double tick)
+{
+    fw_grip_ledger *ledger = &grip->ledger;
+    const fw_vec2 force = fw_vec2_scale(1 / tick, carry->impulse);
+    ledger->force = fw_vec2_add(ledger->force, force);
+    ledger->reaction = fw_vec2_add(ledger->reaction, fw_vec2_scale(0.5, force));
+    ledger->impulse = fw_vec2_add(ledger->impulse, carry->impulse);
+    ledger->work += carry->work;
+}

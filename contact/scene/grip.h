@@ -9,7 +9,11 @@
  * which for the LB solid is F_i = 2 (M_i w/mu - Psi_i), w = mu (sum Psi + D/2)/sum M. A component
  * on a prescribed path moves as told, and D is what that takes. The forces F_i inside the block do
  * no work but D.w, and add up to D: energy and momentum are exact. A grip does not turn; the torque
- * that this takes is reported. */
+ * that this takes is reported.
+ *
+ * Forces that are found so turn the momentum of a held particle over in each tick, p -> 2 M V - p.
+ * On a path every particle gets the velocity of the path after the tick instead (fw_grip_carry):
+ * let go, it goes on with that. What this takes is a part of D and of its work. */
 #ifndef FW_GRIP_H
 #define FW_GRIP_H
 
@@ -55,5 +59,13 @@ fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *erro
  * solid's predictions, and books the tick. */
 void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
                        fw_constraint *constraints);
+
+/* After the tick: adds the particles' velocities to the list, where the drive prescribes any,
+ * marked with `owner`; returns how many it added. And what they took, once the solid has told. */
+int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries);
+void fw_grip_book_carry(fw_grip *grip, const fw_carry *carry, double tick);
+
+/* Which components the drive prescribes now. */
+const fw_drive *fw_grip_drive(const fw_grip *grip);
 
 #endif

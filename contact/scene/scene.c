@@ -56,6 +56,7 @@ static fw_status advance_solids(fw_scene *scene, fw_error *error)
             FW_OK)
             return fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
                                   body->name);
+        scene_carry(scene, b);
     }
     scene_advance_pistons(scene);
     return FW_OK;

@@ -35,6 +35,7 @@ void fw_scene_destroy(fw_scene *scene)
         free(body->memory_before);
         free(body->gripped);
         free(body->constraints);
+        free(body->carries);
     }
     fw_broadphase_destroy(scene->broadphase);
     for (int w = 0; w < scene->wall_count; ++w) {
@@ -281,7 +282,9 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
         body->constraints = calloc((size_t)body->solid->count, sizeof *body->constraints);
-        if (!body->constraints) return fw_fail_memory(error, "the constraints of a body");
+        body->carries = calloc((size_t)body->solid->count, sizeof *body->carries);
+        if (!body->constraints || !body->carries)
+            return fw_fail_memory(error, "the constraints of a body");
     }
     fw_energies energies = fw_scene_energies(scene);
     scene->energy_at_start = energies.kinetic + energies.elastic;

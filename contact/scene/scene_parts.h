@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
- * scene_soft.c, scene_pistons.c and scene_stops.c (its contact phase), scene_make.c (making,
- * restoring) and scene_observe.c, and by nobody else. */
+ * scene_soft.c, scene_carry.c, scene_pistons.c and scene_stops.c (its contact phase), scene_make.c
+ * (making, restoring) and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -29,6 +29,7 @@ typedef struct scene_body {
     uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
     fw_constraint *constraints;       /* of contacts and grips, ascending; room for all particles */
     int constraint_count;
+    fw_carry *carries; /* after the tick; room for all particles */
 } scene_body;
 
 /* A number lies between these. */
@@ -136,5 +137,7 @@ void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 posi
 fw_status scene_check_soft(fw_scene *scene, fw_error *error);
 /* All constraints of the body in this tick: contacts and grips. */
 void scene_collect_constraints(fw_scene *scene, int body);
+/* After the body has moved: what is held on a path moves on with it. */
+void scene_carry(fw_scene *scene, int body);
 
 #endif

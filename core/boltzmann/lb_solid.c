@@ -417,6 +417,7 @@ const fw_solid_model fw_lb_solid_model = {
     .destroy = destroy,
     .predict = lb_predict,
     .advance = lb_advance,
+    .carry = lb_carry,
     .energies = energies,
     .momentum = momentum,
     .angular_momentum = angular_momentum,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lb_state.h - the inside of an LB solid, shared by lb_layout.c (links and spans), lb_measure.c
- * (quantities), lb_fracture.c (breaking links), lb_step.c (motion) and lb_solid.c (making), each of
- * which may use those before it, and by nobody else.
+ * (quantities), lb_fracture.c (breaking links), lb_step.c and lb_carry.c (motion) and lb_solid.c
+ * (making), each of which may use those before it, and by nobody else.
  *
  * Slots. The field that arrives at particle l from its neighbour in direction d lives in one slot
  * per link end. A step replaces each slot by `w - slot` in place: the value is then the field that

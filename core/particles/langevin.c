@@ -358,6 +358,22 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
     return FW_OK;
 }
 
+void fw_langevin_carry(fw_solid *head, fw_carry *carries, int count)
+{
+    fw_langevin *solid = (fw_langevin *)head;
+    for (int n = 0; n < count; ++n) {
+        fw_carry *carry = &carries[n];
+        const int i = carry->particle;
+        const fw_vec2 before = {solid->velocity_x[i], solid->velocity_y[i]};
+        const fw_vec2 after = {carry->x ? carry->velocity.x : before.x,
+                               carry->y ? carry->velocity.y : before.y};
+        solid->velocity_x[i] = after.x;
+        solid->velocity_y[i] = after.y;
+        carry->impulse = fw_vec2_scale(solid->mass[i], fw_vec2_subtract(after, before));
+        carry->work = 0.5 * fw_vec2_dot(carry->impulse, fw_vec2_add(after, before));
+    }
+}
+
 /* --- state --- */
 
 void fw_langevin_state(fw_solid *head, fw_state_list *list)

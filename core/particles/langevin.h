@@ -92,6 +92,7 @@ void fw_langevin_predict(const fw_solid *solid, const int *particles, int count,
                          fw_prediction *out);
 fw_status fw_langevin_advance(fw_solid *solid, const fw_constraint *constraints,
                               int constraint_count, fw_error *error);
+void fw_langevin_carry(fw_solid *head, fw_carry *carries, int count);
 double fw_langevin_kinetic_energy(const fw_langevin *solid);
 fw_vec2 fw_langevin_momentum(const fw_solid *solid);
 double fw_langevin_angular_momentum(const fw_solid *solid, int first, int count);

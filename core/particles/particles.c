@@ -96,6 +96,7 @@ const fw_solid_model fw_particles_model = {
     .destroy = destroy,
     .predict = fw_langevin_predict,
     .advance = fw_langevin_advance,
+    .carry = fw_langevin_carry,
     .energies = energies,
     .momentum = fw_langevin_momentum,
     .angular_momentum = fw_langevin_angular_momentum,
