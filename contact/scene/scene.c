@@ -46,7 +46,7 @@ static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
     return scene_constrain_bodies(scene, error);
 }
 
-/* 5. advance: every solid moves, held by contacts and grips, and the pistons. */
+/* 5. advance: every solid moves, held by contacts and grips. */
 static fw_status advance_solids(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
@@ -58,7 +58,6 @@ static fw_status advance_solids(fw_scene *scene, fw_error *error)
                                   body->name);
         scene_carry(scene, b);
     }
-    scene_advance_pistons(scene);
     return FW_OK;
 }
 
@@ -109,6 +108,8 @@ fw_status fw_scene_step(fw_scene *scene, fw_error *error)
         FW_TRY(constrain_contacts(scene, error));
         scene_book_contacts(scene);
         FW_TRY(advance_solids(scene, error));
+        FW_TRY(scene_check_room(scene, error));
+        scene_advance_pistons(scene);
         balance_ledger(scene);
         scene->clock.ticks += 1;
     }

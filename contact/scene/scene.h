@@ -63,7 +63,8 @@ fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, f
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
 
 /* One step of time (two ticks where an automaton takes part). FW_DIVERGED names a particle or
- * piston whose numbers are no longer finite, or that escaped. */
+ * piston whose numbers are no longer finite, or that escaped, and a particle that walls which close
+ * on it, or its grip, have taken through a wall. */
 fw_status fw_scene_step(fw_scene *scene, fw_error *error);
 
 /* The largest energy or work so far, as far as it was looked for: the energies at each

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
- * scene_soft.c, scene_carry.c, scene_pistons.c and scene_stops.c (its contact phase), scene_make.c
- * (making, restoring) and scene_observe.c, and by nobody else. */
+ * scene_soft.c, scene_carry.c, scene_room.c, scene_pistons.c and scene_stops.c (its contact phase),
+ * scene_make.c (making, restoring) and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -133,6 +133,8 @@ void scene_book_contacts(fw_scene *scene);
 fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w);
 fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);
+/* FW_DIVERGED where a particle was taken through a wall in this tick; before pistons advance. */
+fw_status scene_check_room(fw_scene *scene, fw_error *error);
 /* FW_BAD_INPUT for a penalty wall that is too stiff for the time step. */
 fw_status scene_check_soft(fw_scene *scene, fw_error *error);
 /* All constraints of the body in this tick: contacts and grips. */
