@@ -74,9 +74,19 @@ static int compare_contacts(const void *left, const void *right)
     return (a->particle > b->particle) - (a->particle < b->particle);
 }
 
+/* Springs are no constraints. */
 static void list_near(fw_scene *scene, fw_boundary_run run)
 {
-    for (int n = 0; n < run.facet_count; ++n) scene->near[n] = scene->barriers[run.facets[n]];
+    scene->near_count = 0;
+    for (int n = 0; n < run.facet_count; ++n)
+        if (scene->barriers[run.facets[n]].surface.law != FW_PENALTY)
+            scene->near[scene->near_count++] = scene->barriers[run.facets[n]];
+}
+
+/* No wall can hold or rub this particle. */
+static bool has_no_rows(const fw_scene *scene, const scene_body *body)
+{
+    return scene->near_count == 0 && !body->memory && !body->rows;
 }
 
 /* One particle of a run against hard walls. Where they push it further than its free path, the list
@@ -89,10 +99,14 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
     const fw_vec2 position = fw_solid_position(body->solid, particle);
     fw_contact_memory *memory = body->memory ? &body->memory[particle] : NULL;
     const fw_contact_memory before = memory ? *memory : (fw_contact_memory){0};
+    if (has_no_rows(scene, body)) {
+        *solution = (fw_contact_solution){.displacement = free->displacement};
+        return FW_OK;
+    }
     for (;;) {
         fw_boundary_run run = fw_boundary_observe_run(body->boundary, run_number);
         *solution = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
-                                 scene->near, run.facet_count, scene->barriers, memory);
+                                 scene->near, scene->near_count, scene->barriers, memory);
         if (!solution->held) {
             solution->displacement = free->displacement;
             return FW_OK;
@@ -123,6 +137,7 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
     const fw_vec2 position = fw_solid_position(body->solid, particle);
     fw_prediction free = fw_boundary_predictions(body->boundary)[entry];
     const fw_vec2 alone = free.displacement;
+    if (has_no_rows(scene, body) && scene_is_clear_of_soft(scene, position, alone)) return FW_OK;
     const fw_contact_memory before = body->memory ? body->memory[particle] : (fw_contact_memory){0};
     scene_contact contact = {
         .particle = particle, .entry = entry, .mobility = fmax(free.mobility.xx, free.mobility.yy)};

@@ -96,6 +96,7 @@ fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *e
     *wall = (scene_wall){0};
     FW_TRY(fw_wall_create(&wall->wall, scene->wall_count, def, error));
     wall->bounds = fw_wall_bounds(wall->wall);
+    wall->soft = def->surface.law == FW_PENALTY;
     scene->wall_count += 1;
     return FW_OK;
 }

@@ -58,6 +58,7 @@ typedef struct scene_search {
 typedef struct scene_wall {
     fw_wall *wall;
     int first_facet;
+    bool soft;             /* a penalty wall */
     fw_box bounds;         /* at the place of the definition */
     fw_vec2 place, motion; /* in this tick */
     fw_vec2 force_before;  /* of the last tick */
@@ -98,7 +99,8 @@ struct fw_scene {
     fw_broadphase *broadphase;
     int facet_count;
     fw_barrier *barriers; /* of all facets, in the broadphase's order */
-    fw_barrier *near;     /* room for the candidates of one run */
+    fw_barrier *near;     /* candidates of one run that are hard; room for all facets */
+    int near_count;
     double energy_at_start;
     fw_vec2 momentum_at_start;
     double energy_scale; /* the largest energy or work so far */
@@ -132,6 +134,8 @@ void scene_book_contacts(fw_scene *scene);
  * what that does to their ledgers. */
 fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w);
 fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
+/* Only true where no penalty wall acts on that path. */
+bool scene_is_clear_of_soft(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);
 /* FW_DIVERGED where a particle was taken through a wall in this tick; before pistons advance. */
 fw_status scene_check_room(fw_scene *scene, fw_error *error);

@@ -6,23 +6,43 @@
 
 #include <math.h>
 
-static bool is_soft(const fw_scene *scene, int w)
+static bool lies_in(fw_vec2 point, fw_vec2 low, fw_vec2 high)
 {
-    return fw_wall_surface(scene->walls[w].wall).law == FW_PENALTY;
+    return point.x >= low.x && point.x <= high.x && point.y >= low.y && point.y <= high.y;
 }
 
-/* Does a path come near an obstacle at all? Most do not. */
+/* Does a path keep away from the wall, beside an obstacle or well inside a room? Most do. */
 static bool is_clear_of(const scene_wall *wall, fw_vec2 from, fw_vec2 to)
 {
+    const fw_wall_def *def = fw_wall_definition(wall->wall);
     const fw_box *box = &wall->bounds;
-    return fw_wall_definition(wall->wall)->side == FW_OUTSIDE &&
-           (fmax(from.x, to.x) < box->low.x || fmin(from.x, to.x) > box->high.x ||
-            fmax(from.y, to.y) < box->low.y || fmin(from.y, to.y) > box->high.y);
+    if (def->side == FW_OUTSIDE)
+        return fmax(from.x, to.x) < box->low.x || fmin(from.x, to.x) > box->high.x ||
+               fmax(from.y, to.y) < box->low.y || fmin(from.y, to.y) > box->high.y;
+    if (def->shape == FW_BOX)
+        return lies_in(from, box->low, box->high) && lies_in(to, box->low, box->high);
+    if (def->shape != FW_CIRCLE) return false;
+    const double half = 0.7 * def->radius; /* a square in the circle */
+    const fw_vec2 centre = def->points[0];
+    const fw_vec2 low = {centre.x - half, centre.y - half},
+                  high = {centre.x + half, centre.y + half};
+    return lies_in(from, low, high) && lies_in(to, low, high);
+}
+
+bool scene_is_clear_of_soft(const fw_scene *scene, fw_vec2 position, fw_vec2 w)
+{
+    for (int n = 0; n < scene->wall_count; ++n) {
+        const scene_wall *wall = &scene->walls[n];
+        const fw_vec2 from = fw_vec2_subtract(position, wall->place);
+        const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
+        if (wall->soft && !is_clear_of(wall, from, to)) return false;
+    }
+    return true;
 }
 
 fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w)
 {
-    if (fw_wall_surface(wall->wall).law != FW_PENALTY) return (fw_vec2){0, 0};
+    if (!wall->soft) return (fw_vec2){0, 0};
     const fw_vec2 from = fw_vec2_subtract(position, wall->place);
     const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
     return is_clear_of(wall, from, to) ? (fw_vec2){0, 0} : fw_penalty_force(wall->wall, from, to);
@@ -42,8 +62,8 @@ void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 posi
 {
     const fw_vec2 w = contact->solution.displacement;
     for (int n = 0; n < scene->wall_count; ++n) {
-        if (!is_soft(scene, n)) continue;
         const scene_wall *wall = &scene->walls[n];
+        if (!wall->soft) continue;
         const fw_vec2 force = scene_soft_force_of(wall, position, contact->soft_path);
         const fw_vec2 from = fw_vec2_subtract(position, wall->place);
         const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
@@ -82,7 +102,7 @@ fw_status scene_check_soft(fw_scene *scene, fw_error *error)
         const double most = 2 / largest_mobility(body);
         for (int n = 0; n < scene->wall_count; ++n) {
             const double stiffness = fw_wall_surface(scene->walls[n].wall).stiffness;
-            if (is_soft(scene, n) && !(stiffness < most))
+            if (scene->walls[n].soft && !(stiffness < most))
                 return fw_fail(error, FW_BAD_INPUT,
                                "wall %s has a penalty of %g, expected less than %.4g: beyond it a "
                                "particle of body %s crosses its spring in one time step (dt < "
