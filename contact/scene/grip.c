@@ -137,11 +137,6 @@ void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
     ledger->way = fw_vec2_add(ledger->way, (fw_vec2){fabs(w.x), fabs(w.y)});
 }
 
-const fw_drive *fw_grip_drive(const fw_grip *grip)
-{
-    return &grip->drive;
-}
-
 int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries)
 {
     const fw_drive *drive = &grip->drive;

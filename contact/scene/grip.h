@@ -65,7 +65,4 @@ void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
 int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries);
 void fw_grip_book_carry(fw_grip *grip, const fw_carry *carry, double tick);
 
-/* Which components the drive prescribes now. */
-const fw_drive *fw_grip_drive(const fw_grip *grip);
-
 #endif

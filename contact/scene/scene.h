@@ -108,9 +108,9 @@ double fw_scene_penetration(const fw_scene *scene, int body);
 /* Adds the forces of walls and grips in the last tick to x and y, one number per particle of the
  * body. */
 void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y);
-/* Marks with 1, and leaves the others alone, the components of the body's particles that a grip
- * holds on its path: they move as they are told and have no temperature. */
-void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *x, uint8_t *y);
+/* Marks with 1, and leaves the others alone, the body's particles that a grip holds: they all move
+ * as one, and have no temperature. */
+void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held);
 /* How often the broadphase was asked. */
 long fw_scene_query_count(const fw_scene *scene);
 

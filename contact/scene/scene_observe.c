@@ -155,17 +155,10 @@ void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, dou
     }
 }
 
-void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *x, uint8_t *y)
+void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held)
 {
-    for (int n = 0; n < scene->grip_count; ++n) {
-        const fw_grip *grip = scene->grips[n].grip;
-        const fw_drive *drive = fw_grip_drive(grip);
-        if (scene->grips[n].body != body) continue;
-        for (int k = 0; k < fw_grip_particle_count(grip); ++k) {
-            if (drive->prescribed_x) x[fw_grip_particles(grip)[k]] = 1;
-            if (drive->prescribed_y) y[fw_grip_particles(grip)[k]] = 1;
-        }
-    }
+    const uint8_t *gripped = scene->bodies[body].gripped;
+    for (int i = 0; gripped && i < scene->bodies[body].solid->count; ++i) held[i] |= gripped[i];
 }
 
 long fw_scene_query_count(const fw_scene *scene)

@@ -36,26 +36,67 @@ static bool is_point_masses(const fw_experiment *experiment, int body)
 
 /* --- heat --- */
 
-/* Adds sum m (v - V)^2 per component, V the body's mean velocity; returns how many particles' worth
- * of freedom that leaves. */
+/* Momentum and mass of the particles that a grip holds, and how many there are. */
+static int held_part(const fw_experiment *experiment, const fw_body_range *range,
+                     const uint8_t *held, double *buffer, fw_vec2 *momentum, double *mass)
+{
+    const fw_solid *solid = fw_scene_observe_body(experiment->scene, range->solid);
+    double *x = buffer, *y = x + solid->count, *m = y + solid->count;
+    int count = 0;
+    solid->model->velocities(solid, x, y);
+    solid->model->masses(solid, m);
+    for (int i = range->first; i < range->first + range->count; ++i) {
+        if (!held[i]) continue;
+        *momentum = fw_vec2_add(*momentum, fw_vec2_scale(m[i], (fw_vec2){x[i], y[i]}));
+        *mass += m[i];
+        count += 1;
+    }
+    return count;
+}
+
+/* Adds sum m (v - V)^2 per component, V the mean velocity of the body's particles that no grip
+ * holds: what a grip holds moves as one, and has no temperature. Returns how many particles' worth
+ * of freedom that leaves; -1 without memory. */
 static int add_heat(const fw_experiment *experiment, int body, fw_vec2 *heat)
 {
     const fw_body_range *range = &experiment->bodies[body];
-    const fw_vec2 drift =
-        fw_vec2_scale(1 / fw_body_range_mass(experiment->scene, &experiment->bodies[body]).xx,
-                      fw_body_range_momentum(experiment->scene, &experiment->bodies[body]));
-    fw_langevin_add_heat(fw_experiment_solid(experiment, body), range->first, range->count, drift,
-                         heat);
-    return range->count - 1;
+    const fw_solid *solid = fw_experiment_solid(experiment, body);
+    const size_t count = (size_t)solid->count;
+    uint8_t *held = calloc(count, sizeof *held);
+    double *buffer = malloc(3 * count * sizeof *buffer), mass = 0;
+    fw_vec2 momentum = {0, 0};
+    int free_count = -1;
+    if (held && buffer) {
+        fw_scene_mark_held(experiment->scene, range->solid, held);
+        free_count = range->count - held_part(experiment, range, held, buffer, &momentum, &mass);
+        const fw_vec2 drift = fw_vec2_scale(
+            1 / (fw_body_range_mass(experiment->scene, range).xx - mass),
+            fw_vec2_subtract(fw_body_range_momentum(experiment->scene, range), momentum));
+        const int end = range->first + range->count;
+        for (int first = range->first, next; first < end; first = next) {
+            for (next = first + 1; next < end && held[next] == held[first];) ++next;
+            if (!held[first]) fw_langevin_add_heat(solid, first, next - first, drift, heat);
+        }
+        free_count = free_count > 0 ? free_count - 1 : 0;
+    }
+    free(held);
+    free(buffer);
+    return free_count;
 }
 
 static void temperature_along(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     int freedom = 0;
     fw_vec2 heat = {0, 0};
-    for (int b = 0; b < experiment->body_count; ++b)
-        if (subject.body == b || (subject.body < 0 && is_point_masses(experiment, b)))
-            freedom += add_heat(experiment, b, &heat);
+    for (int b = 0; b < experiment->body_count; ++b) {
+        if (subject.body != b && (subject.body >= 0 || !is_point_masses(experiment, b))) continue;
+        const int added = add_heat(experiment, b, &heat);
+        if (added < 0) {
+            out[0] = out[1] = NAN;
+            return;
+        }
+        freedom += added;
+    }
     out[0] = heat.x / freedom;
     out[1] = heat.y / freedom;
 }
