@@ -8,6 +8,7 @@
 #include "experiments/setup/build.h"
 #include "experiments/setup/overlap.h"
 #include "experiments/setup/solids.h"
+#include "period.h"
 #include "phase.h"
 
 #include <math.h>
@@ -209,6 +210,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
     FW_TRY(fw_grips_add(scenario, experiment->scene, experiment->bodies, error));
     FW_TRY(fw_phases_check(scenario, experiment->scene, error));
+    FW_TRY(fw_period_check(scenario, experiment->scene, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
     return note_start(experiment, error);
