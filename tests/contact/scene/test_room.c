@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* test_room.c - rigid things that leave a particle no room stop the run, and say where. */
+/* test_room.c - what is refused or stops a run, and says where: starts in a wall, rigid things that
+ * leave a particle no room, numbers that explode. */
 #include "tests/support/scenes.h"
 
 static const fw_surface surfaces[] = {{.law = FW_FRICTIONLESS},
@@ -168,6 +169,40 @@ static void grip_on_the_surface_is_no_fault(void **state)
     fw_scene_destroy(scene);
 }
 
+static void body_that_starts_in_a_wall_is_refused(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene(INFINITY);
+    add_body(scene, (body_options){.columns = 3, .rows = 3, .origin = {58.5, 1}});
+    const fw_vec2 corners[] = {{0, 0}, {60, 60}};
+    fw_wall_def def = fw_wall_def_default();
+    def.points = corners;
+    must(fw_scene_add_wall(scene, &def, &error));
+    assert_int_equal(fw_scene_begin(scene, &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "starts in wall"));
+    fw_scene_destroy(scene);
+}
+
+static void exploding_numbers_stop_the_run(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene(INFINITY);
+    add_body(scene, (body_options){.columns = 3, .rows = 3});
+    int third = 3;
+    fw_load_def load = {.kind = FW_LOAD_EACH,
+                        .particles = &third,
+                        .particle_count = 1,
+                        .vector = {1e308, 0},
+                        .until = INT64_MAX};
+    assert_int_equal(fw_scene_add_load(scene, 0, &load, NULL), FW_OK);
+    begin(scene);
+    fw_status status = FW_OK;
+    for (int t = 0; t < 1000 && status == FW_OK; ++t) status = fw_scene_step(scene, &error);
+    assert_int_equal(status, FW_DIVERGED);
+    assert_non_null(strstr(error.sentence, "body sheet"));
+    fw_scene_destroy(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -176,6 +211,8 @@ int main(void)
         cmocka_unit_test(piston_that_must_move_stops_the_run),
         cmocka_unit_test(grip_driven_into_a_wall_stops_the_run),
         cmocka_unit_test(grip_on_the_surface_is_no_fault),
+        cmocka_unit_test(body_that_starts_in_a_wall_is_refused),
+        cmocka_unit_test(exploding_numbers_stop_the_run),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
