@@ -23,14 +23,13 @@ static bool is_passed(const constrain_problem *p, const fw_barrier *barrier)
                               fw_vec2_subtract(p->w, barrier->motion), away(barrier));
 }
 
-/* Normal of a round facet at the middle of the step. */
+/* At the middle of the step, where the normal of a curved facet holds its distance exactly. */
 static fw_vec2 midpoint_normal(const constrain_problem *p, const fw_barrier *barrier)
 {
-    fw_vec2 middle = fw_vec2_add(fw_vec2_subtract(relative_position(p, barrier), barrier->facet->a),
-                                 fw_vec2_scale(0.5, fw_vec2_subtract(p->w, barrier->motion)));
-    double distance = sqrt(fw_vec2_dot(middle, middle));
-    if (!(distance > 0)) return (fw_vec2){1, 0};
-    return fw_vec2_scale((barrier->facet->side == FW_INSIDE ? -1 : 1) / distance, middle);
+    return fw_facet_normal(
+        barrier->facet,
+        fw_vec2_add(fw_vec2_subtract(relative_position(p, barrier), barrier->facet->a),
+                    fw_vec2_scale(0.5, fw_vec2_subtract(p->w, barrier->motion))));
 }
 
 /* A particle that rounding put a few last bits behind the surface is asked to come back to it. */
@@ -43,8 +42,7 @@ static double bound_of(const constrain_problem *p, const constrain_row *r)
 
 void constrain_update_row(const constrain_problem *p, constrain_row *r)
 {
-    r->normal = r->barrier->facet->kind == FW_ROUND ? midpoint_normal(p, r->barrier)
-                                                    : r->barrier->facet->normal;
+    r->normal = midpoint_normal(p, r->barrier);
     r->bound = bound_of(p, r);
 }
 
@@ -135,7 +133,7 @@ static bool solve_circle(constrain_problem *p)
 {
     constrain_row *r = &p->rows[0];
     const fw_sym2 mobility = p->free->mobility;
-    if (p->count != 1 || r->barrier->facet->kind != FW_ROUND || mobility.xy != 0 ||
+    if (p->count != 1 || !fw_facet_is_curved(r->barrier->facet) || mobility.xy != 0 ||
         mobility.xx != mobility.yy)
         return false;
     const fw_facet *facet = r->barrier->facet;
@@ -158,7 +156,7 @@ static bool solve_normals(constrain_problem *p)
 {
     if (solve_circle(p)) return true;
     bool curved = false;
-    for (int k = 0; k < p->count; ++k) curved |= p->rows[k].barrier->facet->kind == FW_ROUND;
+    for (int k = 0; k < p->count; ++k) curved |= fw_facet_is_curved(p->rows[k].barrier->facet);
     for (int k = 0; k < p->count; ++k) constrain_update_row(p, &p->rows[k]);
     if (!curved) return solve_rows(p);
     for (int round = 0; round < 100; ++round) {
@@ -212,7 +210,7 @@ static bool keeps_rows(const constrain_problem *p)
         const fw_facet *facet = r->barrier->facet;
         const double tolerance = fw_facet_tolerance(facet, away(r->barrier));
         if (r->lame) continue;
-        if (facet->kind == FW_ROUND) {
+        if (fw_facet_is_curved(facet)) {
             fw_vec2 end = fw_vec2_add(relative_position(p, r->barrier),
                                       fw_vec2_subtract(p->w, r->barrier->motion));
             if (fw_facet_gap(facet, end) < -tolerance) return false;

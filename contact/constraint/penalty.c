@@ -77,7 +77,7 @@ double fw_penalty_energy(const fw_wall *wall, fw_vec2 point)
 {
     const double stiffness = fw_wall_surface(wall).stiffness;
     double squares = 0, depth;
-    if (fw_wall_facet(wall, 0)->kind == FW_STRAIGHT && is_obstacle(wall)) {
+    if (!fw_facet_is_curved(fw_wall_facet(wall, 0)) && is_obstacle(wall)) {
         nearest_facet(wall, point, &depth);
         return 0.5 * stiffness * depth * depth;
     }
@@ -91,7 +91,7 @@ double fw_penalty_energy(const fw_wall *wall, fw_vec2 point)
 fw_vec2 fw_penalty_force(const fw_wall *wall, fw_vec2 from, fw_vec2 to)
 {
     fw_vec2 push = {0, 0};
-    if (fw_wall_facet(wall, 0)->kind == FW_ROUND) {
+    if (fw_facet_is_curved(fw_wall_facet(wall, 0))) {
         push = push_round(fw_wall_facet(wall, 0), from, to);
     } else if (is_obstacle(wall)) {
         push = push_out(wall, from, to);

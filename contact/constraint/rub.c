@@ -99,7 +99,7 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_barrier *a
                                 fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
     bool stuck = tension == wanted;
     if (!stuck) r->grasp = 0;
-    if (barrier->facet->kind == FW_ROUND && active) {
+    if (fw_facet_is_curved(barrier->facet) && active) {
         tension = follow_curve(p, r);
         if (feeds(p, r, tension)) {
             *r = smooth;

@@ -57,6 +57,19 @@ double fw_facet_gap(const fw_facet *facet, fw_vec2 point)
     return facet->side == FW_INSIDE ? facet->length - distance : distance - facet->length;
 }
 
+bool fw_facet_is_curved(const fw_facet *facet)
+{
+    return facet->kind == FW_ROUND;
+}
+
+fw_vec2 fw_facet_normal(const fw_facet *facet, fw_vec2 from)
+{
+    if (facet->kind == FW_STRAIGHT) return facet->normal;
+    const double distance = sqrt(fw_vec2_dot(from, from));
+    if (!(distance > 0)) return (fw_vec2){1, 0};
+    return fw_vec2_scale((facet->side == FW_INSIDE ? -1 : 1) / distance, from);
+}
+
 double fw_facet_tolerance(const fw_facet *facet, double away)
 {
     return tolerance_share * (facet->reach + away);

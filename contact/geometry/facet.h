@@ -44,6 +44,13 @@ fw_facet fw_facet_round(int wall, fw_vec2 centre, double radius, fw_side side, d
  * axis-parallel facets a single exact subtraction. */
 double fw_facet_gap(const fw_facet *facet, fw_vec2 point);
 
+/* Whether its normal is another one at every place. */
+bool fw_facet_is_curved(const fw_facet *facet);
+
+/* Unit vector to the free side, as seen from a point at `from` from the facet's `a` (the centre of
+ * a circle, in which every direction is as good). */
+fw_vec2 fw_facet_normal(const fw_facet *facet, fw_vec2 from);
+
 /* Does a particle at `point` that moves by `displacement` pass from the free side to the other
  * through this facet, whose wall is `away` from its definition? It ends where the sum, rounded as a
  * solid rounds it, lies: after a step that passes nothing the gap is >= 0 to the last bit. A point

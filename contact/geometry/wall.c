@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wall.c - builds the facets of a shape and follows its path.
  * State: a copy of the definition, and its facets; nothing changes after creation, displacements
- * are a pure function of time. Invariant: every straight facet is free to its left.
+ * are a pure function of time.
  * Start reading at fw_wall_create(). */
-#include "contact/geometry/wall.h"
+#include "contact/geometry/shape.h"
 
 #include <assert.h>
 #include <math.h>
@@ -15,7 +15,6 @@ struct fw_wall {
     char *name;
     fw_vec2 *points;
     bool moves;
-    double swing; /* of the oscillation */
     int facet_count;
     fw_facet *facets;
 };
@@ -31,68 +30,6 @@ fw_wall_def fw_wall_def_default(void)
                          .path = {.until = INFINITY}};
 }
 
-/* Facets along the corners; counter-clockwise they are free inside. */
-static void build_loop(fw_wall *wall, int index, const fw_vec2 *corners, int count,
-                       bool counter_clockwise)
-{
-    const bool forward = counter_clockwise == (wall->def.side == FW_INSIDE);
-    for (int i = 0; i < count; ++i) {
-        fw_vec2 p = corners[i], q = corners[(i + 1) % count];
-        wall->facets[i] = forward ? fw_facet_straight(index, p, q, wall->swing)
-                                  : fw_facet_straight(index, q, p, wall->swing);
-    }
-}
-
-static bool is_counter_clockwise(const fw_vec2 *corners, int count)
-{
-    double twice_area = 0;
-    for (int i = 1; i < count - 1; ++i)
-        twice_area += fw_vec2_cross(fw_vec2_subtract(corners[i], corners[0]),
-                                    fw_vec2_subtract(corners[i + 1], corners[0]));
-    return twice_area > 0;
-}
-
-static int facets_of(const fw_wall_def *def)
-{
-    switch (def->shape) {
-    case FW_BOX:
-        return 4;
-    case FW_CHAIN:
-        return def->point_count - !def->closed;
-    case FW_POLYGON:
-        return def->point_count;
-    case FW_CIRCLE:
-        return 1;
-    }
-    return 0;
-}
-
-static void build_facets(fw_wall *wall, int index)
-{
-    const fw_wall_def *def = &wall->def;
-    const fw_vec2 *p = def->points;
-    switch (def->shape) {
-    case FW_BOX: {
-        fw_vec2 low = {fmin(p[0].x, p[1].x), fmin(p[0].y, p[1].y)};
-        fw_vec2 high = {fmax(p[0].x, p[1].x), fmax(p[0].y, p[1].y)};
-        const fw_vec2 corners[] = {low, {high.x, low.y}, high, {low.x, high.y}};
-        build_loop(wall, index, corners, 4, true);
-        break;
-    }
-    case FW_POLYGON:
-        build_loop(wall, index, p, def->point_count, is_counter_clockwise(p, def->point_count));
-        break;
-    case FW_CHAIN:
-        for (int i = 0; i < wall->facet_count; ++i)
-            wall->facets[i] =
-                fw_facet_straight(index, p[i], p[(i + 1) % def->point_count], wall->swing);
-        break;
-    case FW_CIRCLE:
-        wall->facets[0] = fw_facet_round(index, p[0], def->radius, def->side, wall->swing);
-        break;
-    }
-}
-
 fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_error *error)
 {
     *wall = NULL;
@@ -101,7 +38,7 @@ fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_e
     if (!made) return fw_fail_memory(error, "a wall");
     const size_t point_count = (size_t)def->point_count;
     made->def = *def;
-    made->facet_count = facets_of(def);
+    made->facet_count = fw_shape_of(def)->facet_count(def);
     made->name = strdup(def->name ? def->name : "");
     made->points = malloc(point_count * sizeof *made->points);
     made->facets = malloc((size_t)made->facet_count * sizeof *made->facets);
@@ -115,8 +52,8 @@ fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_e
     const fw_path *path = &def->path;
     made->moves = ((path->velocity.x != 0 || path->velocity.y != 0) && path->until > path->from) ||
                   path->amplitude.x != 0 || path->amplitude.y != 0;
-    made->swing = hypot(path->amplitude.x, path->amplitude.y);
-    build_facets(made, index);
+    fw_shape_of(def)->build(&made->def, index, hypot(path->amplitude.x, path->amplitude.y),
+                            made->facets);
     *wall = made;
     return FW_OK;
 }
@@ -220,7 +157,7 @@ static double depth_behind_chain(const fw_wall *wall, fw_vec2 point, double away
 double fw_wall_depth(const fw_wall *wall, fw_vec2 point, fw_vec2 place)
 {
     const fw_vec2 from = fw_vec2_subtract(point, place); /* in the wall's frame */
-    if (wall->def.shape == FW_CHAIN)
+    if (!fw_shape_of(&wall->def)->sided)
         return depth_behind_chain(wall, from, fmax(fabs(place.x), fabs(place.y)));
     /* Free inside a convex shape: in front of all facets; outside: in front of any. */
     const bool inside = wall->def.side == FW_INSIDE;

@@ -27,7 +27,7 @@ static bool yields(const scene_wall *wall, const fw_facet *facet)
 {
     const fw_vec2 anywhere = {1, 1};
     return wall->piston &&
-           fw_piston_yields(wall->piston, facet->kind == FW_ROUND ? anywhere : facet->normal);
+           fw_piston_yields(wall->piston, fw_facet_is_curved(facet) ? anywhere : facet->normal);
 }
 
 static void place_barriers(fw_scene *scene, int ticks)

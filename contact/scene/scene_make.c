@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_make.c - making a scene, its state, and putting it back to a saved one. */
+#include "contact/geometry/shape.h"
 #include "scene_parts.h"
 
 #include <math.h>
@@ -171,15 +172,11 @@ fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, f
 static fw_box extent_of(const fw_scene *scene)
 {
     fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (int w = 0; w < scene->wall_count; ++w)
-        for (int n = 0; n < fw_wall_facet_count(scene->walls[w].wall); ++n) {
-            const fw_facet *facet = fw_wall_facet(scene->walls[w].wall, n);
-            double reach = facet->kind == FW_ROUND ? facet->length : 0;
-            box.low.x = fmin(box.low.x, fmin(facet->a.x, facet->b.x) - reach);
-            box.low.y = fmin(box.low.y, fmin(facet->a.y, facet->b.y) - reach);
-            box.high.x = fmax(box.high.x, fmax(facet->a.x, facet->b.x) + reach);
-            box.high.y = fmax(box.high.y, fmax(facet->a.y, facet->b.y) + reach);
-        }
+    for (int w = 0; w < scene->wall_count; ++w) {
+        const fw_box *bounds = &scene->walls[w].bounds;
+        box.low = (fw_vec2){fmin(box.low.x, bounds->low.x), fmin(box.low.y, bounds->low.y)};
+        box.high = (fw_vec2){fmax(box.high.x, bounds->high.x), fmax(box.high.y, bounds->high.y)};
+    }
     return box;
 }
 
@@ -255,9 +252,9 @@ static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, f
                                "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
                                "its surface, expected all particles on the free side%s",
                                body->name, fw_wall_name(wall), i, at.x, at.y, depth,
-                               fw_wall_definition(wall)->shape == FW_CHAIN
-                                   ? ", which is to the left of the way along a chain"
-                                   : "");
+                               fw_shape_of(fw_wall_definition(wall))->sided
+                                   ? ""
+                                   : ", which is to the left of the way along a chain");
         }
     }
     return FW_OK;

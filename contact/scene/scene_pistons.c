@@ -111,12 +111,7 @@ static double excess_of(const fw_scene *scene, const scene_body *body, const sce
     const fw_vec2 from =
         fw_vec2_subtract(fw_solid_position(body->solid, contact->particle), wall->place);
     const fw_vec2 way = fw_vec2_subtract(path, wall->motion);
-    *normal = barrier->facet->normal;
-    if (barrier->facet->kind == FW_ROUND) {
-        const fw_vec2 r = fw_vec2_subtract(from, barrier->facet->a);
-        const double sign = barrier->facet->side == FW_INSIDE ? -1 : 1;
-        *normal = fw_vec2_scale(sign / fmax(sqrt(fw_vec2_dot(r, r)), 1e-300), r);
-    }
+    *normal = fw_facet_normal(barrier->facet, fw_vec2_subtract(from, barrier->facet->a));
     return -(fmax(fw_facet_gap(barrier->facet, from), 0) + fw_vec2_dot(*normal, way));
 }
 

@@ -21,8 +21,8 @@ static const double REHEARSAL_SECONDS = 0.4;
 typedef struct first_frame {
     fw_view_body *bodies;
     fw_outline *walls;
-    fw_vec2 (*corners)[FW_BOX_CORNERS]; /* per wall */
-    int **links;                        /* per body */
+    fw_vec2 (*corners)[FW_SHAPE_CORNERS]; /* per wall */
+    int **links;                          /* per body */
 } first_frame;
 
 static void release_frame(first_frame *frame, int bodies)

@@ -20,7 +20,7 @@ typedef struct fw_plot_result {
     int *links;              /* pairs of particles, numbered within their body, body by body */
     int *link_first;         /* per body: number of its first link; one more for the end */
     fw_wall **walls;
-    fw_vec2 (*corners)[FW_BOX_CORNERS]; /* per wall: those of a box */
+    fw_vec2 (*corners)[FW_SHAPE_CORNERS]; /* per wall: those of a box */
     double *
         *piston_paths; /* per wall: x and y of its displacement, per sample; NULL: on its path */
     int64_t *sample_steps;

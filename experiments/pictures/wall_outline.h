@@ -3,12 +3,10 @@
 #ifndef FW_WALL_OUTLINE_H
 #define FW_WALL_OUTLINE_H
 
-#include "contact/geometry/wall.h"
+#include "contact/geometry/shape.h"
 #include "experiments/drawing/outline.h"
 
-enum { FW_BOX_CORNERS = 4 };
-
 /* Observes the definition's points; those of a box are written to `corners` and observed there. */
-fw_outline fw_wall_outline(const fw_wall_def *def, fw_vec2 corners[FW_BOX_CORNERS]);
+fw_outline fw_wall_outline(const fw_wall_def *def, fw_vec2 corners[FW_SHAPE_CORNERS]);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_walls.c - walls of a scenario. Keeps no state. */
+#include "contact/geometry/shape.h"
 #include "scenario_parts.h"
 
 static const fw_key surface_keys[] = {
@@ -95,11 +96,14 @@ const fw_section fw_wall_section = {
     "A rigid wall, at rest, on a prescribed path, or with a mass that forces move.",
     .keys = wall_keys};
 
-static const fw_node *find_geometry(const fw_node *wall)
+/* The shape that the wall has, and where that is written. */
+static const fw_node *find_geometry(const fw_node *wall, fw_wall_shape *shape)
 {
-    static const char *const keys[] = {"box", "polygon", "circle", "chain"};
     const fw_node *found = NULL;
-    for (int n = 0; n < 4 && !found; ++n) found = fw_node_find(wall, keys[n]);
+    for (int n = 0; n < FW_SHAPES && !found; ++n) {
+        found = fw_node_find(wall, fw_shapes[n].word);
+        *shape = (fw_wall_shape)n;
+    }
     return found;
 }
 
@@ -118,32 +122,19 @@ static fw_status read_points(const fw_scenario *scenario, const fw_node *list, f
 static fw_status read_geometry(const fw_scenario *scenario, const fw_node *node, fw_wall_def *def,
                                fw_error *error)
 {
-    const fw_node *given;
-    double values[4];
+    const fw_node *given = find_geometry(node, &def->shape);
+    const fw_shape *shape = fw_shape_of(def);
+    double values[2 * FW_SHAPE_CORNERS];
     fw_vec2 *points;
-    if ((given = fw_node_find(node, "polygon"))) {
-        def->shape = FW_POLYGON;
-        return read_points(scenario, given, def, error);
-    }
-    if ((given = fw_node_find(node, "chain"))) {
-        def->shape = FW_CHAIN;
-        return read_points(scenario, given, def, error);
-    }
-    FW_TRY(fw_scenario_allocate(scenario, 2, sizeof *points, &points, error));
+    if (shape->numbers == 0) return read_points(scenario, given, def, error);
+    fw_node_numbers(given, values);
+    def->point_count = shape->numbers / 2;
+    FW_TRY(
+        fw_scenario_allocate(scenario, (size_t)def->point_count, sizeof *points, &points, error));
     def->points = points;
-    if ((given = fw_node_find(node, "circle"))) {
-        fw_node_numbers(given, values);
-        def->shape = FW_CIRCLE;
-        def->point_count = 1;
-        points[0] = (fw_vec2){values[0], values[1]};
-        def->radius = values[2];
-    } else {
-        fw_node_numbers(fw_node_find(node, "box"), values);
-        def->shape = FW_BOX;
-        def->point_count = 2;
-        points[0] = (fw_vec2){values[0], values[1]};
-        points[1] = (fw_vec2){values[2], values[3]};
-    }
+    for (int n = 0; n < def->point_count; ++n)
+        points[n] = (fw_vec2){values[2 * n], values[2 * n + 1]};
+    if (shape->numbers % 2 == 1) def->radius = values[shape->numbers - 1];
     return FW_OK;
 }
 
@@ -194,14 +185,16 @@ static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenar
     FW_TRY(read_geometry(scenario, node, def, error));
     def->surface = read_surface(fw_node_find(node, "surface"));
     const fw_node *side = fw_node_find(node, "side");
-    if (side && def->shape == FW_CHAIN)
+    if (side && !fw_shape_of(def)->sided)
         return fw_scenario_fail(scenario, side->key_place, error,
-                                "walls.%s has both 'chain' and 'side'; a chain is free to the left "
-                                "of the way along it, so turn its points round instead",
-                                node->key);
+                                "walls.%s has both '%s' and 'side'; a %s is free to the left of "
+                                "the way along it, so turn its points round instead",
+                                node->key, fw_shape_of(def)->word, fw_shape_of(def)->word);
     fw_error inner;
+    fw_wall_shape shape;
     if (fw_wall_def_check(def, &inner) != FW_OK)
-        return fw_scenario_fail(scenario, find_geometry(node)->place, error, "%s", inner.sentence);
+        return fw_scenario_fail(scenario, find_geometry(node, &shape)->place, error, "%s",
+                                inner.sentence);
     return read_piston(scenario, node, wall, error);
 }
 
