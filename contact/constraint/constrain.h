@@ -14,16 +14,16 @@
 #include "core/solid.h"
 
 /* One facet as it stands in this step. */
-typedef struct fw_barrier {
+typedef struct fw_candidate {
     const fw_facet *facet;
     int number; /* of the facet in the scene */
     fw_surface surface;
     fw_vec2 place;  /* displacement of its wall from its definition, at the start of the step */
     fw_vec2 motion; /* how far the wall moves in this step */
-    bool yields;    /* the wall is a piston, which can be stopped along the normal */
-} fw_barrier;
+    bool yields;    /* the wall is a piston, which can be jammed along the normal */
+} fw_candidate;
 
-/* What a particle remembers from step to step; all zero for one that touches nothing. Part of the
+/* What a particle remembers from step to step; all zero for one without contact. Part of the
  * state. */
 typedef struct fw_contact_memory {
     double reaction; /* normal force of the last step, of the facet below */
@@ -33,50 +33,50 @@ typedef struct fw_contact_memory {
 } fw_contact_memory;
 
 /* What one wall does to the particle. */
-typedef struct fw_touch {
+typedef struct fw_wall_contact {
     int wall;
     fw_vec2 force;
     double work;       /* done by the wall's own motion */
     double dissipated; /* turned into heat by friction, >= 0 */
     fw_sym2 stiffness; /* d force/d motion of the wall, where rows neither come nor go */
-} fw_touch;
+} fw_wall_contact;
 
-enum { FW_TOUCH_MAX = 4 };
+enum { FW_WALL_CONTACTS = 4 };
 
-/* A particle that has no way out between a piston and walls that do not yield stops the piston:
+/* A particle that has no way out between a piston and walls that do not yield jams the piston:
  * the motion W of which then keeps normal . W <= limit. */
-typedef struct fw_stop {
+typedef struct fw_jam {
     int piston;  /* 1 + number of its wall; 0: there is none */
     int against; /* the wall that stands behind the particle */
     fw_vec2 normal;
     double limit;
-} fw_stop;
+} fw_jam;
 
 /* What is known of a particle's problem from earlier tries of the same step, in which pistons moved
  * otherwise. */
 typedef struct fw_row_list {
     int count;
-    int facet[FW_TOUCH_MAX]; /* numbers in the scene: its rows, whether they push or not */
-    fw_stop stop;
-    bool let_go; /* friction after the release turned out to lead through a wall */
+    int facet[FW_WALL_CONTACTS]; /* numbers in the scene: its rows, whether they push or not */
+    fw_jam jam;
+    bool released; /* friction after the release turned out to lead through a wall */
 } fw_row_list;
 
 typedef struct fw_contact_solution {
     bool held; /* false: the free displacement stands, the rest is empty */
     fw_vec2 displacement;
-    fw_vec2 force; /* sum over the touches */
-    int touch_count;
-    fw_touch touch[FW_TOUCH_MAX];
+    fw_vec2 force; /* sum over the walls */
+    int wall_contact_count;
+    fw_wall_contact wall_contact[FW_WALL_CONTACTS];
     fw_row_list rows;
-    bool unresolved; /* no consistent set of rows was found and the particle was held fast */
+    bool unresolved; /* no consistent set of rows was found: the particle is pinned to one wall */
 } fw_contact_solution;
 
-/* `near` are the candidates, `all` the scene's barriers by number (a particle rubs on in the step
+/* `near` are the candidates, `all` the scene's candidates by number (a particle rubs on in the step
  * after its release, however far its candidates were looked for). `kept` are its rows from the
  * start, from earlier tries of the same step; NULL in scenes without pistons, where there is one
  * try. `memory` is updated; it may be NULL where no wall has Coulomb friction. */
 fw_contact_solution fw_constrain(fw_vec2 position, const fw_prediction *free,
-                                 const fw_row_list *kept, const fw_barrier *near, int near_count,
-                                 const fw_barrier *all, fw_contact_memory *memory);
+                                 const fw_row_list *kept, const fw_candidate *near, int near_count,
+                                 const fw_candidate *all, fw_contact_memory *memory);
 
 #endif

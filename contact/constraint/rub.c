@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rub.c - Coulomb friction of one particle on one wall: sticking by filtered hold, sliding bounded
  * by the reaction. State: none but the particle's own memory. Start reading at constrain_rub(). */
-#include "constrain_parts.h"
+#include "rub.h"
 
-/* Filter of the sticking force: how much of the change of the particle's own momentum is let
- * through. The number comes from an independent reference. */
+#include <math.h>
+
+/* e of the sticking force: how much of the change of the particle's own momentum P is let through.
+ * Stuck and without damping, F = -2 Psi + e (P - P_before)/2 makes
+ *     P+ = P + F = -P + e (P - P_before)/2      (elastic forces aside),
+ * whose modes P ~ q^t obey q^2 + (1 - e/2) q + e/2 = 0. Both decay the fastest where they coincide,
+ * (1 - e/2)^2 = 2 e: e = 6 - 4 sqrt 2 = .3431, q = 1 - sqrt 2 = -.414. (e = 0 is the hold rule, q =
+ * -1, which keeps for ever what a particle brought.) */
 static const double STICK_FILTER = 0.343;
 
 /* After friction on a circle: back to the radius, with the forces along the normal and tangent of
@@ -43,71 +49,72 @@ static double clip(double value, double bound)
 /* A step that is long against the radius turns the tangent so far that friction would push along
  * with the slip: then there is none. What is left of the slip of a particle that sticks is
  * rounding, and means nothing. */
-static bool feeds(const constrain_problem *p, const constrain_row *r, double tension)
+static bool feeds(const constrain_problem *p, const constrain_row *r, double traction)
 {
-    const fw_vec2 motion = r->barrier->motion;
+    const fw_vec2 motion = r->candidate->motion;
     const double slip = fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, motion));
     const double size = fabs(p->free->displacement.x) + fabs(p->free->displacement.y) +
                         fabs(motion.x) + fabs(motion.y);
-    return tension * slip > 1e-12 * fabs(tension) * size;
+    return traction * slip > 1e-12 * fabs(traction) * size;
 }
 
-double constrain_rub(constrain_problem *p, constrain_row *r, const fw_barrier *all,
+double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate *all,
                      fw_contact_memory *memory)
 {
-    const fw_barrier *barrier = r->barrier;
+    const fw_candidate *candidate = r->candidate;
     const constrain_row smooth = *r; /* without friction */
     const fw_vec2 smooth_path = p->w;
     const bool same_wall =
-        memory->facet > 0 && all[memory->facet - 1].facet->wall == barrier->facet->wall;
-    const double before = same_wall ? memory->reaction : 0, half = 0.5 * barrier->surface.friction;
+        memory->facet > 0 && all[memory->facet - 1].facet->wall == candidate->facet->wall;
+    const double before = same_wall ? memory->reaction : 0,
+                 half = 0.5 * candidate->surface.friction;
     const fw_vec2 tangent = fw_vec2_turn(r->normal);
     const fw_sym2 mobility = p->free->mobility;
     const double nn = fw_sym2_form(r->normal, mobility, r->normal),
                  nt = fw_sym2_form(r->normal, mobility, tangent),
                  tt = fw_sym2_form(tangent, mobility, tangent);
     const double inertial =
-        fw_vec2_dot(tangent, fw_vec2_subtract(p->free->inertial, barrier->motion));
+        fw_vec2_dot(tangent, fw_vec2_subtract(p->free->inertial, candidate->motion));
     bool active = r->lambda > 0;
-    double tension = 0, wanted = 0, slope;
+    double traction = 0, wanted = 0, slope;
     if (active) {
-        double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, barrier->motion));
+        double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, candidate->motion));
         const double lambda = r->lambda;
         const double yielding = tt - nt * nt / nn;
         wanted = (sticking_target(memory, same_wall, inertial, slip, &slope) - slip) / yielding;
-        r->grasp = (1 + slope) / yielding;
-        tension = wanted;
+        r->tangential_stiffness = (1 + slope) / yielding;
+        traction = wanted;
         for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
-            tension = clip(wanted, half * (r->lambda + before));
-            r->lambda = fmax(0, lambda - tension * nt / nn);
+            traction = clip(wanted, half * (r->lambda + before));
+            r->lambda = fmax(0, lambda - traction * nt / nn);
         }
         /* Friction that lifts the particle off the wall acts on a free one. */
         active = r->lambda > 0;
     }
     if (!active) {
         double slip =
-            fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, barrier->motion));
+            fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, candidate->motion));
         wanted = (sticking_target(memory, same_wall, inertial, slip, &slope) - slip) / tt;
-        r->grasp = (1 + slope) / tt;
-        tension = clip(wanted, half * before);
+        r->tangential_stiffness = (1 + slope) / tt;
+        traction = clip(wanted, half * before);
         r->lambda = 0;
     }
     p->w = constrain_displacement_for(
-        p, fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(tension, tangent)));
+        p, fw_vec2_add(fw_vec2_scale(r->lambda, r->normal), fw_vec2_scale(traction, tangent)));
     if (active)
         p->w = fw_vec2_subtract(p->w,
                                 fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
-    bool stuck = tension == wanted;
-    if (!stuck) r->grasp = 0;
-    if (fw_facet_is_curved(barrier->facet) && active) {
-        tension = follow_curve(p, r);
-        if (feeds(p, r, tension)) {
+    bool stuck = traction == wanted;
+    if (!stuck) r->tangential_stiffness = 0;
+    if (fw_facet_is_curved(candidate->facet) && active) {
+        traction = follow_curve(p, r);
+        if (feeds(p, r, traction)) {
             *r = smooth;
             p->w = smooth_path;
-            tension = 0;
+            traction = 0;
             stuck = false;
         }
     }
-    *memory = (fw_contact_memory){r->lambda, inertial, barrier->number + 1, stuck};
-    return tension;
+    *memory = (fw_contact_memory){r->lambda, inertial, candidate->number + 1, stuck};
+    return traction;
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* facet.h - one barrier: exact geometry in double precision.
+/* facet.h - one piece of a wall's surface: exact geometry in double precision.
  *
  * A facet is straight (a segment, free to its left) or round (a whole circle, free inside or
  * outside). It bars the way from its free side to the other; from behind it does not bar. Contact

@@ -100,7 +100,8 @@ const fw_wall_ledger *fw_scene_wall_ledger(const fw_scene *scene, int wall);
 fw_ledger fw_scene_ledger(const fw_scene *scene);
 fw_energies fw_scene_energies(const fw_scene *scene);
 fw_vec2 fw_scene_momentum(const fw_scene *scene);
-/* Steps in which a particle had to be held fast since no consistent set of walls was found. */
+/* Steps in which a particle had to be pinned to one wall since no consistent set of walls was
+ * found. */
 int64_t fw_scene_unresolved(const fw_scene *scene);
 /* How deep any boundary particle of the body (-1: of any body) lies behind a wall; 0 if none does.
  */

@@ -12,8 +12,8 @@
 static bool carries(const fw_scene *scene, const scene_contact *contact)
 {
     const fw_contact_solution *solution = &contact->solution;
-    if (!solution->held || solution->touch_count != 1) return false;
-    const scene_wall *wall = &scene->walls[solution->touch[0].wall];
+    if (!solution->held || solution->wall_contact_count != 1) return false;
+    const scene_wall *wall = &scene->walls[solution->wall_contact[0].wall];
     if (fw_wall_surface(wall->wall).law != FW_STICK || !fw_wall_moves(wall->wall)) return false;
     if (wall->piston && fw_piston_yields(wall->piston, (fw_vec2){1, 0})) return false;
     if (wall->piston && fw_piston_yields(wall->piston, (fw_vec2){0, 1})) return false;
@@ -40,7 +40,7 @@ static int list_carries(fw_scene *scene, int number)
     for (int n = 0; n < body->contact_count; ++n) {
         const scene_contact *contact = &body->contacts[n];
         if (!carries(scene, contact)) continue;
-        const scene_wall *wall = &scene->walls[contact->solution.touch[0].wall];
+        const scene_wall *wall = &scene->walls[contact->solution.wall_contact[0].wall];
         body->carries[count++] = (fw_carry){.particle = contact->particle,
                                             .owner = -1 - n,
                                             .x = true,
@@ -60,7 +60,7 @@ static int compare_carries(const void *left, const void *right)
  * that stops sliding on it. */
 static void book_on_wall(fw_scene *scene, const scene_body *body, const fw_carry *carry)
 {
-    const int w = body->contacts[-1 - carry->owner].solution.touch[0].wall;
+    const int w = body->contacts[-1 - carry->owner].solution.wall_contact[0].wall;
     const fw_vec2 force = fw_vec2_scale(1 / scene->tick, carry->impulse);
     const double work = fw_vec2_dot(carry->impulse, carry->velocity);
     fw_wall_ledger *ledger = &scene->ledgers[w];

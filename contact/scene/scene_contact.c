@@ -22,7 +22,7 @@ void scene_follow_wall(fw_scene *scene, int w, int ticks)
         fw_vec2_subtract(fw_wall_displacement(wall->wall, now + scene->tick), wall->place);
 }
 
-/* Can the wall be stopped by what stands before that facet? */
+/* Can the wall be jammed by what stands before that facet? */
 static bool yields(const scene_wall *wall, const fw_facet *facet)
 {
     const fw_vec2 anywhere = {1, 1};
@@ -30,14 +30,14 @@ static bool yields(const scene_wall *wall, const fw_facet *facet)
            fw_piston_yields(wall->piston, fw_facet_is_curved(facet) ? anywhere : facet->normal);
 }
 
-static void place_barriers(fw_scene *scene, int ticks)
+static void place_candidates(fw_scene *scene, int ticks)
 {
     for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
     for (int f = 0; f < scene->facet_count; ++f) {
-        fw_barrier *barrier = &scene->barriers[f];
-        barrier->place = scene->walls[barrier->facet->wall].place;
-        barrier->motion = scene->walls[barrier->facet->wall].motion;
-        barrier->yields = yields(&scene->walls[barrier->facet->wall], barrier->facet);
+        fw_candidate *candidate = &scene->candidates[f];
+        candidate->place = scene->walls[candidate->facet->wall].place;
+        candidate->motion = scene->walls[candidate->facet->wall].motion;
+        candidate->yields = yields(&scene->walls[candidate->facet->wall], candidate->facet);
     }
 }
 
@@ -68,6 +68,15 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
     return FW_OK;
 }
 
+void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness)
+{
+    const fw_vec2 middle = fw_vec2_add(
+        wall->place, fw_vec2_scale(0.5, fw_vec2_add(wall->bounds.low, wall->bounds.high)));
+    wall->search.push = fw_vec2_subtract(wall->search.push, force);
+    wall->search.stiffness = fw_sym2_add(wall->search.stiffness, stiffness);
+    wall->search.torque -= fw_vec2_cross(fw_vec2_subtract(position, middle), force);
+}
+
 static int compare_contacts(const void *left, const void *right)
 {
     const scene_contact *a = left, *b = right;
@@ -79,8 +88,8 @@ static void list_near(fw_scene *scene, fw_boundary_run run)
 {
     scene->near_count = 0;
     for (int n = 0; n < run.facet_count; ++n)
-        if (scene->barriers[run.facets[n]].surface.law != FW_PENALTY)
-            scene->near[scene->near_count++] = scene->barriers[run.facets[n]];
+        if (scene->candidates[run.facets[n]].surface.law != FW_PENALTY)
+            scene->near[scene->near_count++] = scene->candidates[run.facets[n]];
 }
 
 /* No wall can hold or rub this particle. */
@@ -106,7 +115,7 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
     for (;;) {
         fw_boundary_run run = fw_boundary_observe_run(body->boundary, run_number);
         *solution = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
-                                 scene->near, scene->near_count, scene->barriers, memory);
+                                 scene->near, scene->near_count, scene->candidates, memory);
         if (!solution->held) {
             solution->displacement = free->displacement;
             return FW_OK;
@@ -121,10 +130,10 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
 }
 
 /* In this try, or in an earlier one of the step. */
-static bool stops_piston(const scene_body *body, const scene_contact *contact)
+static bool jams_piston(const scene_body *body, const scene_contact *contact)
 {
     return body->rows &&
-           (contact->solution.rows.stop.piston > 0 || body->rows[contact->entry].stop.piston > 0);
+           (contact->solution.rows.jam.piston > 0 || body->rows[contact->entry].jam.piston > 0);
 }
 
 /* Soft walls push as the path asks, and the path follows the push: w = hard(w_p + A F(w)). F falls
@@ -157,7 +166,7 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
         w = fw_vec2_add(w, fw_vec2_scale(1 / (1 + yielding), change));
     }
     if (contact.solution.held || contact.soft.x != 0 || contact.soft.y != 0 ||
-        stops_piston(body, &contact))
+        jams_piston(body, &contact))
         body->contacts[body->contact_count++] = contact;
     return FW_OK;
 }
@@ -169,14 +178,14 @@ static void book(fw_scene *scene, const scene_body *body, const scene_contact *c
     const int ticks = body->solid->model->ticks_per_step;
     if (contact->soft.x != 0 || contact->soft.y != 0)
         scene_book_soft(scene, contact, fw_solid_position(body->solid, contact->particle), ticks);
-    for (int n = 0; n < solution->touch_count; ++n) {
-        const fw_touch *touch = &solution->touch[n];
-        fw_wall_ledger *ledger = &scene->ledgers[touch->wall];
-        ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(ticks, touch->force));
-        ledger->work += touch->work;
-        ledger->dissipated += touch->dissipated;
+    for (int n = 0; n < solution->wall_contact_count; ++n) {
+        const fw_wall_contact *wall_contact = &solution->wall_contact[n];
+        fw_wall_ledger *ledger = &scene->ledgers[wall_contact->wall];
+        ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(ticks, wall_contact->force));
+        ledger->work += wall_contact->work;
+        ledger->dissipated += wall_contact->dissipated;
         bool counted = false;
-        for (int m = 0; m < n; ++m) counted |= solution->touch[m].wall == touch->wall;
+        for (int m = 0; m < n; ++m) counted |= solution->wall_contact[m].wall == wall_contact->wall;
         ledger->contacts += !counted;
     }
     scene->clock.unresolved += solution->unresolved;
@@ -228,7 +237,7 @@ static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *err
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
-        place_barriers(scene, scene->bodies[b].solid->model->ticks_per_step);
+        place_candidates(scene, scene->bodies[b].solid->model->ticks_per_step);
         FW_TRY(constrain_body(scene, &scene->bodies[b], error));
     }
     return FW_OK;

@@ -50,7 +50,7 @@ void fw_scene_destroy(fw_scene *scene)
     free(scene->walls);
     free(scene->ledgers);
     free(scene->loads);
-    free(scene->barriers);
+    free(scene->candidates);
     free(scene->near);
     free(scene);
 }
@@ -188,17 +188,17 @@ static fw_status build_broadphase(fw_scene *scene, fw_error *error)
         if (fw_broadphase_add_wall(scene->broadphase, scene->walls[w].wall) < 0)
             return fw_fail_memory(error, "the facets of a wall");
     scene->facet_count = fw_broadphase_facet_count(scene->broadphase);
-    scene->barriers = calloc((size_t)scene->facet_count + 1, sizeof *scene->barriers);
+    scene->candidates = calloc((size_t)scene->facet_count + 1, sizeof *scene->candidates);
     scene->near = calloc((size_t)scene->facet_count + 1, sizeof *scene->near);
     scene->ledgers = calloc((size_t)scene->wall_count + 1, sizeof *scene->ledgers);
-    if (!scene->barriers || !scene->near || !scene->ledgers)
+    if (!scene->candidates || !scene->near || !scene->ledgers)
         return fw_fail_memory(error, "the facets of all walls");
     for (int f = 0; f < scene->facet_count; ++f) {
         const fw_facet *facet = fw_broadphase_facet(scene->broadphase, f);
-        scene->barriers[f] =
-            (fw_barrier){.facet = facet,
-                         .number = f,
-                         .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
+        scene->candidates[f] =
+            (fw_candidate){.facet = facet,
+                           .number = f,
+                           .surface = fw_wall_surface(scene->walls[facet->wall].wall)};
     }
     return FW_OK;
 }

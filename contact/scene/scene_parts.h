@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
- * scene_soft.c, scene_carry.c, scene_room.c, scene_pistons.c and scene_stops.c (its contact phase),
+ * scene_soft.c, scene_carry.c, scene_room.c, scene_pistons.c and scene_jams.c (its contact phase),
  * scene_make.c (making, restoring) and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
@@ -43,14 +43,14 @@ typedef struct scene_search {
     fw_sym2
         stiffness;  /* ... and - d push/d motion, where no particle comes or goes; steers Newton */
     double torque;  /* of the push about the piston's middle */
-    fw_stop stop;   /* the tightest of all that stop it; piston 0: none does */
-    double stopped; /* with which force, along the normal of the stop */
+    fw_jam jam;     /* the tightest of all; piston 0: there is none */
+    double jammed;  /* with which force, along the normal of the jam */
     double deepest; /* by how much a new row passes its particle at most, along ... */
     fw_vec2 deepest_normal;
     bool takes, draws_back; /* what becomes of new rows */
     bool fits;              /* the motion of the last try */
     scene_bracket x, y;
-    double least_error; /* relative, since the last particle was taken hold of */
+    double least_error; /* relative, since the last row was activated */
     int stale;          /* tries since then that did not improve it */
     double part;        /* of Newton's step that is taken */
 } scene_search;
@@ -98,8 +98,8 @@ struct fw_scene {
     double soft_stiffness; /* of all of them together */
     fw_broadphase *broadphase;
     int facet_count;
-    fw_barrier *barriers; /* of all facets, in the broadphase's order */
-    fw_barrier *near;     /* candidates of one run that are hard; room for all facets */
+    fw_candidate *candidates; /* of all facets, in the broadphase's order */
+    fw_candidate *near;       /* candidates of one run that are hard; room for all facets */
     int near_count;
     double energy_at_start;
     fw_vec2 momentum_at_start;
@@ -119,11 +119,11 @@ fw_status scene_move_pistons(fw_scene *scene, fw_error *error);
 void scene_advance_pistons(fw_scene *scene);
 /* A force on a particle at `position` pushes the piston back. */
 void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness);
-/* What a contact of this try says of stops: for the particle, and for the piston. */
-void scene_look_at_stop(fw_scene *scene, scene_body *body, const scene_contact *contact);
-/* The particles that stop the piston of a wall share its force and pass it on. */
-void scene_pass_on_stop(fw_scene *scene, int wall);
-/* Pistons that have run over a stop do not fit. */
+/* What a contact of this try says of jams: for the particle, and for the piston. */
+void scene_note_jam(fw_scene *scene, scene_body *body, const scene_contact *contact);
+/* The particles that jam the piston of a wall share its force and pass it on. */
+void scene_pass_on_jam(fw_scene *scene, int wall);
+/* Pistons that have run over a jam do not fit. */
 void scene_look_for_overrun(fw_scene *scene);
 /* Place and motion of a wall in this tick, for bodies each of whose particles moves once in so many
  * ticks. */

@@ -6,12 +6,12 @@
  * two particles in contact: then energy and momentum of bodies and pistons are exact, while a
  * piston that moved first and was told of the push afterwards would gain energy in each impact.
  *
- * R falls with W, by straight lines between points where a particle begins to be held or is let go,
+ * R falls with W, by straight lines between points where a row is activated or released,
  * and jumps where one more is reached. A particle that was reached stays a row of its problem for
- * the tick; so that none is that the piston never comes to, those it reaches first are taken hold
- * of first, and it is drawn back from the others. On the lines Newton's method ends after a few
- * tries. A particle that has no way out stops the piston, and passes on to the wall behind it what
- * that takes.
+ * the tick; so that none is that the piston never comes to, the rows it reaches first are
+ * activated first, and it is drawn back from the others. On the lines Newton's method ends after a
+ * few tries. A particle that has no way out jams the piston, and passes on to the wall behind it
+ * what that takes.
  *
  * State: none but the pistons' own. Start reading at scene_move_pistons(). */
 #include "scene_parts.h"
@@ -31,7 +31,7 @@ static double agreement(int tries)
     return tries < 20 ? 1e-14 : tries < 40 ? 1e-13 : tries < 60 ? 1e-12 : 1e-11;
 }
 
-/* After a particle was taken hold of, what was found before does not count. */
+/* After a row was activated, what was found before does not count. */
 static void search_anew(scene_search *search)
 {
     search->x = search->y = (scene_bracket){-INFINITY, INFINITY};
@@ -48,8 +48,8 @@ static void begin_motions(fw_scene *scene)
         scene_wall *wall = &scene->walls[w];
         if (!wall->piston) continue;
         wall->motion = fw_piston_displacement(wall->piston, (fw_vec2){0, 0}, now, scene->tick);
-        wall->search.stop = (fw_stop){0};
-        wall->search.stopped = 0;
+        wall->search.jam = (fw_jam){0};
+        wall->search.jammed = 0;
         search_anew(&wall->search);
     }
 }
@@ -105,14 +105,14 @@ static bool knows(const fw_row_list *rows, int facet)
 static double excess_of(const fw_scene *scene, const scene_body *body, const scene_contact *contact,
                         int facet, fw_vec2 *normal)
 {
-    const fw_barrier *barrier = &scene->barriers[facet];
-    const scene_wall *wall = &scene->walls[barrier->facet->wall];
+    const fw_candidate *candidate = &scene->candidates[facet];
+    const scene_wall *wall = &scene->walls[candidate->facet->wall];
     const fw_vec2 path = fw_boundary_predictions(body->boundary)[contact->entry].displacement;
     const fw_vec2 from =
         fw_vec2_subtract(fw_solid_position(body->solid, contact->particle), wall->place);
     const fw_vec2 way = fw_vec2_subtract(path, wall->motion);
-    *normal = fw_facet_normal(barrier->facet, fw_vec2_subtract(from, barrier->facet->a));
-    return -(fmax(fw_facet_gap(barrier->facet, from), 0) + fw_vec2_dot(*normal, way));
+    *normal = fw_facet_normal(candidate->facet, fw_vec2_subtract(from, candidate->facet->a));
+    return -(fmax(fw_facet_gap(candidate->facet, from), 0) + fw_vec2_dot(*normal, way));
 }
 
 /* The new rows of a contact, with the pistons in `deepest` and `normals` (per wall) that pass it
@@ -124,7 +124,7 @@ static int look_at_rows(fw_scene *scene, scene_body *body, const scene_contact *
     int left = 0;
     for (int k = 0; k < found->count; ++k) {
         const int facet = found->facet[k];
-        scene_wall *wall = &scene->walls[scene->barriers[facet].facet->wall];
+        scene_wall *wall = &scene->walls[scene->candidates[facet].facet->wall];
         fw_vec2 normal;
         /* Walls that do not yield are found anew in each try, where they stand. */
         if (!wall->piston || knows(known, facet)) continue;
@@ -137,7 +137,7 @@ static int look_at_rows(fw_scene *scene, scene_body *body, const scene_contact *
         } else if (wall->search.deepest > 0 && excess < (1 - TOGETHER) * wall->search.deepest) {
             wall->search.draws_back = true;
             left += 1;
-        } else if (known->count < FW_TOUCH_MAX) {
+        } else if (known->count < FW_WALL_CONTACTS) {
             known->facet[known->count++] = facet;
             wall->search.takes = true;
         }
@@ -147,7 +147,7 @@ static int look_at_rows(fw_scene *scene, scene_body *body, const scene_contact *
 
 /* Takes hold of what is reached first, and draws pistons back from the rest. Whether this try can
  * stand. */
-static bool take_hold(fw_scene *scene)
+static bool activate_rows(fw_scene *scene)
 {
     int left = 0;
     for (int w = 0; w < scene->wall_count; ++w) {
@@ -172,15 +172,6 @@ static bool take_hold(fw_scene *scene)
 
 /* --- how they push --- */
 
-void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness)
-{
-    const fw_vec2 middle = fw_vec2_add(
-        wall->place, fw_vec2_scale(0.5, fw_vec2_add(wall->bounds.low, wall->bounds.high)));
-    wall->search.push = fw_vec2_subtract(wall->search.push, force);
-    wall->search.stiffness = fw_sym2_add(wall->search.stiffness, stiffness);
-    wall->search.torque -= fw_vec2_cross(fw_vec2_subtract(position, middle), force);
-}
-
 /* The slope of a spring's force, seen through a particle that yields to half of it. */
 static fw_sym2 soft_stiffness(const fw_scene *scene, const scene_wall *wall, double mobility)
 {
@@ -191,9 +182,10 @@ static fw_sym2 soft_stiffness(const fw_scene *scene, const scene_wall *wall, dou
 static void push_by(fw_scene *scene, const scene_body *body, const scene_contact *contact)
 {
     const fw_vec2 position = fw_solid_position(body->solid, contact->particle);
-    for (int t = 0; t < contact->solution.touch_count; ++t) {
-        const fw_touch *touch = &contact->solution.touch[t];
-        scene_push_piston(&scene->walls[touch->wall], position, touch->force, touch->stiffness);
+    for (int t = 0; t < contact->solution.wall_contact_count; ++t) {
+        const fw_wall_contact *wall_contact = &contact->solution.wall_contact[t];
+        scene_push_piston(&scene->walls[wall_contact->wall], position, wall_contact->force,
+                          wall_contact->stiffness);
     }
     for (int w = 0; w < scene->wall_count && scene->soft_count > 0; ++w) {
         scene_wall *wall = &scene->walls[w];
@@ -204,22 +196,22 @@ static void push_by(fw_scene *scene, const scene_body *body, const scene_contact
     }
 }
 
-/* What the contacts of this try do to the pistons, and what stops them. */
+/* What the contacts of this try do to the pistons, and what jams them. */
 static void add_up_pushes(fw_scene *scene, bool stands)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
         scene->walls[w].search.push = (fw_vec2){0, 0};
         scene->walls[w].search.stiffness = (fw_sym2){0, 0, 0};
         scene->walls[w].search.torque = 0;
-        scene->walls[w].search.stop = (fw_stop){0};
+        scene->walls[w].search.jam = (fw_jam){0};
     }
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
         for (int n = 0; n < body->contact_count; ++n) {
             const scene_contact *contact = &body->contacts[n];
             push_by(scene, body, contact);
-            body->rows[contact->entry].let_go |= contact->solution.rows.let_go;
-            if (stands) scene_look_at_stop(scene, body, contact);
+            body->rows[contact->entry].released |= contact->solution.rows.released;
+            if (stands) scene_note_jam(scene, body, contact);
         }
     }
 }
@@ -255,14 +247,14 @@ static void shorten_steps(scene_search *search, double error)
     }
 }
 
-/* Keeps to the stop, in the metric of the piston's mobility. */
-static fw_vec2 kept_back(const fw_stop *stop, fw_sym2 mobility, fw_vec2 motion)
+/* Keeps to the jam, in the metric of the piston's mobility. */
+static fw_vec2 kept_back(const fw_jam *jam, fw_sym2 mobility, fw_vec2 motion)
 {
-    const double beyond = fw_vec2_dot(stop->normal, motion) - stop->limit;
-    const double yielding = fw_sym2_form(stop->normal, mobility, stop->normal);
-    if (stop->piston == 0 || !(beyond > 0) || !(yielding > 0)) return motion;
-    return fw_vec2_subtract(
-        motion, fw_vec2_scale(beyond / yielding, fw_sym2_apply(mobility, stop->normal)));
+    const double beyond = fw_vec2_dot(jam->normal, motion) - jam->limit;
+    const double yielding = fw_sym2_form(jam->normal, mobility, jam->normal);
+    if (jam->piston == 0 || !(beyond > 0) || !(yielding > 0)) return motion;
+    return fw_vec2_subtract(motion,
+                            fw_vec2_scale(beyond / yielding, fw_sym2_apply(mobility, jam->normal)));
 }
 
 /* Newton's next motion: (1 + A K) dW = error, A diagonal. */
@@ -285,19 +277,19 @@ static bool improve(const fw_scene *scene, scene_wall *wall, double tolerance)
     const fw_vec2 size = {fabs(wanted.x) + a.xx * fabs(search->push.x),
                           fabs(wanted.y) + a.yy * fabs(search->push.y)};
     fw_vec2 error = fw_vec2_subtract(wanted, wall->motion);
-    search->stopped = 0;
+    search->jammed = 0;
     search->fits = false;
-    if (search->stop.piston > 0) {
-        const fw_vec2 n = search->stop.normal;
-        const double beyond = fw_vec2_dot(n, wanted) - search->stop.limit;
-        const double room = search->stop.limit - fw_vec2_dot(n, wall->motion);
+    if (search->jam.piston > 0) {
+        const fw_vec2 n = search->jam.normal;
+        const double beyond = fw_vec2_dot(n, wanted) - search->jam.limit;
+        const double room = search->jam.limit - fw_vec2_dot(n, wall->motion);
         if (room < -tolerance * (size.x + size.y)) {
-            wall->motion = kept_back(&search->stop, a, wall->motion);
+            wall->motion = kept_back(&search->jam, a, wall->motion);
             return false;
         }
         if (beyond > 0 && fabs(room) <= tolerance * (size.x + size.y)) {
-            search->stopped = fw_vec2_dot(n, error) / fw_sym2_form(n, a, n);
-            error = fw_vec2_subtract(error, fw_vec2_scale(search->stopped, fw_sym2_apply(a, n)));
+            search->jammed = fw_vec2_dot(n, error) / fw_sym2_form(n, a, n);
+            error = fw_vec2_subtract(error, fw_vec2_scale(search->jammed, fw_sym2_apply(a, n)));
         }
     }
     const bool right_x = fabs(error.x) <= tolerance * size.x;
@@ -309,7 +301,7 @@ static bool improve(const fw_scene *scene, scene_wall *wall, double tolerance)
     const fw_vec2 newton = newton_motion(wall, a, error);
     const fw_vec2 motion = {step_within(&search->x, wall->motion.x, error.x, newton.x, right_y),
                             step_within(&search->y, wall->motion.y, error.y, newton.y, right_x)};
-    wall->motion = kept_back(&search->stop, a, motion);
+    wall->motion = kept_back(&search->jam, a, motion);
     return false;
 }
 
@@ -332,7 +324,7 @@ fw_status scene_move_pistons(fw_scene *scene, fw_error *error)
         FW_TRY(scene_find_contacts(scene, error));
         if (tries == 0) begin_rows(scene);
         FW_TRY(scene_constrain_bodies(scene, error));
-        const bool stands = take_hold(scene);
+        const bool stands = activate_rows(scene);
         bool fits = stands;
         add_up_pushes(scene, stands);
         if (tries == TRIES) break;
@@ -343,8 +335,8 @@ fw_status scene_move_pistons(fw_scene *scene, fw_error *error)
     }
     note_failures(scene);
     for (int w = 0; w < scene->wall_count; ++w)
-        if (scene->walls[w].piston && scene->walls[w].search.stopped > 0)
-            scene_pass_on_stop(scene, w);
+        if (scene->walls[w].piston && scene->walls[w].search.jammed > 0)
+            scene_pass_on_jam(scene, w);
     return FW_OK;
 }
 

@@ -4,7 +4,7 @@
  *
  * Contact keeps all other particles on the free side of every wall, so that only those are looked
  * at here: grips hold without asking walls, and where no displacement suits all walls a particle is
- * held fast to one of them (`unresolved`), though another may come. */
+ * pinned to one of them (`unresolved`), though another may come. */
 #include "scene_parts.h"
 
 #include <math.h>
@@ -14,9 +14,9 @@
 static int find_wall_passed(const fw_scene *scene, fw_vec2 end, fw_vec2 displacement, double *depth)
 {
     for (int f = 0; f < scene->facet_count; ++f) {
-        const fw_facet *facet = scene->barriers[f].facet;
+        const fw_facet *facet = scene->candidates[f].facet;
         const scene_wall *wall = &scene->walls[facet->wall];
-        if (scene->barriers[f].surface.law == FW_PENALTY) continue;
+        if (scene->candidates[f].surface.law == FW_PENALTY) continue;
         const double away = fmax(fabs(wall->place.x), fabs(wall->place.y));
         const fw_vec2 way = fw_vec2_subtract(displacement, wall->motion);
         const fw_vec2 to = fw_vec2_subtract(end, fw_vec2_add(wall->place, wall->motion));
@@ -43,7 +43,7 @@ static fw_status check_contact(const fw_scene *scene, const scene_body *body,
     if (passed < 0) return FW_OK;
     int other = passed;
     for (int k = 0; k < solution->rows.count && other == passed; ++k)
-        other = scene->barriers[solution->rows.facet[k]].facet->wall;
+        other = scene->candidates[solution->rows.facet[k]].facet->wall;
     if (other == passed)
         return fw_fail(error, FW_DIVERGED,
                        "step %lld: wall %s leaves particle %d of body %s at (%g, %g) no room, it "

@@ -59,7 +59,7 @@ static fw_vec2 random_vector(uint64_t *seed, double size)
 
 /* Two walls that are nearly parallel, or a nearly singular mobility, make forces and displacements
  * large: 1e-11 of their size is rounding. */
-static void assert_lawful(const kind *k, const fw_prediction *free, const fw_barrier *barriers,
+static void assert_lawful(const kind *k, const fw_prediction *free, const fw_candidate *candidates,
                           int count, const fw_contact_solution *c)
 {
     fw_vec2 moved = fw_vec2_add(free->displacement, fw_sym2_apply(free->mobility, c->force));
@@ -67,31 +67,31 @@ static void assert_lawful(const kind *k, const fw_prediction *free, const fw_bar
     if (hypot(moved.x - c->displacement.x, moved.y - c->displacement.y) > 1e-11 * size)
         fail_msg("%s: the displacement does not follow from the force", k->name);
     double work = fw_vec2_dot(c->force, c->displacement);
-    for (int n = 0; n < c->touch_count; ++n) {
-        work -= c->touch[n].work - c->touch[n].dissipated;
-        if (k->law != FW_COMPONENTWISE && c->touch[n].dissipated < -1e-11)
-            fail_msg("%s: friction feeds %g", k->name, -c->touch[n].dissipated);
+    for (int n = 0; n < c->wall_contact_count; ++n) {
+        work -= c->wall_contact[n].work - c->wall_contact[n].dissipated;
+        if (k->law != FW_COMPONENTWISE && c->wall_contact[n].dissipated < -1e-11)
+            fail_msg("%s: friction feeds %g", k->name, -c->wall_contact[n].dissipated);
     }
     if (fabs(work) > 1e-11 * size * size) fail_msg("%s: work of %g is not reported", k->name, work);
     for (int n = 0; n < count && !c->unresolved; ++n) {
-        fw_vec2 w = fw_vec2_subtract(c->displacement, barriers[n].motion);
-        if (fw_facet_gap(barriers[n].facet, w) < -1e-11 * size &&
-            fw_facet_is_passed(barriers[n].facet, (fw_vec2){0, 0}, w, 0))
+        fw_vec2 w = fw_vec2_subtract(c->displacement, candidates[n].motion);
+        if (fw_facet_gap(candidates[n].facet, w) < -1e-11 * size &&
+            fw_facet_is_passed(candidates[n].facet, (fw_vec2){0, 0}, w, 0))
             fail_msg("%s: a wall is passed by %g and nothing says so", k->name,
-                     -fw_facet_gap(barriers[n].facet, w));
+                     -fw_facet_gap(candidates[n].facet, w));
     }
 }
 
 static void try_once(const kind *k, uint64_t *seed, tally *sum)
 {
     fw_facet facets[FACETS];
-    fw_barrier barriers[FACETS];
+    fw_candidate candidates[FACETS];
     int count = 1 + (int)random_between(seed, 0, FACETS);
     for (int n = 0; n < count; ++n) {
         fw_surface surface = {.law = k->law, .friction = random_between(seed, 0, 1)};
         facets[n] = random_facet(seed, n, k->round);
-        barriers[n] = (fw_barrier){.facet = &facets[n], .number = n, .surface = surface};
-        if (k->moving) barriers[n].motion = random_vector(seed, 0.2);
+        candidates[n] = (fw_candidate){.facet = &facets[n], .number = n, .surface = surface};
+        if (k->moving) candidates[n].motion = random_vector(seed, 0.2);
     }
     const fw_prediction free = {.displacement = random_vector(seed, 0.5),
                                 .inertial = random_vector(seed, 0.5),
@@ -106,12 +106,12 @@ static void try_once(const kind *k, uint64_t *seed, tally *sum)
     fw_row_list kept = {0};
     if (random_between(seed, 0, 1) < 0.3)
         kept = (fw_row_list){.count = 1, .facet = {(int)random_between(seed, 0, count)}};
-    fw_contact_solution c = fw_constrain((fw_vec2){0, 0}, &free, &kept, barriers, count, barriers,
-                                         k->law == FW_COULOMB ? &memory : NULL);
+    fw_contact_solution c = fw_constrain((fw_vec2){0, 0}, &free, &kept, candidates, count,
+                                         candidates, k->law == FW_COULOMB ? &memory : NULL);
     if (!c.held) return;
     sum->held += 1;
     sum->unresolved += c.unresolved;
-    assert_lawful(k, &free, barriers, count, &c);
+    assert_lawful(k, &free, candidates, count, &c);
 }
 
 static void one_particle_obeys_the_laws_between_any_walls(void **state)

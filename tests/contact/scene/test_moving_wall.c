@@ -71,7 +71,7 @@ static void wall_on_a_path_does_not_touch_what_is_far(void **state)
             }
 }
 
-/* The body lies half in the wall: no path makes that a touch. */
+/* The body lies half in the wall: no path makes that a wall_contact. */
 static void start_behind_a_moving_wall_is_refused(void **state)
 {
     (void)state;
