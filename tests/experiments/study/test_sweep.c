@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* test_sweep.c - sweeps: what stands for a parameter, what is refused, cases that are asked for
- * something, and one that is interrupted. */
+/* test_sweep.c - sweeps: what stands for a parameter, what is refused, and cases that are asked for
+ * something. */
 #include "tests/support/laws.h"
 
 #include "experiments/scenario/scenario.h"
-#include "experiments/storage/csv.h"
 #include "experiments/study/sweep.h"
 #include "experiments/text/number.h"
 #include "experiments/text/substitution.h"
@@ -245,8 +244,9 @@ static void cases_are_asked_and_compared(void **state)
     /* Asked of v = 0.2 alone; measured of all. */
     shell(folder, "test $(grep -c 'not asked$\\|not asked,' it/v=0.1/summary.csv) = 2");
     shell(folder, "grep -q '\"energy, at the end\",0.6 +- 1e-09,.*,holds' it/v=0.2/summary.csv");
-    shell(folder, "test \"$(ls it)\" = \"$(printf 'manifest\\nspeeds.png\\nsweep-as-run.yaml\\nsweep.csv\\n"
-                  "v=0.05\\nv=0.1\\nv=0.2')\"");
+    shell(folder,
+          "test \"$(ls it)\" = \"$(printf 'manifest\\nspeeds.png\\nsweep-as-run.yaml\\nsweep.csv\\n"
+          "v=0.05\\nv=0.1\\nv=0.2')\"");
     shell(folder, "head -c 4 it/speeds.png | grep -q PNG");
     /* The pictures of single runs are drawn in each case. */
     shell(folder,
@@ -361,31 +361,6 @@ static void table_holds_what_the_cases_show(void **state)
     remove_folder(folder);
 }
 
-static void csv_gives_every_text_back(void **state)
-{
-    static const char *const texts[] = {"plain", "with, comma", "a \"quoted\" word", "", "\"", ","};
-    enum { COUNT = sizeof texts / sizeof texts[0] };
-    char *line = NULL, *cell;
-    size_t size = 0;
-    (void)state;
-    FILE *out = open_memstream(&line, &size);
-    assert_non_null(out);
-    for (int n = 0; n < COUNT; ++n) {
-        if (n > 0) fputc(',', out);
-        fw_csv_write_text(out, texts[n]);
-    }
-    fputc('\n', out);
-    fclose(out);
-    char *at = line;
-    for (int n = 0; n < COUNT; ++n) {
-        assert_non_null(at);
-        at = fw_csv_cut(at, &cell);
-        assert_string_equal(cell, texts[n]);
-    }
-    assert_null(at);
-    free(line);
-}
-
 /* A result is replaced only when that is asked for, and then nothing of it stays. */
 static void results_of_runs_and_sweeps_do_not_mix(void **state)
 {
@@ -414,75 +389,6 @@ static void results_of_runs_and_sweeps_do_not_mix(void **state)
     remove_folder(folder);
 }
 
-/* --- interruption --- */
-
-/* Cases with two seeds and a control each. */
-static const char rubbing[] =
-    "title: two crystals rub\n"
-    "materials: {grain: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}}\n"
-    "dynamics: {time-step: 0.005, damping: 0.4, temperature: 0.01}\n"
-    "bodies:\n"
-    "  left: {material: grain, lattice: hexagonal, shape: {rectangle: [5, 6]}, origin: [-5, 0]}\n"
-    "  right: {material: grain, lattice: hexagonal, shape: {rectangle: [5, 6]}, origin: [0.5, 0]}\n"
-    "grips:\n"
-    "  left: {body: left, side: left, layer: 1.2, force: [9, 0], tether: [0, 2]}\n"
-    "  right: {body: right, side: right, layer: 1.2, force: [-9, 0], tether: [0, 2]}\n"
-    "phases:\n"
-    "  settle: {until: 200, damping: 1}\n"
-    "  sample: {until: 1600, grips: {left: {force: [9, 0], amplitude: [0, 9], period: 2}}}\n"
-    "run: {steps: 1600, record-every: 50, measure-every: 10, checkpoint-every: 100}\n"
-    "profile: {axis: x, phase: sample, every: 20, bin: 0.9, far: [2, 4]}\n"
-    "study:\n"
-    "  seeds: 2\n"
-    "  control: ['phases.sample.grips.left.amplitude=[0, 0]']\n"
-    "  sweep:\n"
-    "    parameter: A\n"
-    "    values: [1, 0.5, 2]\n"
-    "    set: ['phases.sample.grips.left.amplitude=[0, 6*A]']\n"
-    "expect:\n"
-    "  - {quantity: momentum-error, component: x, statistic: largest, below: 1}\n"
-    "  - {quantity: layer-slip-path, above: 0}\n";
-
-static void interrupted_sweep_comes_to_the_same_bytes(void **state)
-{
-    char folder[64];
-    (void)state;
-    make_quick_folder(folder, sizeof folder);
-    write_scenario(folder, "rubbing.yaml", rubbing);
-    outcome seen = run_program(folder, "run rubbing.yaml -q --no-plot --threads 2 -o whole");
-    expect_end(&seen, 0, "");
-    running run = start_program(folder, "run rubbing.yaml -q --no-plot --threads 1 -o part");
-    await_file(folder, "part/A=0.5/checkpoint-B");
-    kill(run.process, SIGTERM);
-    seen = await_program(run);
-    expect_end(&seen, 143, "interrupted in case 2 of 3, A=0.5; `fretwork resume part` goes on");
-    assert_true(exists(folder, "part/sweep-as-run.yaml"));
-    assert_false(exists(folder, "part/sweep.csv"));
-    assert_false(exists(folder, "part/A=2"));
-    seen = run_program(folder, "plot part");
-    expect_end(&seen, 2, "part: the sweep is not finished; `fretwork resume part` goes on");
-    /* The finished case is read back: its folder could not be written to. */
-    const ino_t finished = inode_of(folder, "part/A=1/summary.csv");
-    run = start_program(folder, "resume part -q --no-plot");
-    await_file(folder, "part/A=2/checkpoint-B");
-    kill(run.process, SIGKILL);
-    await_program(run);
-    assert_false(exists(folder, "part/sweep.csv"));
-    seen = run_program(folder, "resume part -q --no-plot --threads 2");
-    expect_end(&seen, 0, "");
-    assert_true(finished != 0 && inode_of(folder, "part/A=1/summary.csv") == finished);
-    shell(folder, "cmp whole/sweep.csv part/sweep.csv");
-    shell(folder, "for c in 1 0.5 2; do for f in summary layer profile; do"
-                  " cmp whole/A=$c/$f.csv part/A=$c/$f.csv || exit 1; done; done");
-    expect_same_results(folder, "whole/A=0.5", "part/A=0.5");
-    expect_same_results(folder, "whole/A=0.5/control", "part/A=0.5/control");
-    /* A case of another sweep in its place is not taken for this one's. */
-    shell(folder, "rm part/sweep.csv && rm -r part/A=2 && cp -r whole/A=1 part/A=2");
-    seen = run_program(folder, "resume part -q --no-plot");
-    expect_end(&seen, 2, "part/A=2 holds results of another scenario than the sweep");
-    remove_folder(folder);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -495,9 +401,7 @@ int main(void)
         cmocka_unit_test(trends_are_judged_beyond_their_errors),
         cmocka_unit_test(a_case_that_is_held_is_not_replaced),
         cmocka_unit_test(table_holds_what_the_cases_show),
-        cmocka_unit_test(csv_gives_every_text_back),
         cmocka_unit_test(results_of_runs_and_sweeps_do_not_mix),
-        cmocka_unit_test(interrupted_sweep_comes_to_the_same_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
