@@ -47,6 +47,15 @@ static char *read_text(fw_playback *playback, const char *path)
     return text;
 }
 
+/* Names go into sentences, tables and pictures: none with control characters, which a terminal
+ * would obey. In UTF-8 those above 127 begin with 0xC2. */
+static bool is_plain(const char *name)
+{
+    for (const unsigned char *c = (const unsigned char *)name; *c; ++c)
+        if (*c < 0x20 || *c == 0x7f || (c[0] == 0xc2 && c[1] >= 0x80 && c[1] < 0xa0)) return false;
+    return true;
+}
+
 /* How many particles there are, and which belong to which body: `species` counts bodies from 0 and
  * never goes down. */
 static fw_status read_bodies(fw_playback *playback, fw_error *error)
@@ -82,6 +91,7 @@ static fw_status read_bodies(fw_playback *playback, fw_error *error)
             for (int i = 0, first = 0; i < bodies; first += playback->bodies[i++].count) {
                 playback->bodies[i].first = first;
                 memcpy(playback->bodies[i].name, names + (size_t)i * FW_NAME_SIZE, FW_NAME_SIZE);
+                sound = sound && is_plain(playback->bodies[i].name);
             }
         } else {
             fw_hdf5_give_up(hdf5, "the bodies");
@@ -137,7 +147,7 @@ static fw_status read_fields(fw_playback *playback, fw_error *error)
         return fw_fail_memory(error, "the names of the fields");
     }
     for (int i = 0; i < count; ++i) {
-        if (!has_element(playback, names[i], 1)) continue;
+        if (!is_plain(names[i]) || !has_element(playback, names[i], 1)) continue;
         char path[FW_NAME_SIZE + 64];
         fw_playback_field *field = &playback->fields[playback->field_count++];
         memcpy(field->name, names[i], FW_NAME_SIZE);
@@ -171,8 +181,9 @@ static fw_status read_observables(fw_playback *playback, fw_error *error)
         if (!fw_hdf5_shape(hdf5, fw_hdf5_find(hdf5, path), &shape) || shape.text ||
             shape.element != FW_F64 || (shape.rank != 1 && shape.rank != 2) ||
             shape.extent[0] < (uint64_t)playback->sample_count ||
-            (shape.rank == 2 && (shape.extent[1] < 1 || shape.extent[1] > INT_MAX)))
-            fw_hdf5_refuse(hdf5, path);
+            (shape.rank == 2 && (shape.extent[1] < 1 || shape.extent[1] > INT_MAX)) ||
+            !is_plain(names[i]) || !is_plain(added->unit) || !is_plain(added->meaning))
+            fw_hdf5_refuse(hdf5, is_plain(names[i]) ? path : FW_SERIES);
         else
             added->components = shape.rank == 2 ? (int)shape.extent[1] : 1;
     }

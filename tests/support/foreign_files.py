@@ -60,7 +60,15 @@ def huge_links(file):
     file.create_dataset("connectivity/links", (500_000_000, 2), np.int32, chunks=(1_000_000, 2))
 
 
+def escape_in_body(file):
+    del file[f"{PARTICLES}/species"].attrs["bodies"]
+    file[f"{PARTICLES}/species"].attrs["bodies"] = np.array([b"one", b"t\x1b[31mwo"])
+
+
 DAMAGES = {
+    "escape-in-body": escape_in_body,
+    "escape-in-observable": lambda file: file.move("parameters/series/energy",
+                                                   "parameters/series/e\x1b[2J"),
     "no-metadata": without("h5md"),
     "other-creator": other_creator,
     "creator-of-variable-length": variable_creator,
