@@ -187,10 +187,12 @@ static void draw_links(const forces_panel *body, const fw_panel *panel, bool ori
     }
 }
 
-/* Small where links are short, so that arrows come out from behind them. */
+/* Small where links are short, so that arrows come out from behind them and neighbours do not
+ * touch. */
 static double particle_size(const forces_panel *body, const fw_panel *panel)
 {
-    return fmin(1, fmax(.35, body->shortest_link * fw_panel_scale(panel) / 14));
+    const double link = body->shortest_link * fw_panel_scale(panel);
+    return fmin(fmin(1, fmax(.35, link / 14)), .3 * link / ring_radius);
 }
 
 static void draw_particles(const forces_panel *body, const fw_panel *panel)

@@ -8,6 +8,7 @@
 
 #include "core/array.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -82,6 +83,9 @@ static void add_link_forces(forces *f, const fw_plot_view *view, int body)
         fw_vec2 deformation = {
             shown->x[b] - shown->x[a] - (result->rest_x[first + b] - result->rest_x[first + a]),
             shown->y[b] - shown->y[a] - (result->rest_y[first + b] - result->rest_y[first + a])};
+        /* What rounding alone stretches has no force worth an arrow. */
+        const double places = fabs(shown->x[a]) + fabs(shown->y[a]) + shown->spacing;
+        if (hypot(deformation.x, deformation.y) <= 32 * DBL_EPSILON * places) continue;
         fw_vec2 force = fw_sym2_apply(f->stiffness[n], deformation);
         f->arrows[f->arrow_count++] = (fw_figure_force){a, force, false};
         f->arrows[f->arrow_count++] = (fw_figure_force){b, fw_vec2_scale(-1, force), false};
