@@ -85,7 +85,7 @@ static fw_status check_modes(const fw_scenario *scenario, const fw_node *list, b
 
 static const fw_material_model *model_of(const fw_scenario *scenario, const fw_scenario_body *body)
 {
-    return &fw_material_models[scenario->materials[body->material].kind];
+    return fw_material_model_of(scenario->materials[body->material].kind);
 }
 
 static fw_status check_lattice(const fw_scenario *scenario, const fw_node *node,
@@ -117,7 +117,7 @@ static fw_status refuse_foreign_keys(const fw_scenario *scenario, const fw_node 
         char whose[200] = "";
         if (has_key(own, given->key)) continue;
         for (int kind = 0; kind < FW_MATERIAL_KINDS; ++kind) {
-            const fw_material_model *model = &fw_material_models[kind];
+            const fw_material_model *model = fw_material_model_of((fw_material_kind)kind);
             const size_t used = strlen(whose);
             if (has_key(model, given->key))
                 snprintf(whose + used, sizeof whose - used, "%s%s", used ? " and " : "",

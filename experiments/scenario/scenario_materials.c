@@ -5,7 +5,7 @@
 #include <string.h>
 
 /* Per row: key, lattices, keys of bodies, what it can, and how it is read and checked. */
-const fw_material_model fw_material_models[FW_MATERIAL_KINDS] = {
+static const fw_material_model models[] = {
     [FW_LATTICE_BOLTZMANN] = {{"lattice-boltzmann", AT_OBJECT(fw_scenario_material, boltzmann),
                                ALTERNATIVE, .subsection = &fw_lattice_boltzmann_section,
                                .meaning = "the lattice Boltzmann solid"},
@@ -43,13 +43,21 @@ const fw_material_model fw_material_models[FW_MATERIAL_KINDS] = {
         .check_body = fw_scenario_check_automaton,
         .check_bodies = fw_scenario_check_clock}};
 
+_Static_assert(sizeof models / sizeof models[0] == FW_MATERIAL_KINDS,
+               "a row for each fw_material_kind");
+
 const fw_section fw_material_section = {"`materials.NAME`", "a material",
                                         "What a body is made of: one model of a solid.",
-                                        FW_ROWS(fw_material_models)};
+                                        FW_ROWS(models)};
+
+const fw_material_model *fw_material_model_of(fw_material_kind kind)
+{
+    return &models[kind];
+}
 
 const fw_material_model *fw_scenario_model(const fw_scenario *scenario, int body)
 {
-    return &fw_material_models[scenario->materials[scenario->bodies[body].material].kind];
+    return &models[scenario->materials[scenario->bodies[body].material].kind];
 }
 
 fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error)
@@ -61,13 +69,12 @@ fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error)
     for (const fw_node *node = part->first; node; node = node->next) {
         fw_scenario_material *material = &scenario->materials[scenario->material_count++];
         int kind = 0;
-        while (strcmp(fw_material_models[kind].key.name, node->first->key) != 0) ++kind;
+        while (strcmp(models[kind].key.name, node->first->key) != 0) ++kind;
         material->name = node->key;
         material->place = node->key_place;
         material->kind = (fw_material_kind)kind;
         FW_TRY(fw_schema_fill(scenario->document, &fw_material_section, node, material, error));
-        if (fw_material_models[kind].read)
-            FW_TRY(fw_material_models[kind].read(scenario, node->first, material, error));
+        if (models[kind].read) FW_TRY(models[kind].read(scenario, node->first, material, error));
     }
     return FW_OK;
 }
@@ -75,7 +82,6 @@ fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error)
 fw_status fw_scenario_check_materials(const fw_scenario *scenario, fw_error *error)
 {
     for (int kind = 0; kind < FW_MATERIAL_KINDS; ++kind)
-        if (fw_material_models[kind].check_bodies)
-            FW_TRY(fw_material_models[kind].check_bodies(scenario, error));
+        if (models[kind].check_bodies) FW_TRY(models[kind].check_bodies(scenario, error));
     return FW_OK;
 }

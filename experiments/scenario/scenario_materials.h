@@ -11,7 +11,7 @@
 typedef struct fw_scenario fw_scenario;
 typedef struct fw_scenario_body fw_scenario_body;
 
-/* A row of fw_material_models. */
+/* A row of the table of models. */
 typedef enum fw_material_kind {
     FW_LATTICE_BOLTZMANN,
     FW_MOVABLE_PARTICLES,
@@ -54,7 +54,8 @@ typedef struct fw_material_model {
     fw_status (*check_bodies)(const fw_scenario *scenario, fw_error *error);
 } fw_material_model;
 
-extern const fw_material_model fw_material_models[FW_MATERIAL_KINDS];
+/* The row of a kind. */
+const fw_material_model *fw_material_model_of(fw_material_kind kind);
 
 /* The model that a body of the scenario is of. */
 const fw_material_model *fw_scenario_model(const fw_scenario *scenario, int body);

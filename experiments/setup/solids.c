@@ -18,7 +18,7 @@ static const fw_solid_kind solids[] = {
                               .print_limits = fw_automaton_print_limits}};
 
 _Static_assert(sizeof solids / sizeof solids[0] == FW_MATERIAL_KINDS,
-               "a row for each of fw_material_models");
+               "a row for each fw_material_kind");
 
 const fw_solid_kind *fw_solid_kind_of(const fw_scenario *scenario, int body)
 {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* solids.h - what is built of each material: the table that goes with fw_material_models. */
+/* solids.h - what is built of each material: the table that goes with
+ * fw_material_model. */
 #ifndef FW_SOLIDS_H
 #define FW_SOLIDS_H
 
