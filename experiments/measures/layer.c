@@ -212,6 +212,12 @@ fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_observer *obser
                               error);
 }
 
+bool fw_layer_needs_control(int measure)
+{
+    return measure == FW_LAYER_CONTACT_OVER_CONTROL || measure == FW_LAYER_EXCHANGES_OVER_CONTROL ||
+           measure == FW_LAYER_MOBILITY_OVER_CONTROL;
+}
+
 void fw_layer_compare(double values[FW_LAYER_MEASURES], const double control[FW_LAYER_MEASURES],
                       const fw_profile *profile)
 {

@@ -39,6 +39,8 @@ typedef enum fw_layer_measure {
 fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_observer *observer,
                       const fw_measurement *measurement, fw_error *error);
 
+/* Is it measured against the control? */
+bool fw_layer_needs_control(int measure);
 /* Fills in what is over the control of the same seed. */
 void fw_layer_compare(double values[FW_LAYER_MEASURES], const double control[FW_LAYER_MEASURES],
                       const fw_profile *profile);

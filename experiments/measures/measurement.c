@@ -4,6 +4,7 @@
 #include "experiments/measures/measurement.h"
 
 #include "core/particles/particles.h"
+#include "experiments/measures/layer.h"
 
 #include "experiments/text/spelling.h"
 
@@ -379,9 +380,17 @@ static fw_status add_outcome(request *r, int number, const fw_quantity *quantity
     const fw_scenario *scenario = r->experiment->scenario;
     r->measurement->expected[number] = -1;
     r->measurement->component[number] = (int)(quantity - fw_layer_quantities);
-    if (r->observer->profile) return FW_OK;
-    return fw_scenario_fail(scenario, scenario->expectations[number].quantity.place, r->error,
-                            "%s comes out of a profile, and the scenario has none", quantity->name);
+    const fw_place place = scenario->expectations[number].quantity.place;
+    if (!r->observer->profile)
+        return fw_scenario_fail(scenario, place, r->error,
+                                "%s comes out of a profile, and the scenario has none",
+                                quantity->name);
+    if (scenario->study.control_count > 0 ||
+        !fw_layer_needs_control(r->measurement->component[number]))
+        return FW_OK;
+    return fw_scenario_fail(scenario, place, r->error,
+                            "%s is measured against a control, and the study has none",
+                            quantity->name);
 }
 
 static fw_status add_expected(request *r, int number)

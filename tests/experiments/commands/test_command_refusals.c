@@ -101,6 +101,7 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set 'forces.push={body: shet, force: [1,0]}'", 2, "--set forces.push={body: shet, force: [1,0]}: there is no body 'shet'; did you mean 'sheet'?"},
     {"run bounce.yaml --set 'forces.push={body: sheet, sites: [[6,6]], force: [1,0]}'", 2, "--set forces.push={body: sheet, sites: [[6,6]], force: [1,0]}: site [6, 6] is not one of body 'sheet', whose sites lie in columns 0 to 5 and rows 0 to 5"},
     {"run bounce.yaml --set record.fields=[sped]", 2, "--set record.fields=[sped]: no body has a field sped; did you mean speed?"},
+    {"run friction-control --set expect.0.quantity=layer-contact-over-control", 2, "--set expect.0.quantity=layer-contact-over-control: layer-contact-over-control is measured against a control, and the study has none"},
     {"run friction --set study.control=[run.stepz=3]", 2, "--set study.control=[run.stepz=3]: control: --set run.stepz=3: unknown key 'stepz' in run; did you mean 'steps'?"},
     {"run bounce.yaml --set record.fields=[colour]", 2, "--set record.fields=[colour]: no body has a field colour, expected one of those that `fretwork quantities` lists"},
     {"run bounce.yaml --set measure=[enrgy]", 2, "--set measure=[enrgy]: quantity enrgy is not known; did you mean energy?"},
