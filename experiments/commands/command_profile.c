@@ -20,10 +20,12 @@ static fw_status find_column(const char *name, fw_profile_column *column, fw_err
     if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "a profile has no field %s; did you mean %s?", name,
                        suggestion.best);
-    return fw_fail(error, FW_BAD_INPUT,
-                   "a profile has no field %s, expected return-force, bond-return-force, order, "
-                   "density, temperature, drift-velocity, bond-exchanges or relative-displacement",
-                   name);
+    return fw_fail(
+        error, FW_BAD_INPUT,
+        "a profile has no field %s, expected return-force, bond-return-force, order, "
+        "density, temperature, drift-velocity, bond-breaking-rate, relative-displacement or "
+        "diffusivity",
+        name);
 }
 
 /* The axis that the scenario has; another one was not measured. */

@@ -3,6 +3,7 @@
  * fw_layer_of(). */
 #include "experiments/measures/layer.h"
 
+#include "core/array.h"
 #include "core/averages.h"
 
 #include <math.h>
@@ -16,17 +17,19 @@ const fw_quantity fw_layer_quantities[] = {
     [FW_LAYER_CONTACT_OVER_FAR] = {"layer-contact-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL},
     [FW_LAYER_PEAK_OVER_FAR] = {"layer-peak-over-far", FW_SCOPE_STUDY, "", "1", "return force of the highest bin nearer than far, over far", NULL, NULL},
     [FW_LAYER_CONTACT_OVER_CONTROL] = {"layer-contact-over-control", FW_SCOPE_STUDY, "", "1", "return force at the contact over the control's", NULL, NULL},
-    [FW_LAYER_EXCHANGES] = {"layer-exchanges", FW_SCOPE_STUDY, "", "1/time", "bonds lost per particle and time at the contact", NULL, NULL},
-    [FW_LAYER_EXCHANGES_FAR] = {"layer-exchanges-far", FW_SCOPE_STUDY, "", "1/time", "the same far from it", NULL, NULL},
-    [FW_LAYER_EXCHANGES_OVER_FAR] = {"layer-exchanges-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other, or over a single one seen: at least so much", NULL, NULL},
-    [FW_LAYER_EXCHANGES_OVER_CONTROL] = {"layer-exchanges-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's, or over a single one seen: at least so much", NULL, NULL},
-    [FW_LAYER_MOBILITY] = {"layer-mobility", FW_SCOPE_STUDY, "", "length^2", "mean square change of a bond's vector between samples at the contact", NULL, NULL},
-    [FW_LAYER_MOBILITY_FAR] = {"layer-mobility-far", FW_SCOPE_STUDY, "", "length^2", "the same far from it", NULL, NULL},
-    [FW_LAYER_MOBILITY_OVER_FAR] = {"layer-mobility-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL},
-    [FW_LAYER_MOBILITY_OVER_CONTROL] = {"layer-mobility-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's", NULL, NULL},
-    [FW_LAYER_WIDTH_ORDER] = {"layer-width-order", FW_SCOPE_STUDY, "", "length", "bins nearer than far in which the order |psi_n| is below .9; of seeds whose bodies have not parted (density at the contact above half of that far from it)", NULL, NULL},
-    [FW_LAYER_WIDTH_HALF] = {"layer-width-half", FW_SCOPE_STUDY, "", "length", "the same, in which the return force is above the middle of contact and far", NULL, NULL},
-    [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "the same, in which the return force is above twice that of far", NULL, NULL},
+    [FW_LAYER_BOND_BREAKING] = {"layer-bond-breaking", FW_SCOPE_STUDY, "", "1/time", "bonds broken per particle and time at the contact", NULL, NULL},
+    [FW_LAYER_BOND_BREAKING_FAR] = {"layer-bond-breaking-far", FW_SCOPE_STUDY, "", "1/time", "the same far from it", NULL, NULL},
+    [FW_LAYER_BOND_BREAKING_OVER_FAR] = {"layer-bond-breaking-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other, or over a single one seen: at least so much", NULL, NULL},
+    [FW_LAYER_BOND_BREAKING_OVER_CONTROL] = {"layer-bond-breaking-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's, or over a single one seen: at least so much", NULL, NULL},
+    [FW_LAYER_RELATIVE_DISPLACEMENT] = {"layer-relative-displacement", FW_SCOPE_STUDY, "", "length^2", "mean square change of a bond's vector over one unit of time, r0 (m/epsilon)^(1/2), at the contact", NULL, NULL},
+    [FW_LAYER_RELATIVE_DISPLACEMENT_FAR] = {"layer-relative-displacement-far", FW_SCOPE_STUDY, "", "length^2", "the same far from it", NULL, NULL},
+    [FW_LAYER_RELATIVE_DISPLACEMENT_OVER_FAR] = {"layer-relative-displacement-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL},
+    [FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL] = {"layer-relative-displacement-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's", NULL, NULL},
+    [FW_LAYER_DIFFUSIVITY] = {"layer-diffusivity", FW_SCOPE_STUDY, "", "length^2/time", "of the particles at the contact, across it: 0 within its error where they only slide", NULL, NULL},
+    [FW_LAYER_DIFFUSIVITY_FAR] = {"layer-diffusivity-far", FW_SCOPE_STUDY, "", "length^2/time", "the same far from it", NULL, NULL},
+    [FW_LAYER_WIDTH_ORDER] = {"layer-width-order", FW_SCOPE_STUDY, "", "length", "how far across, nearer than far, the order |psi_n| is below .9, straight lines between the bins; of seeds whose bodies have not parted (density at the contact above half of that far from it)", NULL, NULL},
+    [FW_LAYER_WIDTH_HALF] = {"layer-width-half", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above the middle of contact and far", NULL, NULL},
+    [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above twice that of far", NULL, NULL},
     [FW_LAYER_TEMPERATURE] = {"layer-temperature", FW_SCOPE_STUDY, "", "energy", "of the contact, relative to its mean motion in each sample", NULL, NULL},
     [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "way of the first grip along the second in the phase before the samples", NULL, NULL},
     [FW_LAYER_OFFSET] = {"layer-offset", FW_SCOPE_STUDY, "", "length", "size of the mean displacement of the first grip along the second while samples are taken: how far the bodies have walked off each other", NULL, NULL},
@@ -52,41 +55,112 @@ static bool is_near(const fw_observer *observer, int bin)
     return fabs(middle_of(observer->profile, bin) - plan->middle) < plan->far[0];
 }
 
+static double highest_force(const fw_observer *observer)
+{
+    double highest = 0;
+    for (int b = 0; b < fw_profile_bin_count(observer->profile); ++b)
+        if (is_near(observer, b))
+            highest =
+                fmax(highest, fw_profile_value(observer->profile, b, FW_PROFILE_RETURN_FORCE));
+    return highest;
+}
+
+/* The length of low .. high on which the line from (from, first) to (until, second) is above 0. */
+static double length_above(double from, double first, double until, double second, double low,
+                           double high)
+{
+    if (first <= 0 && second <= 0) return 0;
+    if ((first > 0) != (second > 0)) {
+        const double crossing = from + (until - from) * first / (first - second);
+        if (first > 0)
+            until = crossing;
+        else
+            from = crossing;
+    }
+    return fmax(fmin(until, high) - fmax(from, low), 0);
+}
+
+double fw_layer_width(const double *places, const double *values, int count, double level,
+                      double sign, double low, double high)
+{
+    double width = 0;
+    int last = -1;
+    for (int n = 0; n < count; ++n) {
+        if (isnan(values[n])) continue;
+        if (last >= 0)
+            width += length_above(places[last], sign * (values[last] - level), places[n],
+                                  sign * (values[n] - level), low, high);
+        last = n;
+    }
+    return width;
+}
+
+/* Where the lines between the middles of the bins are above the level (sign 1) or below it (-1),
+ * nearer than far. */
+static double width_of(const fw_observer *observer, const double *places, double *values,
+                       fw_profile_column column, double level, double sign)
+{
+    const fw_profile *p = observer->profile;
+    const fw_scenario_profile *plan = &observer->experiment->scenario->profile;
+    const int count = fw_profile_bin_count(p);
+    for (int b = 0; b < count; ++b) values[b] = fw_profile_value(p, b, column);
+    return fw_layer_width(places, values, count, level, sign, plan->middle - plan->far[0],
+                          plan->middle + plan->far[0]);
+}
+
+static fw_status measure_widths(double *measures, const fw_observer *observer, fw_error *error)
+{
+    const fw_profile *p = observer->profile;
+    const size_t count = (size_t)fw_profile_bin_count(p);
+    const double contact = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_RETURN_FORCE);
+    const double far = fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_RETURN_FORCE);
+    /* Bodies that have parted have no layer whose width could be told. */
+    const double density = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_DENSITY);
+    if (!(density > .5 * fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_DENSITY))) return FW_OK;
+    double *places = fw_array_of_doubles(count), *values = fw_array_of_doubles(count);
+    if (places && values) {
+        for (size_t b = 0; b < count; ++b) places[b] = middle_of(p, (int)b);
+        measures[FW_LAYER_WIDTH_ORDER] =
+            width_of(observer, places, values, FW_PROFILE_ORDER, .9, -1);
+        measures[FW_LAYER_WIDTH_HALF] =
+            width_of(observer, places, values, FW_PROFILE_RETURN_FORCE, .5 * (contact + far), 1);
+        measures[FW_LAYER_WIDTH_DOUBLE] =
+            width_of(observer, places, values, FW_PROFILE_RETURN_FORCE, 2 * far, 1);
+    }
+    const bool fine = places && values;
+    free(places);
+    free(values);
+    return fine ? FW_OK : fw_fail_memory(error, "the width of a layer");
+}
+
 static void measure_profile(double *values, const fw_observer *observer)
 {
     const fw_profile *p = observer->profile;
-    const double bin = observer->experiment->scenario->profile.bin;
-    const double contact = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_RETURN_FORCE);
-    const double far = fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_RETURN_FORCE);
-    double peak = 0, width_order = 0, width_half = 0, width_double = 0;
-    for (int b = 0; b < fw_profile_bin_count(p); ++b) {
-        const double force = fw_profile_value(p, b, FW_PROFILE_RETURN_FORCE);
-        if (!is_near(observer, b)) continue;
-        peak = fmax(peak, force);
-        width_order += fw_profile_value(p, b, FW_PROFILE_ORDER) < .9 ? bin : 0;
-        width_half += force > .5 * (contact + far) ? bin : 0;
-        width_double += force > 2 * far ? bin : 0;
-    }
-    /* Bodies that have parted have no layer whose width could be told. */
-    const double density = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_DENSITY);
-    if (!(density > .5 * fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_DENSITY)))
-        width_order = width_half = width_double = NAN;
-    values[FW_LAYER_CONTACT] = contact;
-    values[FW_LAYER_FAR] = far;
-    values[FW_LAYER_CONTACT_OVER_FAR] = contact / far;
-    values[FW_LAYER_PEAK_OVER_FAR] = peak / far;
-    values[FW_LAYER_WIDTH_ORDER] = width_order;
-    values[FW_LAYER_WIDTH_HALF] = width_half;
-    values[FW_LAYER_WIDTH_DOUBLE] = width_double;
-    values[FW_LAYER_TEMPERATURE] = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_TEMPERATURE);
-    values[FW_LAYER_EXCHANGES] = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_EXCHANGES);
-    values[FW_LAYER_EXCHANGES_FAR] = fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_EXCHANGES);
-    values[FW_LAYER_EXCHANGES_OVER_FAR] =
-        values[FW_LAYER_EXCHANGES] /
-        fmax(values[FW_LAYER_EXCHANGES_FAR], fw_profile_least_exchange(p, FW_PROFILE_FAR));
-    values[FW_LAYER_MOBILITY] = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_MOBILITY);
-    values[FW_LAYER_MOBILITY_FAR] = fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_MOBILITY);
-    values[FW_LAYER_MOBILITY_OVER_FAR] = values[FW_LAYER_MOBILITY] / values[FW_LAYER_MOBILITY_FAR];
+    static const struct {
+        fw_layer_measure measure;
+        int region;
+        fw_profile_column column;
+    } plain[] = {
+        {FW_LAYER_CONTACT, FW_PROFILE_CONTACT, FW_PROFILE_RETURN_FORCE},
+        {FW_LAYER_FAR, FW_PROFILE_FAR, FW_PROFILE_RETURN_FORCE},
+        {FW_LAYER_TEMPERATURE, FW_PROFILE_CONTACT, FW_PROFILE_TEMPERATURE},
+        {FW_LAYER_BOND_BREAKING, FW_PROFILE_CONTACT, FW_PROFILE_BOND_BREAKING},
+        {FW_LAYER_BOND_BREAKING_FAR, FW_PROFILE_FAR, FW_PROFILE_BOND_BREAKING},
+        {FW_LAYER_RELATIVE_DISPLACEMENT, FW_PROFILE_CONTACT, FW_PROFILE_RELATIVE_DISPLACEMENT},
+        {FW_LAYER_RELATIVE_DISPLACEMENT_FAR, FW_PROFILE_FAR, FW_PROFILE_RELATIVE_DISPLACEMENT},
+        {FW_LAYER_DIFFUSIVITY, FW_PROFILE_CONTACT, FW_PROFILE_DIFFUSIVITY},
+        {FW_LAYER_DIFFUSIVITY_FAR, FW_PROFILE_FAR, FW_PROFILE_DIFFUSIVITY},
+    };
+    for (size_t n = 0; n < sizeof plain / sizeof plain[0]; ++n)
+        values[plain[n].measure] = fw_profile_value(p, plain[n].region, plain[n].column);
+    const double far = values[FW_LAYER_FAR];
+    values[FW_LAYER_CONTACT_OVER_FAR] = values[FW_LAYER_CONTACT] / far;
+    values[FW_LAYER_PEAK_OVER_FAR] = highest_force(observer) / far;
+    values[FW_LAYER_BOND_BREAKING_OVER_FAR] =
+        values[FW_LAYER_BOND_BREAKING] /
+        fmax(values[FW_LAYER_BOND_BREAKING_FAR], fw_profile_least_breaking(p, FW_PROFILE_FAR));
+    values[FW_LAYER_RELATIVE_DISPLACEMENT_OVER_FAR] =
+        values[FW_LAYER_RELATIVE_DISPLACEMENT] / values[FW_LAYER_RELATIVE_DISPLACEMENT_FAR];
 }
 
 /* --- from the series --- */
@@ -207,6 +281,7 @@ fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_observer *obser
 {
     for (int n = 0; n < FW_LAYER_MEASURES; ++n) values[n] = NAN;
     measure_profile(values, observer);
+    FW_TRY(measure_widths(values, observer, error));
     measure_friction(values, observer->experiment, measurement);
     return measure_steadiness(&values[FW_LAYER_UNSTEADINESS], observer->experiment, measurement,
                               error);
@@ -222,8 +297,10 @@ void fw_layer_compare(double values[FW_LAYER_MEASURES], const double control[FW_
                       const fw_profile *profile)
 {
     values[FW_LAYER_CONTACT_OVER_CONTROL] = values[FW_LAYER_CONTACT] / control[FW_LAYER_CONTACT];
-    values[FW_LAYER_MOBILITY_OVER_CONTROL] = values[FW_LAYER_MOBILITY] / control[FW_LAYER_MOBILITY];
-    values[FW_LAYER_EXCHANGES_OVER_CONTROL] =
-        values[FW_LAYER_EXCHANGES] /
-        fmax(control[FW_LAYER_EXCHANGES], fw_profile_least_exchange(profile, FW_PROFILE_CONTACT));
+    values[FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL] =
+        values[FW_LAYER_RELATIVE_DISPLACEMENT] / control[FW_LAYER_RELATIVE_DISPLACEMENT];
+    values[FW_LAYER_BOND_BREAKING_OVER_CONTROL] =
+        values[FW_LAYER_BOND_BREAKING] /
+        fmax(control[FW_LAYER_BOND_BREAKING],
+             fw_profile_least_breaking(profile, FW_PROFILE_CONTACT));
 }

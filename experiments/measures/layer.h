@@ -12,14 +12,16 @@ typedef enum fw_layer_measure {
     FW_LAYER_CONTACT_OVER_FAR,
     FW_LAYER_PEAK_OVER_FAR,
     FW_LAYER_CONTACT_OVER_CONTROL,
-    FW_LAYER_EXCHANGES,
-    FW_LAYER_EXCHANGES_FAR,
-    FW_LAYER_EXCHANGES_OVER_FAR,
-    FW_LAYER_EXCHANGES_OVER_CONTROL,
-    FW_LAYER_MOBILITY,
-    FW_LAYER_MOBILITY_FAR,
-    FW_LAYER_MOBILITY_OVER_FAR,
-    FW_LAYER_MOBILITY_OVER_CONTROL,
+    FW_LAYER_BOND_BREAKING,
+    FW_LAYER_BOND_BREAKING_FAR,
+    FW_LAYER_BOND_BREAKING_OVER_FAR,
+    FW_LAYER_BOND_BREAKING_OVER_CONTROL,
+    FW_LAYER_RELATIVE_DISPLACEMENT,
+    FW_LAYER_RELATIVE_DISPLACEMENT_FAR,
+    FW_LAYER_RELATIVE_DISPLACEMENT_OVER_FAR,
+    FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL,
+    FW_LAYER_DIFFUSIVITY,
+    FW_LAYER_DIFFUSIVITY_FAR,
     FW_LAYER_WIDTH_ORDER,
     FW_LAYER_WIDTH_HALF,
     FW_LAYER_WIDTH_DOUBLE,
@@ -41,6 +43,12 @@ fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_observer *obser
 
 /* Is it measured against the control? */
 bool fw_layer_needs_control(int measure);
+
+/* The length, within low .. high, on which the straight lines between values at ascending places
+ * are above the level (sign 1) or below it (sign -1). Values that are NaN are passed over. */
+double fw_layer_width(const double *places, const double *values, int count, double level,
+                      double sign, double low, double high);
+
 /* Fills in what is over the control of the same seed. */
 void fw_layer_compare(double values[FW_LAYER_MEASURES], const double control[FW_LAYER_MEASURES],
                       const fw_profile *profile);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* profile.c - sums over particles, bin by bin.
- * State: the sums, and places and bonds at the last sample. Invariant: particles are added in
- * ascending order, so that a sum does not depend on threads. Start reading at fw_profile_follow().
- */
+ * State: the sums, and the history of bonds. Invariant: particles are added in ascending order, so
+ * that a sum does not depend on threads. Start reading at fw_profile_follow(). */
 #include "experiments/measures/profile.h"
 
+#include "bond_history.h"
 #include "core/particles/particles.h"
 
 #include <math.h>
@@ -22,17 +22,16 @@ const fw_profile_column_row fw_profile_columns[FW_PROFILE_COLUMNS] = {
                                 "m v^2/2 relative to the mean of the bin in each sample"},
     [FW_PROFILE_DRIFT] = {"drift-velocity", "length/time",
                           "root mean square over samples of the bin's mean velocity along the bin"},
-    [FW_PROFILE_EXCHANGES] = {"bond-exchanges", "1/time",
-                              "bonds lost per particle and time: closer than the bond radius in "
-                              "one sample, 1.2 times further in the next"},
-    [FW_PROFILE_MOBILITY] = {"relative-displacement", "length^2",
-                             "mean square change of a bond's vector between two samples"},
+    [FW_PROFILE_BOND_BREAKING] = {"bond-breaking-rate", "1/time",
+                                  "bonds broken per particle and time: once closer than the bond "
+                                  "radius, now 1.2 times further apart"},
+    [FW_PROFILE_RELATIVE_DISPLACEMENT] = {"relative-displacement", "length^2",
+                                          "mean square change of a bond's vector over one unit of "
+                                          "time, r0 (m/epsilon)^(1/2)"},
+    [FW_PROFILE_DIFFUSIVITY] = {"diffusivity", "length^2/time",
+                                "across the bins: growth of the mean square relative displacement "
+                                "of bonded particles between 1 and 4 units of time, over 4"},
 };
-
-/* A bond is lost when it is so many bond radii long; what trembles at the radius itself is not. */
-#define LOST 1.2
-
-enum { BONDS_MAX = 12 };
 
 /* What is summed. Pairs of a sum and what it is divided by. */
 typedef enum fw_sum {
@@ -44,10 +43,13 @@ typedef enum fw_sum {
     SUM_HEAT,    /* m (v - mean)^2 */
     SUM_FREEDOM, /* degrees of freedom that it belongs to */
     SUM_DRIFT,   /* particles times square of the mean velocity */
-    SUM_LOST,
-    SUM_FOLLOWED, /* particles with a sample before */
+    SUM_BROKEN,
+    SUM_LOOKS, /* particles looked at */
     SUM_CHANGE,
-    SUM_CHANGED, /* bonds that were followed */
+    SUM_ACROSS,
+    SUM_CHANGED, /* bonds that were followed over one lag */
+    SUM_ACROSS_LATE,
+    SUM_CHANGED_LATE, /* bonds that were followed over FW_HISTORY_LAGS */
     SUMS
 } fw_sum;
 
@@ -63,9 +65,8 @@ struct fw_profile {
     double (*sums)[SUMS];                     /* bins, contact, far */
     fw_flow *flow;
     double *force_x, *force_y, *bond_force, *velocity_x, *velocity_y, *mass; /* scratch */
-    int64_t samples, followed; /* followed: places and bonds of the last sample are known */
-    double *last_x, *last_y;
-    int32_t (*last_bonds)[BONDS_MAX]; /* ascending, ended by -1 */
+    int64_t samples;
+    fw_bond_history *history;
 };
 
 /* --- where --- */
@@ -75,10 +76,14 @@ static double across_of(const fw_profile *p, const fw_solid *solid, int i)
     return p->plan.axis == 0 ? solid->x[i] : solid->y[i];
 }
 
+static bool window_holds(const fw_profile *p, double along)
+{
+    return along >= p->window_low && along <= p->window_high;
+}
+
 static bool in_window(const fw_profile *p, const fw_solid *solid, int i)
 {
-    const double along = p->plan.axis == 0 ? solid->y[i] : solid->x[i];
-    return along >= p->window_low && along <= p->window_high;
+    return window_holds(p, p->plan.axis == 0 ? solid->y[i] : solid->x[i]);
 }
 
 static int bin_at(const fw_profile *p, double place)
@@ -126,22 +131,6 @@ static void add_flow(fw_profile *p, const fw_solid *solid)
     }
 }
 
-/* What happened to the bonds of the last sample. */
-static void follow_bonds(const fw_profile *p, const fw_solid *solid, int i, double *sums)
-{
-    const double lost = LOST * fw_particles_bond_radius(solid);
-    sums[SUM_FOLLOWED] += 1;
-    for (int n = 0; n < BONDS_MAX && p->last_bonds[i][n] >= 0; ++n) {
-        const int j = p->last_bonds[i][n];
-        const double dx = solid->x[j] - solid->x[i], dy = solid->y[j] - solid->y[i];
-        const double mx = dx - (p->last_x[j] - p->last_x[i]);
-        const double my = dy - (p->last_y[j] - p->last_y[i]);
-        sums[SUM_LOST] += dx * dx + dy * dy > lost * lost;
-        sums[SUM_CHANGE] += mx * mx + my * my;
-        sums[SUM_CHANGED] += 1;
-    }
-}
-
 static void add_particle(fw_profile *p, const fw_solid *solid, int i)
 {
     int rows[2], bonds;
@@ -163,27 +152,7 @@ static void add_particle(fw_profile *p, const fw_solid *solid, int i)
         }
         sums[SUM_ORDER] += sqrt(order.cosine * order.cosine + order.sine * order.sine);
         sums[SUM_HEAT] += p->mass[i] * (u * u + v * v);
-        if (p->followed) follow_bonds(p, solid, i, sums);
     }
-}
-
-static void remember(fw_profile *p, const fw_solid *solid)
-{
-    const fw_neighbours *neighbours = fw_particles_neighbours(solid);
-    const double radius = fw_particles_bond_radius(solid);
-    for (int i = 0; i < solid->count; ++i) {
-        int count = 0;
-        for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-            const int j = neighbours->list[k];
-            const double dx = solid->x[j] - solid->x[i], dy = solid->y[j] - solid->y[i];
-            if (dx * dx + dy * dy < radius * radius && count < BONDS_MAX)
-                p->last_bonds[i][count++] = j;
-        }
-        if (count < BONDS_MAX) p->last_bonds[i][count] = -1;
-        p->last_x[i] = solid->x[i];
-        p->last_y[i] = solid->y[i];
-    }
-    p->followed = 1;
 }
 
 static void take(fw_profile *p, const fw_solid *solid)
@@ -196,12 +165,58 @@ static void take(fw_profile *p, const fw_solid *solid)
     p->samples += 1;
 }
 
+/* --- from look to look --- */
+
+static void add_broken(fw_profile *p, const fw_solid *solid)
+{
+    for (int i = 0; i < solid->count; ++i) {
+        int rows[2];
+        if (!in_window(p, solid, i)) continue;
+        const int count = rows_at(p, across_of(p, solid, i), rows);
+        for (int n = 0; n < count; ++n) {
+            p->sums[rows[n]][SUM_BROKEN] += p->history->broken[i];
+            p->sums[rows[n]][SUM_LOOKS] += 1;
+        }
+    }
+}
+
+/* Motion since a snapshot belongs where the particle was then. */
+static void add_motion(fw_profile *p, const fw_solid *solid, int snapshot, bool late)
+{
+    const fw_bond_history *h = p->history;
+    const size_t first = (size_t)snapshot * (size_t)h->count;
+    const double *x = h->past_x + first, *y = h->past_y + first;
+    for (int i = 0; i < solid->count; ++i) {
+        int rows[2];
+        if (!window_holds(p, p->plan.axis == 0 ? y[i] : x[i])) continue;
+        const int count = rows_at(p, p->plan.axis == 0 ? x[i] : y[i], rows);
+        if (count == 0) continue;
+        const fw_bond_change change = fw_bond_history_change(h, solid, snapshot, i);
+        for (int n = 0; n < count; ++n) {
+            double *sums = p->sums[rows[n]];
+            sums[SUM_CHANGE] += late ? 0 : change.square;
+            sums[late ? SUM_ACROSS_LATE : SUM_ACROSS] += change.along[p->plan.axis];
+            sums[late ? SUM_CHANGED_LATE : SUM_CHANGED] += change.bonds;
+        }
+    }
+}
+
+static void follow_bonds(fw_profile *p, const fw_solid *solid, int64_t step)
+{
+    if (fw_bond_history_look(p->history, solid, step)) add_broken(p, solid);
+    const int last = fw_bond_history_snapshot(p->history, step, 1);
+    const int oldest = fw_bond_history_snapshot(p->history, step, FW_HISTORY_LAGS);
+    if (last >= 0) add_motion(p, solid, last, false);
+    if (oldest >= 0) add_motion(p, solid, oldest, true);
+    fw_bond_history_remember(p->history, solid, step);
+}
+
 void fw_profile_follow(fw_profile *profile, const fw_solid *solid, int64_t step)
 {
     const fw_scenario_profile *plan = &profile->plan;
-    if (step < plan->from || step > plan->until || (step - plan->from) % plan->every != 0) return;
-    if (step > plan->from) take(profile, solid);
-    remember(profile, solid);
+    if (step < plan->from || step > plan->until) return;
+    if (step > plan->from && (step - plan->from) % plan->every == 0) take(profile, solid);
+    follow_bonds(profile, solid, step);
 }
 
 /* --- life --- */
@@ -217,11 +232,8 @@ static bool allocate(fw_profile *p)
     p->velocity_x = fw_array_of_doubles(count);
     p->velocity_y = fw_array_of_doubles(count);
     p->mass = fw_array_of_doubles(count);
-    p->last_x = fw_array_of_doubles(count);
-    p->last_y = fw_array_of_doubles(count);
-    p->last_bonds = fw_array_allocate(count, sizeof *p->last_bonds);
     return p->sums && p->flow && p->force_x && p->force_y && p->bond_force && p->velocity_x &&
-           p->velocity_y && p->mass && p->last_x && p->last_y && p->last_bonds;
+           p->velocity_y && p->mass;
 }
 
 static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario,
@@ -254,6 +266,19 @@ static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario,
     return FW_OK;
 }
 
+/* r0 (m/epsilon)^(1/2), the longest of all materials whose particles attract; 1 where none do. */
+static double time_unit(const fw_scenario *scenario)
+{
+    double unit = 0;
+    for (int m = 0; m < scenario->material_count; ++m) {
+        const fw_scenario_particles *particles = &scenario->materials[m].particles;
+        const double depth = particles->potential.depth * particles->strength;
+        if (scenario->materials[m].kind != FW_MOVABLE_PARTICLES || !(depth > 0)) continue;
+        unit = fmax(unit, particles->potential.distance * sqrt(particles->mass / depth));
+    }
+    return unit > 0 ? unit : 1;
+}
+
 static fw_status build(fw_profile *p, const fw_scenario *scenario, const fw_solid *solid,
                        fw_error *error)
 {
@@ -284,7 +309,8 @@ static fw_status build(fw_profile *p, const fw_scenario *scenario, const fw_soli
     p->bin_count = (int)(last - first) + 1;
     if (!allocate(p)) return fw_fail_memory(error, "a profile");
     solid->model->masses(solid, p->mass);
-    return FW_OK;
+    return fw_bond_history_create(&p->history, solid, p->plan.from, p->plan.until,
+                                  time_unit(scenario), error);
 }
 
 fw_status fw_profile_create(fw_profile **profile, const fw_scenario *scenario,
@@ -310,36 +336,27 @@ void fw_profile_destroy(fw_profile *profile)
     free(profile->velocity_x);
     free(profile->velocity_y);
     free(profile->mass);
-    free(profile->last_x);
-    free(profile->last_y);
-    free(profile->last_bonds);
+    fw_bond_history_destroy(profile->history);
     free(profile);
 }
 
 void fw_profile_state(fw_profile *profile, fw_state_list *list)
 {
-    const size_t count = (size_t)profile->particle_count;
     fw_state_list_add(list, "sums", FW_F64, ((size_t)profile->bin_count + 2) * SUMS, profile->sums);
     fw_state_list_add(list, "samples", FW_I64, 1, &profile->samples);
-    fw_state_list_add(list, "followed", FW_I64, 1, &profile->followed);
-    fw_state_list_add(list, "last-x", FW_F64, count, profile->last_x);
-    fw_state_list_add(list, "last-y", FW_F64, count, profile->last_y);
-    fw_state_list_add(list, "last-bonds", FW_I32, count * BONDS_MAX, profile->last_bonds);
+    fw_bond_history_state(profile->history, list);
 }
 
 fw_status fw_profile_restored(const fw_profile *profile, fw_error *error)
 {
-    if (profile->samples < 0 || profile->followed < 0 || profile->followed > 1)
+    if (profile->samples < 0)
         return fw_fail(error, FW_BAD_INPUT, "the profile has %lld samples, expected 0 or more",
                        (long long)profile->samples);
-    for (int i = 0; i < profile->particle_count; ++i)
-        for (int n = 0; n < BONDS_MAX; ++n)
-            if (profile->last_bonds[i][n] < -1 ||
-                profile->last_bonds[i][n] >= profile->particle_count)
-                return fw_fail(
-                    error, FW_BAD_INPUT,
-                    "the profile follows a bond from particle %d to %d, expected 0 to %d", i,
-                    profile->last_bonds[i][n], profile->particle_count - 1);
+    if (!fw_bond_history_is_sound(profile->history))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "the profile follows a bond of a particle that there is not, expected 0 to "
+                       "%d",
+                       profile->particle_count - 1);
     return FW_OK;
 }
 
@@ -384,9 +401,24 @@ static int row_of(const fw_profile *p, int bin)
     return bin >= 0 ? bin : p->bin_count + (bin == FW_PROFILE_FAR);
 }
 
-double fw_profile_least_exchange(const fw_profile *p, int bin)
+/* Time that particles were looked at, one after the other. */
+static double looked_at(const fw_profile *p, const double *sums)
 {
-    return over(1, p->sums[row_of(p, bin)][SUM_FOLLOWED] * (double)p->plan.every * p->time_step);
+    return sums[SUM_LOOKS] * (double)p->history->look * p->time_step;
+}
+
+double fw_profile_least_breaking(const fw_profile *p, int bin)
+{
+    return over(1, looked_at(p, p->sums[row_of(p, bin)]));
+}
+
+/* Two walkers move apart twice as fast as one alone: <(x_i - x_j)^2> grows as 4 D t. */
+static double diffusivity(const fw_profile *p, const double *sums)
+{
+    const double early = over(sums[SUM_ACROSS], sums[SUM_CHANGED]);
+    const double late = over(sums[SUM_ACROSS_LATE], sums[SUM_CHANGED_LATE]);
+    const double lag = (double)p->history->lag * p->time_step;
+    return (late - early) / (4 * (FW_HISTORY_LAGS - 1) * lag);
 }
 
 double fw_profile_value(const fw_profile *p, int bin, fw_profile_column column)
@@ -410,10 +442,12 @@ double fw_profile_value(const fw_profile *p, int bin, fw_profile_column column)
         return over(sums[SUM_HEAT], sums[SUM_FREEDOM]);
     case FW_PROFILE_DRIFT:
         return sqrt(over(sums[SUM_DRIFT], sums[SUM_PARTICLES]));
-    case FW_PROFILE_EXCHANGES:
-        return over(sums[SUM_LOST], sums[SUM_FOLLOWED] * (double)p->plan.every * p->time_step);
-    case FW_PROFILE_MOBILITY:
+    case FW_PROFILE_BOND_BREAKING:
+        return over(sums[SUM_BROKEN], looked_at(p, sums));
+    case FW_PROFILE_RELATIVE_DISPLACEMENT:
         return over(sums[SUM_CHANGE], sums[SUM_CHANGED]);
+    case FW_PROFILE_DIFFUSIVITY:
+        return diffusivity(p, sums);
     case FW_PROFILE_COLUMNS:
         break;
     }

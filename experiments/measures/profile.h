@@ -2,6 +2,8 @@
 /* profile.h - what movable particles do across the scene, bin by bin of one coordinate, averaged
  * over the samples of a phase (Popov & Filippov Eqs 24, 25 and Fig 6).
  *
+ * Forces, order, density and velocities are sampled as the scenario says; bonds and motion are
+ * followed on a grid in time of their own (bond_history.h), so that they do not depend on it.
  * Beside the bins there are two regions, contact and far, summed over their own particles and not
  * over whole bins. Everything is sums that grow from sample to sample; all of it is state. */
 #ifndef FW_PROFILE_H
@@ -17,8 +19,9 @@ typedef enum fw_profile_column {
     FW_PROFILE_DENSITY,      /* particles per area */
     FW_PROFILE_TEMPERATURE,  /* m <(v - mean of the bin)^2> / 2 */
     FW_PROFILE_DRIFT,        /* root mean square over samples of the bin's mean velocity along it */
-    FW_PROFILE_EXCHANGES,    /* bonds that a particle loses per time */
-    FW_PROFILE_MOBILITY,     /* (r_i - r_j)(t + sample) - (r_i - r_j)(t), mean square over bonds */
+    FW_PROFILE_BOND_BREAKING,         /* bonds of a particle that break per time */
+    FW_PROFILE_RELATIVE_DISPLACEMENT, /* mean square change of r_i - r_j over one lag, over bonds */
+    FW_PROFILE_DIFFUSIVITY,           /* across the bins, from later lags */
     FW_PROFILE_COLUMNS
 } fw_profile_column;
 
@@ -53,7 +56,7 @@ int64_t fw_profile_sample_count(const fw_profile *profile);
 /* NaN where nothing was seen. The regions are bins of their own: */
 enum { FW_PROFILE_CONTACT = -1, FW_PROFILE_FAR = -2 };
 double fw_profile_value(const fw_profile *profile, int bin, fw_profile_column column);
-/* The rate that a single lost bond would have been. */
-double fw_profile_least_exchange(const fw_profile *profile, int bin);
+/* The rate that a single broken bond would have been. */
+double fw_profile_least_breaking(const fw_profile *profile, int bin);
 
 #endif

@@ -9,12 +9,21 @@ static const fw_quantity *const tables[] = {
     fw_particle_quantities, fw_automaton_quantities, fw_grip_quantities,
     fw_piston_quantities,   fw_layer_quantities,     NULL};
 
-const fw_renamed_quantity fw_renamed_quantities[] = {{"grip-way", "grip-path-length"},
-                                                     {"noise-heat", "thermostat-heat"},
-                                                     {"piston-way", "piston-path-length"},
-                                                     {"twin-error", "reference-error"},
-                                                     {"wave-way", "wave-path"},
-                                                     {NULL, NULL}};
+const fw_renamed_quantity fw_renamed_quantities[] = {
+    {"grip-way", "grip-path-length"},
+    {"layer-exchanges", "layer-bond-breaking"},
+    {"layer-exchanges-far", "layer-bond-breaking-far"},
+    {"layer-exchanges-over-control", "layer-bond-breaking-over-control"},
+    {"layer-exchanges-over-far", "layer-bond-breaking-over-far"},
+    {"layer-mobility", "layer-relative-displacement"},
+    {"layer-mobility-far", "layer-relative-displacement-far"},
+    {"layer-mobility-over-control", "layer-relative-displacement-over-control"},
+    {"layer-mobility-over-far", "layer-relative-displacement-over-far"},
+    {"noise-heat", "thermostat-heat"},
+    {"piston-way", "piston-path-length"},
+    {"twin-error", "reference-error"},
+    {"wave-way", "wave-path"},
+    {NULL, NULL}};
 
 static const fw_quantity *first_from(int table)
 {

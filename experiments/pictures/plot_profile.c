@@ -20,7 +20,7 @@ static const struct {
     fw_profile_column column;
     const char *label;
 } drawn[CHARTS] = {{FW_PROFILE_RETURN_FORCE, "return force (force)"},
-                   {FW_PROFILE_EXCHANGES, "bond exchanges (1/time)"}};
+                   {FW_PROFILE_BOND_BREAKING, "bond-breaking rate (1/time)"}};
 
 /* One column of the figure: the experiment, or its control. */
 typedef struct side {

@@ -247,11 +247,36 @@ static void a_crystal_that_moves_as_one_has_a_plain_profile(void **state)
         assert_close(fw_profile_value(p, bin, FW_PROFILE_ORDER), 1, 1e-3);
         assert_close(fw_profile_value(p, bin, FW_PROFILE_DRIFT), .01, 1e-3);
         assert_close(fw_profile_value(p, bin, FW_PROFILE_TEMPERATURE), 0, 1e-4);
-        assert_close(fw_profile_value(p, bin, FW_PROFILE_EXCHANGES), 0, 0);
-        assert_below(fw_profile_value(p, bin, FW_PROFILE_MOBILITY), 1e-3);
+        assert_close(fw_profile_value(p, bin, FW_PROFILE_BOND_BREAKING), 0, 0);
+        assert_below(fw_profile_value(p, bin, FW_PROFILE_RELATIVE_DISPLACEMENT), 1e-3);
     }
     fw_observer_destroy(observer);
     fw_scenario_destroy(scenario);
+}
+
+/* How often forces are sampled says nothing about how often bonds break, or how far they stretch.
+ */
+static void rates_do_not_depend_on_how_often_is_sampled(void **state)
+{
+    (void)state;
+    static const fw_profile_column columns[] = {
+        FW_PROFILE_BOND_BREAKING, FW_PROFILE_RELATIVE_DISPLACEMENT, FW_PROFILE_DIFFUSIVITY};
+    static const char *const every[] = {"profile.every=50", "profile.every=400"};
+    double found[2][3];
+    for (int n = 0; n < 2; ++n) {
+        fw_scenario *scenario = read_with(&every[n], 1);
+        fw_observer *observer = make(scenario);
+        step_until(observer, 2500);
+        assert_int_equal(fw_profile_sample_count(observer->profile), n == 0 ? 20 : 2);
+        for (int c = 0; c < 3; ++c)
+            found[n][c] = fw_profile_value(observer->profile, FW_PROFILE_CONTACT, columns[c]);
+        fw_observer_destroy(observer);
+        fw_scenario_destroy(scenario);
+    }
+    for (int c = 0; c < 3; ++c) {
+        assert_true(isfinite(found[0][c]) && found[0][c] != 0);
+        assert_close(found[1][c], found[0][c], 0);
+    }
 }
 
 /* --- study --- */
@@ -304,7 +329,7 @@ static void rubbing_shows_beside_the_control(void **state)
     assert_true(slip->mean > 4 * slip->control && slip->control > 0);
     assert_true(o.layer[FW_LAYER_LOOP_ENERGY].mean >
                 5 * fabs(o.layer[FW_LAYER_LOOP_ENERGY].control));
-    assert_true(o.layer[FW_LAYER_MOBILITY_OVER_CONTROL].mean > 2);
+    assert_true(o.layer[FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL].mean > 2);
     assert_true(isfinite(o.layer[FW_LAYER_CONTACT].error));
     /* The force across the contact is what the grips press with. */
     assert_close(o.layer[FW_LAYER_NORMAL_FORCE].control, 16, .2);
@@ -420,6 +445,8 @@ static void mistakes_are_refused(void **state)
         {"profile.every=5000", "expected at most the 1000 steps"},
         {"expect.0={quantity: layer-contcat, above: 1}", "did you mean layer-contact?"},
         {"expect.0={quantity: slip, component: y, phase: drove, above: 1}", "did you mean 'drive'"},
+        {"expect.0={quantity: layer-mobility, above: 1}",
+         "it is now called layer-relative-displacement"},
         {"measure=[layer-contact]", "comes out of all runs together"},
         {"study.control=['phases.drive.grips.lfet.amplitude=[0, 0]']", "control: "},
     };
@@ -453,6 +480,7 @@ int main(void)
         cmocka_unit_test(work_of_grips_is_in_the_ledger),
         cmocka_unit_test(a_run_goes_on_exactly_from_the_middle_of_any_phase),
         cmocka_unit_test(a_crystal_that_moves_as_one_has_a_plain_profile),
+        cmocka_unit_test(rates_do_not_depend_on_how_often_is_sampled),
         cmocka_unit_test(replicas_do_not_depend_on_how_many_run_at_a_time),
         cmocka_unit_test(rubbing_shows_beside_the_control),
         cmocka_unit_test(the_results_file_holds_profile_and_layer),
