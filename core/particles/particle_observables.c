@@ -151,23 +151,70 @@ fw_status fw_particle_structure_map(const fw_solid *solid, int group, double fir
     return FW_OK;
 }
 
+/* A square window of wave vectors: middle + a along + b across. */
+typedef struct fw_window {
+    fw_vec2 middle, along, across;
+    double half; /* |a|, |b| <= half */
+} fw_window;
+
+static double factor_in(const fw_solid *solid, int group, const fw_window *w, double a, double b)
+{
+    const fw_vec2 off = fw_vec2_add(fw_vec2_scale(a, w->along), fw_vec2_scale(b, w->across));
+    return fw_particle_structure_factor(solid, group, fw_vec2_add(w->middle, off));
+}
+
+/* The highest of a square grid about the middle, then uphill with ever smaller steps. A peak of a
+ * crystal of diameter L is 4 pi/L wide: `step` must be a small part of that. */
+static double highest_in(const fw_solid *solid, int group, const fw_window *w, double step)
+{
+    enum { ROUNDS = 24 };
+    const int reach = (int)ceil(w->half / step);
+    const double grid = w->half / reach;
+    double best = factor_in(solid, group, w, 0, 0), a = 0, b = 0;
+    for (int i = -reach; i <= reach; ++i)
+        for (int j = -reach; j <= reach; ++j) {
+            const double value = factor_in(solid, group, w, i * grid, j * grid);
+            if (value > best) best = value, a = i * grid, b = j * grid;
+        }
+    for (double size = grid / 2; size > grid * ldexp(1, -ROUNDS); size /= 2) {
+        const double from_a = a, from_b = b;
+        for (int i = -1; i <= 1; ++i)
+            for (int j = -1; j <= 1; ++j) {
+                const double at_a = fmax(fmin(from_a + i * size, w->half), -w->half);
+                const double at_b = fmax(fmin(from_b + j * size, w->half), -w->half);
+                const double value = factor_in(solid, group, w, at_a, at_b);
+                if (value > best) best = value, a = at_a, b = at_b;
+            }
+    }
+    return best;
+}
+
+static double diameter_of(const fw_solid *solid, fw_stretch of)
+{
+    fw_vec2 low = {INFINITY, INFINITY}, high = {-INFINITY, -INFINITY};
+    for (int i = of.first; i < of.end; ++i) {
+        low = (fw_vec2){fmin(low.x, solid->x[i]), fmin(low.y, solid->y[i])};
+        high = (fw_vec2){fmax(high.x, solid->x[i]), fmax(high.y, solid->y[i])};
+    }
+    return hypot(high.x - low.x, high.y - low.y);
+}
+
 double fw_particle_bragg_peak(const fw_solid *solid, int group, int fold, double angle,
                               double spacing, double tolerance)
 {
-    enum { LENGTHS = 81 };
+    const double pi = acos(-1);
     /* Rows of bonds lie `spacing` apart on the square lattice, sqrt(3)/2 of it on the hexagonal
      * one; the shortest reciprocal vectors stand upright on them. */
-    const double length = 2 * FW_PI / (fold == 6 ? spacing * sqrt(3) / 2 : spacing);
+    const double length = 2 * pi / (fold == 6 ? spacing * sqrt(3) / 2 : spacing);
+    const double half = tolerance * length;
+    const double diameter = diameter_of(solid, stretch_of(solid, group));
+    const double step = diameter > 0 ? fmin(half, pi / (2 * diameter)) : half;
     double total = 0;
     for (int d = 0; d < fold / 2; ++d) {
-        const double direction = angle + FW_PI / 2 + 2 * FW_PI * d / fold;
-        double highest = 0;
-        for (int k = 0; k < LENGTHS; ++k) {
-            const double q = length * (1 + tolerance * (2. * k / (LENGTHS - 1) - 1));
-            const fw_vec2 wave = {q * cos(direction), q * sin(direction)};
-            highest = fmax(highest, fw_particle_structure_factor(solid, group, wave));
-        }
-        total += highest;
+        const double direction = angle + pi / 2 + 2 * pi * d / fold;
+        const fw_vec2 along = {cos(direction), sin(direction)};
+        const fw_window window = {fw_vec2_scale(length, along), along, fw_vec2_turn(along), half};
+        total += highest_in(solid, group, &window, step);
     }
     return total / (fold / 2);
 }

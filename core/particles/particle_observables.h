@@ -37,8 +37,10 @@ fw_status fw_particle_structure_map(const fw_solid *solid, int group, double fir
                                     int points, double *values, fw_error *error);
 
 /* Mean height of the first Bragg peaks that a crystal of fold 4 or 6 and lattice angle `angle` (of
- * a row of bonds) would have: in each direction of its shortest reciprocal vectors the largest
- * structure factor for lengths within `tolerance` (relative) of the one for spacing `spacing`. */
+ * a row of bonds) would have: the largest structure factor in a square window about each of its
+ * shortest reciprocal vectors, which reaches `tolerance` of the vector's length along it and
+ * across. Crystals that are turned or stretched by less are found. Takes a time that grows with the
+ * number of particles times the body's area. */
 double fw_particle_bragg_peak(const fw_solid *solid, int group, int fold, double angle,
                               double spacing, double tolerance);
 

@@ -77,7 +77,8 @@ static void write_table(FILE *out, const void *object)
         for (int n = 0; n < t->count; ++n) {
             int o = t->columns[n].observable;
             int64_t at = row * t->playback->observables[o].components + t->columns[n].component;
-            fprintf(out, ",%.17g", t->values[o][at]);
+            fputc(',', out);
+            fw_csv_write_number(out, t->values[o][at]);
         }
         fputc('\n', out);
     }

@@ -16,6 +16,7 @@ fw_status fw_analysis_dispersion(fw_analysis *analysis, const fw_scenario *scena
                                  fw_error *error);
 fw_status fw_analysis_mode(fw_analysis *analysis, const fw_scenario *scenario, fw_error *error);
 fw_status fw_analysis_body(fw_analysis *analysis, const fw_scenario *scenario, fw_error *error);
-fw_status fw_analysis_reference(fw_analysis *analysis, const fw_scenario *scenario, fw_error *error);
+fw_status fw_analysis_reference(fw_analysis *analysis, const fw_scenario *scenario,
+                                fw_error *error);
 
 #endif

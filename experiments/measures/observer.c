@@ -2,7 +2,53 @@
 /* observer.c - makes an experiment and what is followed beside it, and steps both together. */
 #include "experiments/measures/observer.h"
 
+#include "core/array.h"
+
+#include <math.h>
 #include <stdlib.h>
+
+/* The ledger says in each step what energy there should be. */
+static double largest_in_scene(const fw_scene *scene)
+{
+    const fw_ledger l = fw_scene_ledger(scene);
+    const double gone = fmax(l.dissipated + l.friction_heat, fabs(l.thermostat_heat));
+    const double work = fmax(fabs(l.external_work), fmax(fabs(l.wall_work), fabs(l.grip_work)));
+    return fmax(fmax(fabs(fw_ledger_energy(&l)), fabs(l.energy_at_start)),
+                fmax(fmax(gone, work), l.wall_stored));
+}
+
+static double largest_in_body(const fw_experiment *experiment, int body)
+{
+    const fw_solid_ledger *l = &fw_experiment_solid(experiment, body)->ledger;
+    const double start = fw_experiment_energy_at_start(experiment, body);
+    const double now = start + l->work - l->dissipated + l->heat;
+    return fmax(fmax(fabs(start), fabs(now)),
+                fmax(fabs(l->work), fmax(l->dissipated, fabs(l->heat))));
+}
+
+static void follow_energy(fw_observer *observer)
+{
+    const fw_experiment *experiment = observer->experiment;
+    double *scale = observer->energy_scale;
+    scale[0] = fmax(scale[0], largest_in_scene(experiment->scene));
+    for (int b = 0; b < experiment->body_count; ++b)
+        scale[1 + b] = fmax(scale[1 + b], largest_in_body(experiment, b));
+}
+
+static fw_status begin_following(fw_observer *observer, fw_error *error)
+{
+    observer->energy_scale = fw_array_of_doubles((size_t)observer->experiment->body_count + 1);
+    if (!observer->energy_scale) return fw_fail_memory(error, "an observer");
+    follow_energy(observer);
+    return FW_OK;
+}
+
+void fw_observer_state(fw_observer *observer, fw_state_list *list)
+{
+    fw_state_list_add(list, "energy-scale", FW_F64, (size_t)observer->experiment->body_count + 1,
+                      observer->energy_scale);
+    if (observer->profile) fw_profile_state(observer->profile, list);
+}
 
 static fw_status add_profile(fw_observer *observer, fw_error *error)
 {
@@ -36,6 +82,7 @@ fw_status fw_observer_create(fw_observer **observer, const fw_scenario *scenario
     fw_observer *made = calloc(1, sizeof *made);
     if (!made) return fw_fail_memory(error, "an observer");
     fw_status status = fw_experiment_create(&made->experiment, scenario, error);
+    if (status == FW_OK) status = begin_following(made, error);
     if (status == FW_OK) status = add_profile(made, error);
     if (status == FW_OK) status = analyse(made, error);
     if (status != FW_OK) {
@@ -50,6 +97,7 @@ void fw_observer_destroy(fw_observer *observer)
 {
     if (!observer) return;
     fw_profile_destroy(observer->profile);
+    free(observer->energy_scale);
     for (int n = 0; n < observer->analysis_count; ++n) fw_analysis_destroy(observer->analyses[n]);
     free(observer->analyses);
     fw_experiment_destroy(observer->experiment);
@@ -59,6 +107,7 @@ void fw_observer_destroy(fw_observer *observer)
 fw_status fw_observer_step(fw_observer *observer, fw_error *error)
 {
     FW_TRY(fw_experiment_step(observer->experiment, error));
+    follow_energy(observer);
     if (observer->profile)
         fw_profile_follow(observer->profile, fw_experiment_particles(observer->experiment),
                           fw_scene_steps(observer->experiment->scene));

@@ -12,6 +12,9 @@
 typedef struct fw_observer {
     fw_experiment *experiment;
     fw_profile *profile; /* NULL where the scenario has none */
+    /* The largest energy or work so far, by which what the ledgers lack is judged: of the scene,
+     * then of each body of the scenario. Part of the state. */
+    double *energy_scale;
     int analysis_count;
     fw_analysis **analyses; /* same order as the scenario's */
 } fw_observer;
@@ -24,6 +27,9 @@ void fw_observer_destroy(fw_observer *observer);
 /* To be called after a saved state was written back. FW_BAD_INPUT: it names particles that there
  * are not. */
 fw_status fw_observer_restored(const fw_observer *observer, fw_error *error);
+
+/* What changes beside the scene, for checkpoints. */
+void fw_observer_state(fw_observer *observer, fw_state_list *list);
 
 /* One step of the experiment, followed. */
 fw_status fw_observer_step(fw_observer *observer, fw_error *error);

@@ -64,7 +64,8 @@ struct fw_profile {
     int particle_count, bin_count, first_bin; /* bin b is centred on middle + (first + b) width */
     double (*sums)[SUMS];                     /* bins, contact, far */
     fw_flow *flow;
-    double *force_x, *force_y, *bond_force, *velocity_x, *velocity_y, *mass; /* scratch */
+    double *force_x, *force_y, *bond_force, *velocity_x, *velocity_y, *mass;
+    double *scratch; /* the six above, one after the other */
     int64_t samples;
     fw_bond_history *history;
 };
@@ -224,16 +225,14 @@ void fw_profile_follow(fw_profile *profile, const fw_solid *solid, int64_t step)
 static bool allocate(fw_profile *p)
 {
     const size_t count = (size_t)p->particle_count, rows = (size_t)p->bin_count + 2;
+    double **const parts[] = {&p->force_x,    &p->force_y,    &p->bond_force,
+                              &p->velocity_x, &p->velocity_y, &p->mass};
+    const size_t part_count = sizeof parts / sizeof parts[0];
     p->sums = fw_array_allocate(rows, sizeof *p->sums);
     p->flow = fw_array_allocate(rows, sizeof *p->flow);
-    p->force_x = fw_array_of_doubles(count);
-    p->force_y = fw_array_of_doubles(count);
-    p->bond_force = fw_array_of_doubles(count);
-    p->velocity_x = fw_array_of_doubles(count);
-    p->velocity_y = fw_array_of_doubles(count);
-    p->mass = fw_array_of_doubles(count);
-    return p->sums && p->flow && p->force_x && p->force_y && p->bond_force && p->velocity_x &&
-           p->velocity_y && p->mass;
+    p->scratch = fw_array_of_doubles(part_count * count);
+    for (size_t n = 0; p->scratch && n < part_count; ++n) *parts[n] = p->scratch + n * count;
+    return p->sums && p->flow && p->scratch;
 }
 
 static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario,
@@ -330,12 +329,7 @@ void fw_profile_destroy(fw_profile *profile)
     if (!profile) return;
     free(profile->sums);
     free(profile->flow);
-    free(profile->force_x);
-    free(profile->force_y);
-    free(profile->bond_force);
-    free(profile->velocity_x);
-    free(profile->velocity_y);
-    free(profile->mass);
+    free(profile->scratch);
     fw_bond_history_destroy(profile->history);
     free(profile);
 }
@@ -354,9 +348,8 @@ fw_status fw_profile_restored(const fw_profile *profile, fw_error *error)
                        (long long)profile->samples);
     if (!fw_bond_history_is_sound(profile->history))
         return fw_fail(error, FW_BAD_INPUT,
-                       "the profile follows a bond of a particle that there is not, expected 0 to "
-                       "%d",
-                       profile->particle_count - 1);
+                       "the profile follows a bond of a particle that is none of the %d",
+                       profile->particle_count);
     return FW_OK;
 }
 

@@ -126,8 +126,11 @@ static void write_csv(FILE *out, const void *object)
         fprintf(out, "%.17g,%.17g", table->edges[b], table->edges[b + 1]);
         for (int c = 0; c < FW_PROFILE_COLUMNS; ++c) {
             const fw_outcome *o = &fw_profile_table_column(table, (fw_profile_column)c)[b];
-            fprintf(out, ",%.17g,%.17g,%.17g,%.17g", o->mean, o->error, o->control,
-                    o->control_error);
+            const double numbers[PARTS] = {o->mean, o->error, o->control, o->control_error};
+            for (int n = 0; n < PARTS; ++n) {
+                fputc(',', out);
+                fw_csv_write_number(out, numbers[n]);
+            }
         }
         fprintf(out, "\n");
     }

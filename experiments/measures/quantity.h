@@ -20,11 +20,19 @@ typedef enum fw_scope {
     FW_SCOPE_ANALYSIS /* one analysis of its kind; may be left out where there is only one */
 } fw_scope;
 
+/* What must be there for it to be measured. */
+typedef enum fw_needs {
+    FW_NEEDS_NOTHING,
+    FW_NEEDS_TWO_GRIPS,
+    FW_NEEDS_TWO_CRYSTALS, /* bodies of movable particles */
+    FW_NEEDS_PROFILE
+} fw_needs;
+
 /* What one quantity is measured of. -1, NULL: none. */
 typedef struct fw_subject {
     int body, wall, grip, particle; /* particle: within the body */
     const fw_analysis *analysis;
-    fw_profile *profile; /* across the contact of the scene */
+    const fw_observer *observer; /* what is followed beside the scene; NULL: nothing is */
 } fw_subject;
 
 enum { FW_COMPONENTS_MAX = 4 };
@@ -39,6 +47,10 @@ typedef struct fw_quantity {
                         * between; NULL: of any */
     /* NULL for what comes out of a study. */
     void (*measure)(const fw_experiment *experiment, fw_subject subject, double *out);
+    /* When there is none to measure, as the end of a sentence: "no force acts along its normal".
+     * The numbers are not finite then. NULL: there always is. */
+    const char *absent;
+    fw_needs needs;
 } fw_quantity;
 
 /* The tables, each in the file of its name. */

@@ -127,22 +127,22 @@ static void stress_over_strain(const fw_experiment *experiment, fw_subject subje
     double e[4];
     strain(experiment, subject, e);
     stress(experiment, subject, out);
-    for (int c = 0; c < 4; ++c) out[c] /= e[c];
+    for (int c = 0; c < 4; ++c) out[c] = e[c] != 0 ? out[c] / e[c] : NAN;
 }
 
 /* clang-format off */
 const fw_quantity fw_boltzmann_quantities[] = {
-    {"wave-front", FW_SCOPE_BODY, "", "length", "mean distance of the energy from the middle of the body, along x", LB, wave_front},
-    {"link-error", FW_SCOPE_BODY, "", "length", "largest violation of Eq 30 of Chopard and Marconi", LB, link_error},
-    {"rest-residual", FW_SCOPE_BODY, "", "momentum", "largest of what must vanish at rest (Eqs 22-24): Psi + F/2, f_0, f_i + f_{i+2}", LB, rest_residual},
-    {"broken-links", FW_SCOPE_BODY, "", "1", "links broken since the start", LB, broken_links},
-    {"deformation-east", FW_SCOPE_SITE, "x y", "length", "of the link to the neighbour in the east (Eq 31)", LB, deformation_east},
-    {"deformation-north", FW_SCOPE_SITE, "x y", "length", "of the link to the neighbour in the north (Eq 31)", LB, deformation_north},
-    {"strain", FW_SCOPE_BODY, "xx xy yx yy", "length per link", "e of Section 9.2: mean deformation of the links along the first direction", LB, strain},
-    {"stress", FW_SCOPE_BODY, "xx xy yx yy", "force", "S of Section 9.2: half the difference of the external forces on both halves", LB, stress},
-    {"stress-over-strain", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "S/e of Section 9.2", LB, stress_over_strain},
-    {"dispersion-error", FW_SCOPE_BODY, "", "1", "of the body's material, over 33 x 33 wave vectors: sin^2(omega/2) of the one-step matrix minus the closed form", LB, dispersion_error},
-    {"spectral-radius-error", FW_SCOPE_BODY, "", "1", "of the body's material, over 33 x 33 wave vectors: largest | |lambda|^2 - 1 |", LB, radius_error},
-    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+    {"wave-front", FW_SCOPE_BODY, "", "length", "mean distance of the energy from the middle of the body, along x", LB, wave_front, NULL, FW_NEEDS_NOTHING},
+    {"link-error", FW_SCOPE_BODY, "", "length", "largest violation of Eq 30 of Chopard and Marconi", LB, link_error, NULL, FW_NEEDS_NOTHING},
+    {"rest-residual", FW_SCOPE_BODY, "", "momentum", "largest of what must vanish at rest (Eqs 22-24): Psi + F/2, f_0, f_i + f_{i+2}", LB, rest_residual, NULL, FW_NEEDS_NOTHING},
+    {"broken-links", FW_SCOPE_BODY, "", "1", "links broken since the start", LB, broken_links, NULL, FW_NEEDS_NOTHING},
+    {"deformation-east", FW_SCOPE_SITE, "x y", "length", "of the link to the neighbour in the east (Eq 31)", LB, deformation_east, NULL, FW_NEEDS_NOTHING},
+    {"deformation-north", FW_SCOPE_SITE, "x y", "length", "of the link to the neighbour in the north (Eq 31)", LB, deformation_north, NULL, FW_NEEDS_NOTHING},
+    {"strain", FW_SCOPE_BODY, "xx xy yx yy", "length per link", "e of Section 9.2: mean deformation of the links along the first direction", LB, strain, NULL, FW_NEEDS_NOTHING},
+    {"stress", FW_SCOPE_BODY, "xx xy yx yy", "force", "S of Section 9.2: half the difference of the external forces on both halves", LB, stress, NULL, FW_NEEDS_NOTHING},
+    {"stress-over-strain", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "S/e of Section 9.2", LB, stress_over_strain, "that strain is zero", FW_NEEDS_NOTHING},
+    {"dispersion-error", FW_SCOPE_BODY, "", "1", "of the body's material, over 33 x 33 wave vectors: sin^2(omega/2) of the one-step matrix minus the closed form", LB, dispersion_error, NULL, FW_NEEDS_NOTHING},
+    {"spectral-radius-error", FW_SCOPE_BODY, "", "1", "of the body's material, over 33 x 33 wave vectors: largest | |lambda|^2 - 1 |", LB, radius_error, NULL, FW_NEEDS_NOTHING},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */

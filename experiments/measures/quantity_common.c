@@ -61,23 +61,27 @@ static void energy_per_particle(const fw_experiment *experiment, fw_subject subj
     out[0] = (total(energies_of(experiment, subject)) + walls) / count;
 }
 
-static void energy_drift(const fw_experiment *experiment, fw_subject subject, double *out)
+/* A difference of energies over the largest energy or work so far, or that of this instant. */
+static double relative(double difference, double now, fw_subject subject)
 {
-    (void)subject;
-    const fw_ledger ledger = fw_scene_ledger(experiment->scene);
-    const double now = total(fw_scene_energies(experiment->scene)) + ledger.wall_stored;
-    out[0] = now / ledger.energy_at_start - 1;
+    const double so_far = subject.observer ? subject.observer->energy_scale[subject.body + 1] : 0;
+    const double scale = fmax(fabs(now), so_far);
+    return scale > 0 ? difference / scale : 0;
 }
 
-/* What the ledger says the energy should be, and the largest of the sums it is made of. */
+static void energy_drift(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_ledger ledger = fw_scene_ledger(experiment->scene);
+    const double now = total(fw_scene_energies(experiment->scene)) + ledger.wall_stored;
+    out[0] = relative(now - ledger.energy_at_start, now, subject);
+}
+
+/* Against what the ledger says that the energy should be. */
 static void energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    (void)subject;
-    fw_ledger l = fw_scene_ledger(experiment->scene);
-    double booked = fw_ledger_energy(&l);
-    double now = total(fw_scene_energies(experiment->scene));
-    double scale = fmax(fmax(fabs(now), fabs(l.energy_at_start)), l.dissipated + l.friction_heat);
-    out[0] = scale > 0 ? (now - booked) / scale : 0;
+    const fw_ledger ledger = fw_scene_ledger(experiment->scene);
+    const double now = total(fw_scene_energies(experiment->scene));
+    out[0] = relative(now - fw_ledger_energy(&ledger), now, subject);
 }
 
 /* Movable particles of all bodies are one solid, with one ledger: theirs is taken together. */
@@ -94,13 +98,10 @@ static void body_energy_error(const fw_experiment *experiment, fw_subject subjec
     }
     /* The energy of a single body that meets no wall: all it exchanged is in its own ledger. */
     const fw_solid *solid = body_of(experiment, subject);
-    double start = 0;
-    for (int b = 0; b < experiment->body_count; ++b)
-        if (goes_with(experiment, subject.body, b)) start += experiment->energy_at_start[b];
-    double booked = start + solid->ledger.work - solid->ledger.dissipated + solid->ledger.heat;
-    double now = total(fw_solid_energies(solid));
-    double scale = fmax(fmax(fabs(now), fabs(start)), solid->ledger.dissipated);
-    out[0] = scale > 0 ? (now - booked) / scale : 0;
+    const double booked = fw_experiment_energy_at_start(experiment, subject.body) +
+                          solid->ledger.work - solid->ledger.dissipated + solid->ledger.heat;
+    const double now = total(fw_solid_energies(solid));
+    out[0] = relative(now - booked, now, subject);
 }
 
 static void momentum(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -137,17 +138,18 @@ static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, 
     fw_vec2 now = momentum_of(experiment, subject);
     fw_vec2 start = subject.body < 0 ? fw_scene_ledger(experiment->scene).momentum_at_start
                                      : experiment->momentum_at_start[subject.body];
-    out[0] = sqrt(fw_vec2_dot(now, now) / fw_vec2_dot(start, start));
+    const double size = sqrt(fw_vec2_dot(start, start));
+    out[0] = size > 0 ? sqrt(fw_vec2_dot(now, now)) / size : NAN;
 }
 
 /* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
 static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    fw_vec2 p = fw_body_range_momentum(experiment->scene, &experiment->bodies[subject.body]);
-    fw_sym2 inverse =
-        fw_sym2_invert(fw_body_range_mass(experiment->scene, &experiment->bodies[subject.body]));
-    out[0] = 0.5 * fw_sym2_form(p, inverse, p) /
-             total(fw_body_range_energies(experiment->scene, &experiment->bodies[subject.body]));
+    const fw_body_range *range = &experiment->bodies[subject.body];
+    const fw_vec2 p = fw_body_range_momentum(experiment->scene, range);
+    const fw_sym2 inverse = fw_sym2_invert(fw_body_range_mass(experiment->scene, range));
+    const double energy = total(fw_body_range_energies(experiment->scene, range));
+    out[0] = energy > 0 ? 0.5 * fw_sym2_form(p, inverse, p) / energy : NAN;
 }
 
 static void mean_velocity(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -320,8 +322,9 @@ static void friction_ratio(const fw_experiment *experiment, fw_subject subject, 
 {
     const fw_facet *facet = fw_wall_facet(fw_scene_wall(experiment->scene, subject.wall), 0);
     fw_vec2 impulse = ledger_of(experiment, subject)->impulse;
-    out[0] = fabs(fw_vec2_dot(impulse, fw_vec2_turn(facet->normal))) /
-             fw_vec2_dot(impulse, facet->normal);
+    const double along = fw_vec2_dot(impulse, fw_vec2_turn(facet->normal));
+    const double pressed = fw_vec2_dot(impulse, facet->normal);
+    out[0] = pressed != 0 ? fabs(along) / pressed : NAN;
 }
 
 static void contacts(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -336,39 +339,39 @@ static void contacts_so_far(const fw_experiment *experiment, fw_subject subject,
 
 /* clang-format off */
 const fw_quantity fw_common_quantities[] = {
-    {"energy", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy together", NULL, energy},
-    {"kinetic-energy", FW_SCOPE_BODIES, "", "energy", "energy of motion", NULL, kinetic_energy},
-    {"elastic-energy", FW_SCOPE_BODIES, "", "energy", "energy of deformation", NULL, elastic_energy},
-    {"energy-per-particle", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy (of the scene: and that in penalty walls) over the number of particles", NULL, energy_per_particle},
-    {"energy-drift", FW_SCOPE_SCENE, "", "1", "energy, with that in penalty walls, over the energy at the start, minus 1", NULL, energy_drift},
-    {"energy-error", FW_SCOPE_BODIES, "", "1", "energy minus what the ledger of work and heat says, relative; of one body only while it meets no wall", NULL, body_energy_error},
-    {"kinetic-fraction", FW_SCOPE_BODY, "", "1", "energy of the motion of the centre of mass over all energy", NULL, kinetic_fraction},
-    {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum},
-    {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error},
-    {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", "lattice-boltzmann movable-particles linear-lattice", angular_momentum},
-    {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio},
-    {"mean-velocity", FW_SCOPE_BODY, "x y", "length/time", "momentum over mass, both of the whole body", NULL, mean_velocity},
-    {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work},
-    {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work},
-    {"wall-energy", FW_SCOPE_SCENE, "", "energy", "stored in the springs of penalty walls", NULL, wall_energy},
-    {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated},
-    {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat},
-    {"thermostat-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, thermostat_heat},
-    {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy},
-    {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass},
-    {"position", FW_SCOPE_SITE, "x y", "length", "of one particle", NULL, position},
-    {"displacement", FW_SCOPE_SITE, "x y", "length", "of one particle from its place in the lattice, or from where it was placed", NULL, displacement},
-    {"elongation", FW_SCOPE_BODY, "x y", "length", "displacement of the last particle minus that of the first", NULL, elongation},
-    {"return-error", FW_SCOPE_BODY, "", "length", "largest distance of a particle from its start, in x or y", NULL, return_error},
-    {"mean-square-displacement", FW_SCOPE_BODY, "", "length^2", "of all particles from where they started", NULL, mean_square_displacement},
-    {"rotation", FW_SCOPE_BODY, "", "degrees", "by which the body has turned since the start, -180 to 180", NULL, rotation},
-    {"penetration", FW_SCOPE_BODIES, "", "length", "how deep any particle lies behind a wall", NULL, penetration},
-    {"unresolved", FW_SCOPE_SCENE, "", "1", "contacts since the start in which no consistent set of walls was found and the particle was held fast", NULL, unresolved},
-    {"reaction", FW_SCOPE_WALL, "x y", "force", "[F(t) + F(t-1)]/2 of the wall on all bodies", NULL, reaction},
-    {"wall-impulse", FW_SCOPE_WALL, "x y", "momentum", "of the wall on all bodies since the start", NULL, wall_impulse},
-    {"friction-ratio", FW_SCOPE_WALL, "", "1", "impulse of a straight wall along its tangent over that along its normal, since the start", NULL, friction_ratio},
-    {"contacts", FW_SCOPE_WALL, "", "1", "particles that the wall holds in this step", NULL, contacts},
-    {"contacts-so-far", FW_SCOPE_WALL, "", "1", "the same, summed over all steps", NULL, contacts_so_far},
-    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+    {"energy", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy together", NULL, energy, NULL, FW_NEEDS_NOTHING},
+    {"kinetic-energy", FW_SCOPE_BODIES, "", "energy", "energy of motion", NULL, kinetic_energy, NULL, FW_NEEDS_NOTHING},
+    {"elastic-energy", FW_SCOPE_BODIES, "", "energy", "energy of deformation", NULL, elastic_energy, NULL, FW_NEEDS_NOTHING},
+    {"energy-per-particle", FW_SCOPE_BODIES, "", "energy", "kinetic and elastic energy (of the scene: and that in penalty walls) over the number of particles", NULL, energy_per_particle, NULL, FW_NEEDS_NOTHING},
+    {"energy-drift", FW_SCOPE_SCENE, "", "1", "energy, with that in penalty walls, minus that at the start, over the largest energy or work so far", NULL, energy_drift, NULL, FW_NEEDS_NOTHING},
+    {"energy-error", FW_SCOPE_BODIES, "", "1", "energy minus what the ledger of work and heat says, over the largest energy or work so far; of one body only while it meets no wall", NULL, body_energy_error, NULL, FW_NEEDS_NOTHING},
+    {"kinetic-fraction", FW_SCOPE_BODY, "", "1", "energy of the motion of the centre of mass over all energy", NULL, kinetic_fraction, "the body has no energy", FW_NEEDS_NOTHING},
+    {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum, NULL, FW_NEEDS_NOTHING},
+    {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error, NULL, FW_NEEDS_NOTHING},
+    {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", "lattice-boltzmann movable-particles linear-lattice", angular_momentum, NULL, FW_NEEDS_NOTHING},
+    {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio, "it started without momentum", FW_NEEDS_NOTHING},
+    {"mean-velocity", FW_SCOPE_BODY, "x y", "length/time", "momentum over mass, both of the whole body", NULL, mean_velocity, NULL, FW_NEEDS_NOTHING},
+    {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work, NULL, FW_NEEDS_NOTHING},
+    {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work, NULL, FW_NEEDS_NOTHING},
+    {"wall-energy", FW_SCOPE_SCENE, "", "energy", "stored in the springs of penalty walls", NULL, wall_energy, NULL, FW_NEEDS_NOTHING},
+    {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated, NULL, FW_NEEDS_NOTHING},
+    {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat, NULL, FW_NEEDS_NOTHING},
+    {"thermostat-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, thermostat_heat, NULL, FW_NEEDS_NOTHING},
+    {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy, NULL, FW_NEEDS_NOTHING},
+    {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass, NULL, FW_NEEDS_NOTHING},
+    {"position", FW_SCOPE_SITE, "x y", "length", "of one particle", NULL, position, NULL, FW_NEEDS_NOTHING},
+    {"displacement", FW_SCOPE_SITE, "x y", "length", "of one particle from its place in the lattice, or from where it was placed", NULL, displacement, NULL, FW_NEEDS_NOTHING},
+    {"elongation", FW_SCOPE_BODY, "x y", "length", "displacement of the last particle minus that of the first", NULL, elongation, NULL, FW_NEEDS_NOTHING},
+    {"return-error", FW_SCOPE_BODY, "", "length", "largest distance of a particle from its start, in x or y", NULL, return_error, NULL, FW_NEEDS_NOTHING},
+    {"mean-square-displacement", FW_SCOPE_BODY, "", "length^2", "of all particles from where they started", NULL, mean_square_displacement, NULL, FW_NEEDS_NOTHING},
+    {"rotation", FW_SCOPE_BODY, "", "degrees", "by which the body has turned since the start, -180 to 180", NULL, rotation, NULL, FW_NEEDS_NOTHING},
+    {"penetration", FW_SCOPE_BODIES, "", "length", "how deep any particle lies behind a wall", NULL, penetration, NULL, FW_NEEDS_NOTHING},
+    {"unresolved", FW_SCOPE_SCENE, "", "1", "contacts since the start in which no consistent set of walls was found and the particle was held fast", NULL, unresolved, NULL, FW_NEEDS_NOTHING},
+    {"reaction", FW_SCOPE_WALL, "x y", "force", "[F(t) + F(t-1)]/2 of the wall on all bodies, of the last step and the one before it", NULL, reaction, NULL, FW_NEEDS_NOTHING},
+    {"wall-impulse", FW_SCOPE_WALL, "x y", "momentum", "of the wall on all bodies since the start", NULL, wall_impulse, NULL, FW_NEEDS_NOTHING},
+    {"friction-ratio", FW_SCOPE_WALL, "", "1", "impulse of a straight wall along its tangent over that along its normal, since the start", NULL, friction_ratio, "nothing has pressed on the wall", FW_NEEDS_NOTHING},
+    {"contacts", FW_SCOPE_WALL, "", "1", "particles that the wall held in the last step", NULL, contacts, NULL, FW_NEEDS_NOTHING},
+    {"contacts-so-far", FW_SCOPE_WALL, "", "1", "the same, summed over all steps", NULL, contacts_so_far, NULL, FW_NEEDS_NOTHING},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */

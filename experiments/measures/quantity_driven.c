@@ -135,39 +135,38 @@ static void interface_force(const fw_experiment *experiment, fw_subject subject,
 
 static void contact_return_force(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    out[0] = subject.profile
-                 ? fw_profile_contact_now(subject.profile, fw_experiment_particles(experiment))
-                 : NAN;
+    fw_profile *profile = subject.observer ? subject.observer->profile : NULL;
+    out[0] = profile ? fw_profile_contact_now(profile, fw_experiment_particles(experiment)) : NAN;
 }
 
 /* clang-format off */
 const fw_quantity fw_grip_quantities[] = {
-    {"grip-displacement", FW_SCOPE_GRIP, "x y", "length", "since the start", NULL, displacement},
-    {"grip-force", FW_SCOPE_GRIP, "x y", "force", "[D(t) + D(t-1)]/2, all that drives the grip", NULL, force},
-    {"grip-impulse", FW_SCOPE_GRIP, "x y", "momentum", "of what drives the grip, since the start", NULL, impulse},
-    {"grip-work", FW_SCOPE_GRIP, "", "energy", "of what drives the grip, since the start", NULL, work},
-    {"grip-torque", FW_SCOPE_GRIP, "", "energy", "of the constraint forces about the grip's centre", NULL, torque},
-    {"grip-path-length", FW_SCOPE_GRIP, "x y", "length", "length of its path since the start, per component", NULL, path_length},
-    {"slip", FW_SCOPE_SCENE, "x y", "length", "displacement of the first grip less that of the second", NULL, slip},
-    {"interface-force", FW_SCOPE_SCENE, "x y", "force", "of the second body of movable particles on the first", NULL, interface_force},
-    {"contact-return-force", FW_SCOPE_SCENE, "", "force", "mean length of the net return forces in the profile's contact region", NULL, contact_return_force},
-    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+    {"grip-displacement", FW_SCOPE_GRIP, "x y", "length", "since the start", NULL, displacement, NULL, FW_NEEDS_NOTHING},
+    {"grip-force", FW_SCOPE_GRIP, "x y", "force", "[D(t) + D(t-1)]/2, all that drives the grip", NULL, force, NULL, FW_NEEDS_NOTHING},
+    {"grip-impulse", FW_SCOPE_GRIP, "x y", "momentum", "of what drives the grip, since the start", NULL, impulse, NULL, FW_NEEDS_NOTHING},
+    {"grip-work", FW_SCOPE_GRIP, "", "energy", "of what drives the grip, since the start", NULL, work, NULL, FW_NEEDS_NOTHING},
+    {"grip-torque", FW_SCOPE_GRIP, "", "energy", "of the constraint forces about the grip's centre", NULL, torque, NULL, FW_NEEDS_NOTHING},
+    {"grip-path-length", FW_SCOPE_GRIP, "x y", "length", "length of its path since the start, per component", NULL, path_length, NULL, FW_NEEDS_NOTHING},
+    {"slip", FW_SCOPE_SCENE, "x y", "length", "displacement of the first grip less that of the second", NULL, slip, "there are fewer than two grips", FW_NEEDS_TWO_GRIPS},
+    {"interface-force", FW_SCOPE_SCENE, "x y", "force", "of the second body of movable particles on the first", NULL, interface_force, NULL, FW_NEEDS_TWO_CRYSTALS},
+    {"contact-return-force", FW_SCOPE_SCENE, "", "force", "mean length of the net return forces in the profile's contact region", NULL, contact_return_force, "no particle is there", FW_NEEDS_PROFILE},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 
 const fw_quantity fw_piston_quantities[] = {
-    {"piston-displacement", FW_SCOPE_PISTON, "x y", "length", "since the start", NULL, displacement},
-    {"piston-velocity", FW_SCOPE_PISTON, "x y", "length/time", "of the piston", NULL, velocity},
-    {"piston-force", FW_SCOPE_PISTON, "x y", "force", "[D(t) + D(t-1)]/2, all that drives the piston", NULL, force},
-    {"piston-impulse", FW_SCOPE_PISTON, "x y", "momentum", "of what drives the piston, since the start", NULL, impulse},
-    {"piston-work", FW_SCOPE_PISTON, "", "energy", "of what drives the piston, since the start", NULL, work},
-    {"piston-heat", FW_SCOPE_PISTON, "", "energy", "taken by the piston's damping since the start", NULL, heat},
-    {"piston-kinetic-energy", FW_SCOPE_PISTON, "", "energy", "of the piston itself", NULL, kinetic_energy},
-    {"piston-torque", FW_SCOPE_PISTON, "", "energy", "of the bodies about the middle of the piston, which does not turn", NULL, torque},
-    {"piston-path-length", FW_SCOPE_PISTON, "x y", "length", "length of its path since the start, per component", NULL, path_length},
-    {"piston-energy-error", FW_SCOPE_PISTON, "", "energy", "kinetic energy of the piston minus what work and heat say", NULL, energy_error},
-    {"piston-momentum-error", FW_SCOPE_PISTON, "x y", "momentum", "momentum of the piston minus what the impulses say", NULL, momentum_error},
-    {"piston-unresolved", FW_SCOPE_PISTON, "", "1", "steps since the start in which no motion was found that fits the forces on the piston", NULL, unresolved},
-    {"piston-unmatched", FW_SCOPE_PISTON, "", "energy", "work of the bodies on the piston that does not fit its motion: rounding, but for unresolved steps", NULL, unmatched},
-    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+    {"piston-displacement", FW_SCOPE_PISTON, "x y", "length", "since the start", NULL, displacement, NULL, FW_NEEDS_NOTHING},
+    {"piston-velocity", FW_SCOPE_PISTON, "x y", "length/time", "of the piston", NULL, velocity, NULL, FW_NEEDS_NOTHING},
+    {"piston-force", FW_SCOPE_PISTON, "x y", "force", "[D(t) + D(t-1)]/2, all that drives the piston", NULL, force, NULL, FW_NEEDS_NOTHING},
+    {"piston-impulse", FW_SCOPE_PISTON, "x y", "momentum", "of what drives the piston, since the start", NULL, impulse, NULL, FW_NEEDS_NOTHING},
+    {"piston-work", FW_SCOPE_PISTON, "", "energy", "of what drives the piston, since the start", NULL, work, NULL, FW_NEEDS_NOTHING},
+    {"piston-heat", FW_SCOPE_PISTON, "", "energy", "taken by the piston's damping since the start", NULL, heat, NULL, FW_NEEDS_NOTHING},
+    {"piston-kinetic-energy", FW_SCOPE_PISTON, "", "energy", "of the piston itself", NULL, kinetic_energy, NULL, FW_NEEDS_NOTHING},
+    {"piston-torque", FW_SCOPE_PISTON, "", "energy", "of the bodies about the middle of the piston, which does not turn", NULL, torque, NULL, FW_NEEDS_NOTHING},
+    {"piston-path-length", FW_SCOPE_PISTON, "x y", "length", "length of its path since the start, per component", NULL, path_length, NULL, FW_NEEDS_NOTHING},
+    {"piston-energy-error", FW_SCOPE_PISTON, "", "energy", "kinetic energy of the piston minus what work and heat say", NULL, energy_error, NULL, FW_NEEDS_NOTHING},
+    {"piston-momentum-error", FW_SCOPE_PISTON, "x y", "momentum", "momentum of the piston minus what the impulses say", NULL, momentum_error, NULL, FW_NEEDS_NOTHING},
+    {"piston-unresolved", FW_SCOPE_PISTON, "", "1", "steps since the start in which no motion was found that fits the forces on the piston", NULL, unresolved, NULL, FW_NEEDS_NOTHING},
+    {"piston-unmatched", FW_SCOPE_PISTON, "", "energy", "work of the bodies on the piston that does not fit its motion: rounding, but for unresolved steps", NULL, unmatched, NULL, FW_NEEDS_NOTHING},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */

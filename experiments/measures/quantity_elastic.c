@@ -88,8 +88,10 @@ static void poisson_ratio(const fw_experiment *experiment, fw_subject subject, d
 {
     double g[4];
     affine_strain(experiment, subject, g);
-    out[0] = -g[3] / g[0];
-    out[1] = -g[0] / g[3];
+    /* What is below is rounding, and no strain. */
+    const double least = 1e-13;
+    out[0] = fabs(g[0]) > least ? -g[3] / g[0] : NAN;
+    out[1] = fabs(g[3]) > least ? -g[0] / g[3] : NAN;
 }
 
 /* --- waves --- */
@@ -183,11 +185,11 @@ static void anisotropy(const fw_experiment *experiment, fw_subject subject, doub
 
 /* clang-format off */
 const fw_quantity fw_elastic_quantities[] = {
-    {"affine-strain", FW_SCOPE_BODY, "xx xy yx yy", "1", "gradient of the displacements, fitted to the inner half of the body; xy: of u_x along y", NULL, affine_strain},
-    {"poisson-ratio", FW_SCOPE_BODY, "x y", "1", "of the affine strain: how much thinner over how much longer, of a body pulled along x, or along y", NULL, poisson_ratio},
-    {"wave-speed", FW_SCOPE_BODY, "along across", "length/time", "of the plane wave that the body started with, from the motion of site [0, 0]: of its part along the wave vector, and across", NULL, wave_speed},
-    {"wave-modulus", FW_SCOPE_BODY, "along across", "force/length", "density times wave speed squared: lambda + 2 mu along, the shear modulus mu across", NULL, wave_modulus},
-    {"anisotropy", FW_SCOPE_SCENE, "along across", "1", "difference of the highest and lowest wave speed of all bodies, over their mean", NULL, anisotropy},
-    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+    {"affine-strain", FW_SCOPE_BODY, "xx xy yx yy", "1", "gradient of the displacements, fitted to the inner half of the body; xy: of u_x along y", NULL, affine_strain, "its inner half has fewer than two rows or columns", FW_NEEDS_NOTHING},
+    {"poisson-ratio", FW_SCOPE_BODY, "x y", "1", "of the affine strain: how much thinner over how much longer, of a body pulled along x, or along y", NULL, poisson_ratio, "the body is not strained along that axis", FW_NEEDS_NOTHING},
+    {"wave-speed", FW_SCOPE_BODY, "along across", "length/time", "of the plane wave that the body started with, from the motion of site [0, 0]: of its part along the wave vector, and across", NULL, wave_speed, "the body started without a plane wave, or was not seen within its first half oscillation", FW_NEEDS_NOTHING},
+    {"wave-modulus", FW_SCOPE_BODY, "along across", "force/length", "density times wave speed squared: lambda + 2 mu along, the shear modulus mu across", NULL, wave_modulus, "its wave has no speed", FW_NEEDS_NOTHING},
+    {"anisotropy", FW_SCOPE_SCENE, "along across", "1", "difference of the highest and lowest wave speed of all bodies, over their mean", NULL, anisotropy, "a wave has no speed", FW_NEEDS_NOTHING},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */

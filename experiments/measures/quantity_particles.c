@@ -221,22 +221,22 @@ static void diffusion_ratio(const fw_experiment *experiment, fw_subject subject,
         experiment->bodies[subject.body].count;
     fw_quantity_find("mean-square-displacement")->measure(experiment, subject, out);
     const double exact = 4 * dynamics->temperature / (mass * rate * rate) * (decay + expm1(-decay));
-    out[0] = decay > 0 ? out[0] / exact : 1;
+    out[0] = decay > 0 ? (exact > 0 ? out[0] / exact : NAN) : 1;
 }
 
 /* clang-format off */
 const fw_quantity fw_particle_quantities[] = {
-    {"temperature", FW_SCOPE_BODIES, "", "energy", "k_B T: kinetic energy about the mean velocity of each body, per degree of freedom, times 2", POINT_MASSES, temperature},
-    {"temperature-along", FW_SCOPE_BODIES, "x y", "energy", "the same of the velocities along x and along y", POINT_MASSES, temperature_along},
-    {"pressure", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "pressure tensor, over the area that the body covered when it was made", MLP, pressure},
-    {"lab-order", FW_SCOPE_BODIES, "", "1", "mean of cos n(phi - axes) over all bonds", MLP, lab_order},
-    {"local-order", FW_SCOPE_BODIES, "", "1", "mean of |psi_n|, psi_n the mean of e^{i n phi} over the bonds of a particle", MLP, local_order},
-    {"coordination", FW_SCOPE_BODIES, "", "1", "mean number of bonds of a particle", MLP, coordination},
-    {"bragg-peak", FW_SCOPE_BODY, "", "1", "mean height of the structure factor's first peaks, at the axes' directions: 1 for a perfect crystal", MLP, bragg_peak},
-    {"largest-cluster", FW_SCOPE_SCENE, "", "1", "particles in the largest cluster, linked where the potential reaches", MLP, largest_cluster},
-    {"return-force", FW_SCOPE_BODIES, "", "force", "mean size of the net return force on a particle", MLP, return_force},
-    {"bond-angle", FW_SCOPE_BODY, "", "degrees", "direction of the second particle, seen from the first", POINT_MASSES, bond_angle},
-    {"diffusion-ratio", FW_SCOPE_BODY, "", "1", "mean square displacement over the exact one of free Brownian particles that start thermal", POINT_MASSES, diffusion_ratio},
-    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL},
+    {"temperature", FW_SCOPE_BODIES, "", "energy", "k_B T: kinetic energy about the mean velocity of each body, per degree of freedom, times 2; of what no grip holds", POINT_MASSES, temperature, "fewer than two of its particles are free", FW_NEEDS_NOTHING},
+    {"temperature-along", FW_SCOPE_BODIES, "x y", "energy", "the same of the velocities along x and along y", POINT_MASSES, temperature_along, "fewer than two of its particles are free", FW_NEEDS_NOTHING},
+    {"pressure", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "pressure tensor, over the area that the body covered when it was made", MLP, pressure, NULL, FW_NEEDS_NOTHING},
+    {"lab-order", FW_SCOPE_BODIES, "", "1", "mean of cos n(phi - axes) over all bonds", MLP, lab_order, NULL, FW_NEEDS_NOTHING},
+    {"local-order", FW_SCOPE_BODIES, "", "1", "mean of |psi_n|, psi_n the mean of e^{i n phi} over the bonds of a particle", MLP, local_order, NULL, FW_NEEDS_NOTHING},
+    {"coordination", FW_SCOPE_BODIES, "", "1", "mean number of bonds of a particle", MLP, coordination, NULL, FW_NEEDS_NOTHING},
+    {"bragg-peak", FW_SCOPE_BODY, "", "1", "mean height of the structure factor's first peaks, each the largest value within a tenth of its wave number from where the axes have it: 1 for a perfect crystal", MLP, bragg_peak, NULL, FW_NEEDS_NOTHING},
+    {"largest-cluster", FW_SCOPE_SCENE, "", "1", "particles in the largest cluster, linked where the potential reaches", MLP, largest_cluster, NULL, FW_NEEDS_NOTHING},
+    {"return-force", FW_SCOPE_BODIES, "", "force", "mean size of the net return force on a particle", MLP, return_force, NULL, FW_NEEDS_NOTHING},
+    {"bond-angle", FW_SCOPE_BODY, "", "degrees", "direction of the second particle, seen from the first", POINT_MASSES, bond_angle, NULL, FW_NEEDS_NOTHING},
+    {"diffusion-ratio", FW_SCOPE_BODY, "", "1", "mean square displacement over the exact one of free Brownian particles that start thermal", POINT_MASSES, diffusion_ratio, "without damping or temperature nothing diffuses", FW_NEEDS_NOTHING},
+    {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */

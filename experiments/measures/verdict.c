@@ -61,7 +61,7 @@ static double spread_of(const series *s)
     for (int64_t row = s->first; row <= s->last; ++row)
         sum += (at(s, row) - mean) * (at(s, row) - mean);
     int64_t count = s->last - s->first + 1;
-    return count > 1 ? sqrt(sum / (double)(count - 1)) : 0;
+    return sqrt(sum / (double)(count - 1));
 }
 
 /* Least-squares slope against time. */
@@ -117,7 +117,14 @@ static double compute(const series *s, fw_statistic what)
     return NAN;
 }
 
-static double measure(const fw_measurement *m, const fw_expectation *e, int column)
+/* These say nothing of a single sample. */
+static bool needs_two(fw_statistic what)
+{
+    return what == FW_STATISTIC_SPREAD || what == FW_STATISTIC_CHANGE || what == FW_STATISTIC_RATE;
+}
+
+/* The samples that an expectation speaks of; first < 0: there are none. */
+static series series_of(const fw_measurement *m, const fw_expectation *e, int column)
 {
     series s = {m, column, -1, -1};
     int64_t from = e->has_at ? e->at : e->from, until = e->has_at ? e->at : e->until;
@@ -126,8 +133,27 @@ static double measure(const fw_measurement *m, const fw_expectation *e, int colu
         if (s.first < 0) s.first = row;
         s.last = row;
     }
-    if (s.first < 0) return NAN;
-    return compute(&s, e->has_at ? FW_STATISTIC_LAST : e->statistic);
+    return s;
+}
+
+static double measure(const fw_measurement *m, const fw_expectation *e, int column)
+{
+    const series s = series_of(m, e, column);
+    const fw_statistic what = e->has_at ? FW_STATISTIC_LAST : e->statistic;
+    if (s.first < 0 || (s.first == s.last && needs_two(what))) return NAN;
+    return compute(&s, what);
+}
+
+/* Why an expectation's number is none. */
+static const char *reason_of(const fw_measurement *m, const fw_expectation *e,
+                             const fw_probe *probe, int column)
+{
+    const series s = series_of(m, e, column);
+    if (s.first < 0) return "nothing is measured in these steps";
+    if (s.first == s.last && !e->has_at && needs_two(e->statistic))
+        return "one sample, where two are needed";
+    if (!isfinite(measure(m, e, column)) && probe->quantity->absent) return probe->quantity->absent;
+    return "a value is not finite";
 }
 
 static void name_quantity(fw_verdict *verdict, const fw_probe *probe, int component)
@@ -203,10 +229,12 @@ static double value_in(const fw_measurement *measurement, const fw_expectation *
 }
 
 /* Of a mean over time: from the blocks of its series. NaN of anything else, or without memory. */
-static double error_in_time(const fw_measurement *m, const fw_expectation *e, int number)
+static double error_in_time(const fw_measurement *m, const fw_expectation *e, int number,
+                            bool *at_least)
 {
     const int column = m->probes[m->expected[number]].first + m->component[number];
     fw_average average = {.error = NAN};
+    *at_least = false;
     size_t count = 0;
     if (e->has_at || e->statistic != FW_STATISTIC_MEAN) return NAN;
     double *values = fw_array_of_doubles((size_t)m->count);
@@ -216,6 +244,7 @@ static double error_in_time(const fw_measurement *m, const fw_expectation *e, in
     if (count < 2 || fw_average_of_series(&average, values, count, NULL) != FW_OK)
         average.error = NAN;
     free(values);
+    *at_least = average.error > 0 && !average.converged;
     return average.error;
 }
 
@@ -243,7 +272,7 @@ static void average_seeds(fw_verdict *verdict, const fw_measurement *measurement
         squares += off * off;
     }
     verdict->error = sqrt(squares / ((double)count * (count - 1)));
-    verdict->seeds = count;
+    verdict->seeds = verdict->seeds_asked = count;
 }
 
 /* With as many digits as the first two of its error, where that is known. */
@@ -256,12 +285,31 @@ static void write_found(fw_verdict *verdict)
         const double size = fmax(fabs(verdict->measured), verdict->error);
         int digits = 2 + (int)(floor(log10(size)) - floor(log10(verdict->error)));
         digits = digits > 12 ? 12 : digits;
-        length = snprintf(end, room, "%#.*g +- %.2g", digits, verdict->measured, verdict->error);
+        length = snprintf(end, room, "%#.*g +- %s%.2g", digits, verdict->measured,
+                          verdict->at_least ? ">= " : "", verdict->error);
+    } else if (!isfinite(verdict->measured)) {
+        length = snprintf(end, room, "no number%s%.150s", verdict->why ? ": " : "",
+                          verdict->why ? verdict->why : "");
     } else {
         length = snprintf(end, room, "%.10g", verdict->measured);
     }
-    if (verdict->seeds > 1)
+    if (verdict->seeds < verdict->seeds_asked)
+        snprintf(end + length, room - (size_t)length, " (%d of %d seeds)", verdict->seeds,
+                 verdict->seeds_asked);
+    else if (verdict->seeds > 1)
         snprintf(end + length, room - (size_t)length, " (%d seeds)", verdict->seeds);
+}
+
+/* A measure of the layer is averaged over the seeds that have it. */
+static void count_seeds(fw_verdict *verdict, const fw_scenario *scenario,
+                        const fw_measurement *measurement, int number)
+{
+    verdict->seeds = verdict->seeds_asked = (int)scenario->study.seeds;
+    verdict->why = "no seed shows it";
+    if (!measurement->outcome_of_seeds) return;
+    verdict->seeds = 0;
+    for (int n = 0; n < verdict->seeds_asked; ++n)
+        verdict->seeds += isfinite(fw_verdict_of_seed(scenario, measurement, number, n));
 }
 
 fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *measurement, int number)
@@ -270,15 +318,17 @@ fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *meas
     fw_verdict verdict = {.expectation = e, .error = NAN, .seeds = 1};
     if (measurement->expected[number] < 0) {
         verdict = verdict_of_outcome(e, measurement, number);
-        verdict.seeds = (int)scenario->study.seeds;
+        count_seeds(&verdict, scenario, measurement, number);
     } else {
         const fw_probe *probe = &measurement->probes[measurement->expected[number]];
         if (measurement->seeds) {
             average_seeds(&verdict, measurement, number);
         } else {
             verdict.measured = value_in(measurement, e, number);
-            verdict.error = error_in_time(measurement, e, number);
+            verdict.error = error_in_time(measurement, e, number, &verdict.at_least);
         }
+        verdict.why =
+            reason_of(measurement, e, probe, probe->first + measurement->component[number]);
         name_quantity(&verdict, probe, measurement->component[number]);
     }
     verdict.asked = fw_verdict_is_asked(scenario, e);
@@ -290,6 +340,12 @@ void fw_verdict_judge(fw_verdict *verdict)
 {
     judge(verdict);
     write_found(verdict);
+}
+
+const char *fw_verdict_word(const fw_verdict *verdict)
+{
+    if (verdict->holds) return "holds";
+    return isfinite(verdict->measured) ? "FAILS" : "not measured";
 }
 
 bool fw_verdict_is_asked(const fw_scenario *scenario, const fw_expectation *expectation)
@@ -342,15 +398,15 @@ static int longer(int width, const char *text)
 
 /* Widths of the columns; that of the cases is 0 where there are none. */
 typedef struct widths {
-    int in, quantity, expected, found;
+    int in, quantity, expected, found, word;
 } widths;
 
 static void print_row(FILE *out, const widths *w, const fw_verdict *v)
 {
     const char *source = v->expectation->source;
     if (w->in > 0) fprintf(out, "%-*s  ", w->in, v->in ? v->in : "");
-    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", w->quantity, v->quantity, w->expected, v->expected,
-            w->found, v->found, v->holds ? "holds" : "FAILS", source ? source : "");
+    fprintf(out, "%-*s  %-*s  %-*s  %-*s  %s\n", w->quantity, v->quantity, w->expected, v->expected,
+            w->found, v->found, w->word, fw_verdict_word(v), source ? source : "");
     if (v->expectation->note)
         fprintf(out, "%-*s  %s\n", w->quantity + (w->in > 0 ? w->in + 2 : 0), "",
                 v->expectation->note);
@@ -358,7 +414,7 @@ static void print_row(FILE *out, const widths *w, const fw_verdict *v)
 
 void fw_verdicts_print(FILE *out, const fw_verdicts *verdicts)
 {
-    widths w = {.quantity = 8, .expected = 8, .found = 16};
+    widths w = {.quantity = 8, .expected = 8, .found = 16, .word = 7};
     if (fw_verdicts_asked(verdicts) == 0) return;
     for (int n = 0; n < verdicts->count; ++n) {
         const fw_verdict *v = &verdicts->item[n];
@@ -367,10 +423,11 @@ void fw_verdicts_print(FILE *out, const fw_verdicts *verdicts)
         w.quantity = longer(w.quantity, v->quantity);
         w.expected = longer(w.expected, v->expected);
         w.found = longer(w.found, v->found);
+        w.word = longer(w.word, fw_verdict_word(v));
     }
     if (w.in > 0) fprintf(out, "%-*s  ", w.in, "case");
-    fprintf(out, "%-*s  %-*s  %-*s  %-7s  %s\n", w.quantity, "quantity", w.expected, "expected",
-            w.found, "measured", "verdict", "source");
+    fprintf(out, "%-*s  %-*s  %-*s  %-*s  %s\n", w.quantity, "quantity", w.expected, "expected",
+            w.found, "measured", w.word, "verdict", "source");
     for (int n = 0; n < verdicts->count; ++n)
         if (verdicts->item[n].asked) print_row(out, &w, &verdicts->item[n]);
 }

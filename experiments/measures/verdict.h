@@ -16,8 +16,11 @@ typedef struct fw_verdict {
     double measured; /* in a study: the mean over its seeds */
     double error;    /* standard error of it, over the seeds of a study, or of a mean over time with
                         its samples' correlation (averages.h); NaN: not known */
-    int seeds;
-    bool holds;                     /* never, where the measured number is not finite */
+    bool at_least;   /* the series is too short for its correlation: the error is a lower bound */
+    int seeds;       /* that have a number ... */
+    int seeds_asked; /* ... of so many; 0: not known */
+    const char *why; /* why there is no number, where there is none; NULL: not known */
+    bool holds;      /* never, where the measured number is not finite */
     char quantity[FW_VERDICT_TEXT]; /* "elongation.chain x, maximum" */
     char expected[FW_VERDICT_TEXT]; /* "0.8 +- 1e-10", "< 1e-11" */
     char found[FW_VERDICT_TEXT];    /* "0.7999", "1.0005 +- 0.0036 (4 seeds)" */
@@ -26,6 +29,9 @@ typedef struct fw_verdict {
 /* Judges expectation `number` of the scenario. */
 fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *measurement,
                          int number);
+
+/* "holds", "FAILS", or "not measured": no number holds nothing. */
+const char *fw_verdict_word(const fw_verdict *verdict);
 
 /* The measured number of one seed alone: 0 is the first, or the only one. */
 double fw_verdict_of_seed(const fw_scenario *scenario, const fw_measurement *measurement,

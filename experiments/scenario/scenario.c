@@ -48,7 +48,7 @@ static const fw_key scenario_keys[] = {
     {"record", AT_OBJECT(fw_scenario, record), .subsection = &fw_record_section,
      .default_meaning = "positions and velocities",
      .meaning = "what the results file holds of each particle"},
-    {"measure", AT_NAMES(FW_FORM_NAME, fw_scenario, measure), .most = 256,
+    {"measure", AT_NAMES(FW_FORM_PATH, fw_scenario, measure), .most = 256,
      .default_meaning = "a standard set",
      .meaning = "observables to be measured, beside those that `expect` and `pictures` name"},
     {"expect", FW_FORM_LIST, .items = FW_FORM_MAPPING, .subsection = &fw_expectation_section,

@@ -278,3 +278,12 @@ const fw_solid *fw_experiment_particles(const fw_experiment *experiment)
             return fw_experiment_solid(experiment, b);
     return NULL;
 }
+
+double fw_experiment_energy_at_start(const fw_experiment *experiment, int member)
+{
+    double start = 0;
+    for (int b = 0; b < experiment->body_count; ++b)
+        if (experiment->bodies[b].solid == experiment->bodies[member].solid)
+            start += experiment->energy_at_start[b];
+    return start;
+}

@@ -31,6 +31,8 @@ fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error);
 
 /* All movable particles of the scenario, or NULL where it has none. */
 const fw_solid *fw_experiment_particles(const fw_experiment *experiment);
+/* The energy that the solid in which a body lives, and thus its ledger, started with. */
+double fw_experiment_energy_at_start(const fw_experiment *experiment, int member);
 /* The solid in which a body lives. */
 const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int body);
 

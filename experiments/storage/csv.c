@@ -26,10 +26,12 @@ void fw_csv_write_text(FILE *out, const char *text)
 
 void fw_csv_write_number(FILE *out, double value)
 {
-    if (isnan(value))
-        fputs("nan", out);
-    else
-        fprintf(out, "%.17g", value);
+    if (!isnan(value)) fprintf(out, "%.17g", value);
+}
+
+double fw_csv_read_number(const char *text)
+{
+    return text[0] ? strtod(text, NULL) : NAN;
 }
 
 char *fw_csv_cut(char *line, char **value)

@@ -8,14 +8,17 @@
 
 #include <stdio.h>
 
-/* A text (RFC 4180: in quotes where it could be taken for several values); a number, "nan" for
- * every number that is none. Neither writes a comma. */
+/* A text (RFC 4180: in quotes where it could be taken for several values); a number, empty where
+ * there is none. Neither writes a comma. */
 void fw_csv_write_text(FILE *out, const char *text);
 void fw_csv_write_number(FILE *out, double value);
 
 /* Cuts the first value off: *value is its text without quotes, written over the line; returns what
  * is behind its comma, or NULL where that was the last one of the line. */
 char *fw_csv_cut(char *line, char **value);
+
+/* A number as it was written; NaN where it is empty. */
+double fw_csv_read_number(const char *text);
 
 /* What `write` says of `object`, as a file of results that the folder's manifest knows
  * (manifest.h). */

@@ -26,11 +26,11 @@ struct fw_recorder {
     char warnings[FW_WARNINGS_SIZE + 1];
 };
 
-/* The scene's sections, the recorder's own counters, and the profile's sums. */
+/* The scene's sections, the recorder's own counters, and what is followed beside the scene. */
 static fw_status list_sections(fw_recorder *r, fw_error *error)
 {
     int count = fw_scene_section_count(r->experiment->scene);
-    r->section_count = count + 1 + (r->observer->profile != NULL);
+    r->section_count = count + 2;
     r->sections = calloc((size_t)r->section_count, sizeof *r->sections);
     r->states = calloc((size_t)r->section_count, sizeof *r->states);
     if (!r->sections || !r->states) return fw_fail_memory(error, "a checkpoint");
@@ -41,9 +41,8 @@ static fw_status list_sections(fw_recorder *r, fw_error *error)
     fw_state_list_add(&r->states[count], "written", FW_I64, sizeof r->written / sizeof(int64_t),
                       &r->written);
     r->sections[count] = (fw_checkpoint_section){"recorder", &r->states[count]};
-    if (!r->observer->profile) return FW_OK;
-    fw_profile_state(r->observer->profile, &r->states[count + 1]);
-    r->sections[count + 1] = (fw_checkpoint_section){"profile", &r->states[count + 1]};
+    fw_observer_state(r->observer, &r->states[count + 1]);
+    r->sections[count + 1] = (fw_checkpoint_section){"observer", &r->states[count + 1]};
     return FW_OK;
 }
 

@@ -24,7 +24,7 @@ static void write_row(FILE *out, const summary *s, int number)
     fw_csv_write_number(out, verdict.measured);
     fputc(',', out);
     fw_csv_write_number(out, verdict.error);
-    fprintf(out, ",%s", !verdict.asked ? "not asked" : verdict.holds ? "holds" : "FAILS");
+    fprintf(out, ",%s", !verdict.asked ? "not asked" : fw_verdict_word(&verdict));
     for (int n = 0; n < s->scenario->study.seeds; ++n) {
         fputc(',', out);
         fw_csv_write_number(out, fw_verdict_of_seed(s->scenario, s->measurement, number, n));
@@ -58,8 +58,8 @@ static bool read_row(char *line, fw_verdict *verdict)
         line = fw_csv_cut(line, &cell[n]);
     }
     snprintf(verdict->quantity, sizeof verdict->quantity, "%s", cell[0]);
-    verdict->measured = strtod(cell[2], NULL);
-    verdict->error = strtod(cell[3], NULL);
+    verdict->measured = fw_csv_read_number(cell[2]);
+    verdict->error = fw_csv_read_number(cell[3]);
     return true;
 }
 

@@ -207,7 +207,7 @@ static bool read_values(fw_sweep_table *table, const layout *cells, char *line, 
     for (int n = 0; n < cells->count; ++n) {
         if (!line) return false;
         line = fw_csv_cut(line, &cell);
-        part_of(table, cells->column[n], cells->part[n])[row] = strtod(cell, NULL);
+        part_of(table, cells->column[n], cells->part[n])[row] = fw_csv_read_number(cell);
     }
     if (!cells->failures) return !line;
     if (!line) return false;

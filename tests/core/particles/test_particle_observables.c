@@ -125,6 +125,25 @@ static void crystals_have_bragg_peaks(void **state)
     fw_solid_destroy(solid);
 }
 
+/* The window reaches a tenth of the wave number: .1 radians, or a tenth of the spacing. */
+static void a_crystal_that_is_turned_or_stretched_a_little_is_found(void **state)
+{
+    (void)state;
+    static const double angles[] = {0.3, 0.35, 0.22}, spacings[] = {1, 1.03, 0.95};
+    for (int n = 0; n < 3; ++n) {
+        fw_sites sites;
+        assert_int_equal(fw_sites_rectangle(&sites, 12, 12, NULL), FW_OK);
+        fw_crowd crowd =
+            crowd_of(sites, (fw_lattice){FW_SQUARE, spacings[n], angles[n], {5, 5}}, 0, 1);
+        fw_solid *solid =
+            solid_of(crowd, return_force_of(4, 1, FW_AXES_LAB, FW_RETURN_CONSERVATIVE), still, 1);
+        assert_close(fw_particle_bragg_peak(solid, 0, 4, 0.3, 1, 0.1), 1, 1e-9);
+        if (n > 0) assert_below(fw_particle_bragg_peak(solid, 0, 4, 0.3, 1, 0.01), 0.5);
+        assert_below(fw_particle_bragg_peak(solid, 0, 4, 0.3 + acos(-1) / 4, 1, 0.1), 0.1);
+        fw_solid_destroy(solid);
+    }
+}
+
 /* A crystal's shells, and a gas without any. */
 static void pair_correlation_counts_neighbours(void **state)
 {
@@ -215,6 +234,7 @@ int main(void)
         cmocka_unit_test(ideal_gas_has_its_pressure),
         cmocka_unit_test(order_tells_axes),
         cmocka_unit_test(crystals_have_bragg_peaks),
+        cmocka_unit_test(a_crystal_that_is_turned_or_stretched_a_little_is_found),
         cmocka_unit_test(pair_correlation_counts_neighbours),
         cmocka_unit_test(largest_cluster_is_found),
         cmocka_unit_test(fields_agree_with_sums),

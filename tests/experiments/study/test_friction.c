@@ -160,7 +160,7 @@ static void list_state(fw_observer *observer, copy *c)
     c->sections = fw_scene_section_count(observer->experiment->scene);
     for (int n = 0; n < c->sections; ++n)
         fw_scene_section(observer->experiment->scene, n, &c->list[n]);
-    fw_profile_state(observer->profile, &c->list[c->sections++]);
+    fw_observer_state(observer, &c->list[c->sections++]);
 }
 
 static uint64_t hash_of(fw_observer *observer)
@@ -389,7 +389,7 @@ static void compare_with_rows(const fw_study *study, void *folder)
         for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
             assert_non_null(at);
             at = fw_csv_cut(at, &cell);
-            values[n][m] = strtod(cell, NULL);
+            values[n][m] = fw_csv_read_number(cell);
         }
         assert_null(at);
     }

@@ -355,7 +355,7 @@ static void table_holds_what_the_cases_show(void **state)
                            : isnan(energy->expected[n]));
     }
     fw_sweep_table_clear(&table);
-    shell(folder, "head -c 300 it/sweep.csv > cut.csv && mv cut.csv it/sweep.csv");
+    shell(folder, "sed '$ s/,[^,]*$//' it/sweep.csv > cut.csv && mv cut.csv it/sweep.csv");
     assert_refused(fw_sweep_table_read(&table, path, &error), FW_BAD_INPUT,
                    "it/sweep.csv is damaged or was changed");
     remove_folder(folder);

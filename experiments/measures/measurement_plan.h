@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* measurement_plan.h - the probes that a scenario asks for. */
+#ifndef FW_MEASUREMENT_PLAN_H
+#define FW_MEASUREMENT_PLAN_H
+
+#include "experiments/measures/measurement.h"
+
+/* Fills probes, width, expected and component; the last two have room for every expectation. Fails
+ * as fw_measurement_create does. */
+fw_status fw_measurement_plan(fw_measurement *measurement, const fw_observer *observer,
+                              fw_error *error);
+
+#endif

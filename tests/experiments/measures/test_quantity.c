@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_quantity.c - what is measured of scenes whose numbers are known, or are none. */
+#include "tests/support/laws.h"
+
+#include "core/particles/langevin.h"
+#include "core/particles/particles.h"
+#include "experiments/measures/measurement.h"
+
+#include <string.h>
+
+static fw_error error;
+static fw_scenario *scenario;
+static fw_observer *observer;
+static fw_measurement *measurement;
+
+#define assert_fine(call)                                                                          \
+    do {                                                                                           \
+        if ((call) != FW_OK) fail_msg("%s", error.sentence);                                       \
+    } while (0)
+
+static void begin(const char *text)
+{
+    assert_fine(fw_scenario_read(&scenario, "s.yaml", text, strlen(text), NULL, 0, &error));
+    assert_fine(fw_observer_create(&observer, scenario, &error));
+    assert_fine(fw_measurement_create(&measurement, observer, &error));
+}
+
+static void end(void)
+{
+    fw_measurement_destroy(measurement);
+    fw_observer_destroy(observer);
+    fw_scenario_destroy(scenario);
+}
+
+/* Component c of the probe of that label, in the last row. */
+static double now(const char *label, int c)
+{
+    for (int n = 0; n < measurement->probe_count; ++n)
+        if (strcmp(measurement->probes[n].label, label) == 0)
+            return measurement->values[(measurement->count - 1) * measurement->width +
+                                       measurement->probes[n].first + c];
+    fail_msg("nothing is called %s", label);
+    return NAN;
+}
+
+static bool is_plain_nan(double x)
+{
+    const double plain = NAN;
+    return memcmp(&x, &plain, sizeof x) == 0;
+}
+
+/* A ball falls from rest, and is at rest with no energy whenever it is back at the top. */
+static void errors_of_energy_have_the_scale_of_what_went_through(void **state)
+{
+    (void)state;
+    begin(
+        "title: a ball is dropped\n"
+        "materials: {m: {lattice-boltzmann: {rest-mass: 1}}}\n"
+        "bodies: {b: {material: m, shape: {sites: [[0, 0]]}, origin: [0, 3.137]}}\n"
+        "walls: {floor: {chain: [[-10, 0], [10, 0]]}}\n"
+        "forces: {weight: {body: b, acceleration: [0, -0.0137]}}\n"
+        "run: {steps: 400}\n"
+        "measure: [energy-error, energy-drift, momentum-ratio, kinetic-fraction, friction-ratio,\n"
+        "  energy]\n");
+    double highest = 0;
+    for (int step = 0; step <= 400; ++step) {
+        if (step > 0) assert_fine(fw_observer_step(observer, &error));
+        fw_measurement_take(measurement, observer->experiment);
+        assert_close(now("energy-error", 0), 0, 1e-12);
+        highest = fmax(highest, now("energy", 0));
+        if (highest > 0) assert_close(now("energy-drift", 0), now("energy", 0) / highest, .3);
+        assert_true(is_plain_nan(now("momentum-ratio", 0)));
+        if (step == 0) assert_true(is_plain_nan(now("kinetic-fraction.b", 0)));
+        if (step == 0) assert_true(is_plain_nan(now("friction-ratio.floor", 0)));
+    }
+    assert_close(observer->energy_scale[0], highest, .3 * highest);
+    assert_close(now("friction-ratio.floor", 0), 0, 1e-12);
+    end();
+}
+
+/* --- temperature --- */
+
+static void set_velocity(int particle, double x, double y)
+{
+    fw_langevin *motion = (fw_langevin *)fw_experiment_particles(observer->experiment);
+    motion->velocity_x[particle] = x;
+    motion->velocity_y[particle] = y;
+}
+
+/* Two rows of three, of which the lower one is a grip. */
+static void temperature_counts_what_is_free(void **state)
+{
+    (void)state;
+    begin("title: half held\n"
+          "materials: {m: {movable-particles: {}}}\n"
+          "bodies: {c: {material: m, lattice: hexagonal, shape: {rectangle: [3, 2]}}}\n"
+          "grips: {g: {body: c, sites: {rows: [0, 0]}, hold: x, path: {velocity: [0.5, 0]}}}\n"
+          "run: {steps: 1}\n"
+          "measure: [temperature, temperature-along]\n");
+    for (int i = 0; i < 3; ++i) set_velocity(i, .5, .3);
+    set_velocity(3, 1, .1);
+    set_velocity(4, 2, .2);
+    set_velocity(5, 6, -1.2);
+    fw_measurement_take(measurement, observer->experiment);
+    /* The upper row is free: its mean is 3 along x, (4 + 1 + 9)/2, and -.3 along y. */
+    assert_close(now("temperature-along", 0), 7, 1e-12);
+    assert_close(now("temperature-along", 1), (.16 + .25 + .81) / 2, 1e-12);
+    end();
+}
+
+static void what_is_held_or_alone_has_no_temperature(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "title: held\n"
+        "materials: {m: {movable-particles: {}}}\n"
+        "bodies: {c: {material: m, lattice: hexagonal, shape: {rectangle: [3, 2]}}}\n"
+        "grips: {g: {body: c, hold: both, path: {velocity: [0.5, 0]}}}\n"
+        "run: {steps: 1}\nmeasure: [temperature]\n",
+        "title: alone\n"
+        "materials: {m: {movable-particles: {}}}\n"
+        "bodies: {c: {material: m, shape: {sites: [[0, 0]]}, velocity: [1, 0]}}\n"
+        "run: {steps: 1}\nmeasure: [temperature]\n"};
+    for (int n = 0; n < 2; ++n) {
+        begin(texts[n]);
+        fw_measurement_take(measurement, observer->experiment);
+        assert_true(is_plain_nan(now("temperature", 0)));
+        end();
+    }
+}
+
+/* A bin of n particles has 2 (n - 1) degrees of freedom beside its mean motion. */
+static void the_temperature_of_a_bin_counts_its_own_mean(void **state)
+{
+    (void)state;
+    begin(
+        "title: two in a bin\n"
+        "materials: {m: {movable-particles: {mass: 3}}}\n"
+        "bodies: {c: {material: m, lattice: square, shape: {rectangle: [9, 2]}, origin: [-4, 0]}}\n"
+        "run: {steps: 100}\n"
+        "profile: {axis: x, every: 100, bin: 1, contact: 0.5, far: [2.5, 4.5]}\n");
+    for (int i = 0; i < 9; ++i) {
+        set_velocity(i, 5 + .1 * i, 7);
+        set_velocity(9 + i, 5 - .1 * i, 7);
+    }
+    fw_profile_follow(observer->profile, fw_experiment_particles(observer->experiment), 100);
+    for (int bin = 0; bin < 9; ++bin)
+        assert_close(fw_profile_value(observer->profile, bin, FW_PROFILE_TEMPERATURE),
+                     3 * (2 * .01 * bin * bin) / 2, 1e-12);
+    end();
+}
+
+static void a_body_at_rest_has_no_poisson_ratio(void **state)
+{
+    (void)state;
+    begin("title: at rest\n"
+          "materials: {l: {linear-lattice: {}}}\n"
+          "bodies: {c: {material: l, lattice: hexagonal, shape: {rectangle: [12, 12]},\n"
+          "  origin: [0.1, 0.7]}}\n"
+          "run: {steps: 1}\nmeasure: [poisson-ratio]\n");
+    fw_measurement_take(measurement, observer->experiment);
+    assert_true(is_plain_nan(now("poisson-ratio.c", 0)));
+    assert_true(is_plain_nan(now("poisson-ratio.c", 1)));
+    end();
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(errors_of_energy_have_the_scale_of_what_went_through),
+        cmocka_unit_test(temperature_counts_what_is_free),
+        cmocka_unit_test(what_is_held_or_alone_has_no_temperature),
+        cmocka_unit_test(the_temperature_of_a_bin_counts_its_own_mean),
+        cmocka_unit_test(a_body_at_rest_has_no_poisson_ratio),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_verdict.c - statistics of series by hand, and what is said of numbers that there are not. */
+#include "tests/support/laws.h"
+
+#include "experiments/measures/verdict.h"
+
+#include <string.h>
+
+enum { ROWS = 5, LONG = 64 };
+
+static int64_t steps[LONG];
+static double times[LONG], values[LONG];
+
+/* What is found of the values in the steps from .. until; two time units are a row of ten steps. */
+static fw_verdict found_in(const char *quantity, int rows, fw_statistic what, int64_t from,
+                           int64_t until)
+{
+    static fw_expectation e;
+    static int expected, component;
+    static fw_probe probe;
+    e = (fw_expectation){.quantity.text = quantity,
+                         .statistic = what,
+                         .from = from,
+                         .until = until,
+                         .kind = FW_VERDICT_BOUNDS,
+                         .has_above = true,
+                         .above = -1e9,
+                         .when = -1};
+    const fw_scenario scenario = {.expectations = &e, .expectation_count = 1, .study.seeds = 1};
+    probe = (fw_probe){.quantity = fw_quantity_find(quantity), .components = 1};
+    snprintf(probe.label, sizeof probe.label, "%s", quantity);
+    for (int n = 0; n < rows; ++n) steps[n] = 10 * n, times[n] = 2 * n;
+    const fw_measurement m = {.probe_count = 1,
+                              .probes = &probe,
+                              .width = 1,
+                              .count = rows,
+                              .steps = steps,
+                              .times = times,
+                              .values = values,
+                              .expected = &expected,
+                              .component = &component};
+    return fw_verdict_of(&scenario, &m, 0);
+}
+
+static double five(fw_statistic what)
+{
+    memcpy(values, (double[]){3, -5, 4, 4, 1}, ROWS * sizeof *values);
+    const fw_verdict v = found_in("energy", ROWS, what, 0, INT64_MAX);
+    assert_true(v.holds);
+    assert_string_equal(fw_verdict_word(&v), "holds");
+    return v.measured;
+}
+
+static void statistics_are_those_by_hand(void **state)
+{
+    (void)state;
+    assert_close(five(FW_STATISTIC_FIRST), 3, 0);
+    assert_close(five(FW_STATISTIC_LAST), 1, 0);
+    assert_close(five(FW_STATISTIC_MAXIMUM), 4, 0);
+    assert_close(five(FW_STATISTIC_MINIMUM), -5, 0);
+    assert_close(five(FW_STATISTIC_LARGEST), 5, 0);
+    assert_close(five(FW_STATISTIC_MEAN), 1.4, 1e-15);
+    assert_close(five(FW_STATISTIC_SPREAD), sqrt(57.2 / 4), 1e-15);
+    assert_close(five(FW_STATISTIC_CHANGE), -2, 0);
+    assert_close(five(FW_STATISTIC_RATE), .25, 1e-15); /* 5/10 a row, of two time units */
+    assert_close(five(FW_STATISTIC_TIME_OF_MAXIMUM), 4, 0);
+    assert_close(five(FW_STATISTIC_TIME_OF_MINIMUM), 2, 0);
+}
+
+static void a_window_takes_both_its_ends(void **state)
+{
+    (void)state;
+    memcpy(values, (double[]){3, -5, 4, 4, 1}, ROWS * sizeof *values);
+    assert_close(found_in("energy", ROWS, FW_STATISTIC_MEAN, 10, 20).measured, -.5, 1e-15);
+    assert_close(found_in("energy", ROWS, FW_STATISTIC_FIRST, 11, 40).measured, 4, 0);
+    assert_close(found_in("energy", ROWS, FW_STATISTIC_LAST, 0, 39).measured, 4, 0);
+}
+
+/* Whatever was expected, what is no number does not hold it. */
+static void what_is_no_number_is_not_measured(void **state)
+{
+    (void)state;
+    static const fw_statistic two[] = {FW_STATISTIC_SPREAD, FW_STATISTIC_CHANGE, FW_STATISTIC_RATE};
+    memcpy(values, (double[]){3, -5, 4, 4, 1}, ROWS * sizeof *values);
+    for (size_t n = 0; n < sizeof two / sizeof two[0]; ++n) {
+        const fw_verdict v = found_in("energy", ROWS, two[n], 10, 19);
+        assert_true(isnan(v.measured) && !v.holds);
+        assert_string_equal(v.found, "no number: one sample, where two are needed");
+        assert_string_equal(fw_verdict_word(&v), "not measured");
+    }
+    fw_verdict v = found_in("energy", ROWS, FW_STATISTIC_MEAN, 10, 19);
+    assert_close(v.measured, -5, 0);
+    v = found_in("energy", ROWS, FW_STATISTIC_MEAN, 11, 19);
+    assert_false(v.holds);
+    assert_string_equal(v.found, "no number: nothing is measured in these steps");
+    values[2] = NAN;
+    for (int what = 0; what <= FW_STATISTIC_TIME_OF_MINIMUM; ++what) {
+        if (what == FW_STATISTIC_FIRST || what == FW_STATISTIC_LAST ||
+            what == FW_STATISTIC_CHANGE || what >= FW_STATISTIC_TIME_OF_MAXIMUM)
+            continue;
+        v = found_in("friction-ratio", ROWS, (fw_statistic)what, 0, INT64_MAX);
+        assert_false(v.holds);
+        assert_string_equal(v.found, "no number: nothing has pressed on the wall");
+    }
+}
+
+/* A series that wanders once up and down is too short to tell its own error. */
+static void an_error_that_is_a_lower_bound_is_called_one(void **state)
+{
+    (void)state;
+    for (int n = 0; n < LONG; ++n) values[n] = cos(2 * acos(-1) * n / LONG);
+    fw_verdict v = found_in("energy", LONG, FW_STATISTIC_MEAN, 0, INT64_MAX);
+    assert_true(v.at_least);
+    assert_non_null(strstr(v.found, " +- >= "));
+    for (int n = 0; n < LONG; ++n) values[n] = n * 7919 % 64 - 31.5;
+    v = found_in("energy", LONG, FW_STATISTIC_MEAN, 0, INT64_MAX);
+    assert_false(v.at_least);
+    assert_null(strstr(v.found, ">="));
+    assert_non_null(strstr(v.found, " +- "));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(statistics_are_those_by_hand),
+        cmocka_unit_test(a_window_takes_both_its_ends),
+        cmocka_unit_test(what_is_no_number_is_not_measured),
+        cmocka_unit_test(an_error_that_is_a_lower_bound_is_called_one),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
