@@ -74,6 +74,14 @@ fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error
     return fw_document_fail(scenario->document, place, error, "%s", sentence);
 }
 
+fw_status fw_scenario_fail_again(const fw_scenario *scenario, fw_place place, const char *before,
+                                 fw_status status, fw_error *error)
+{
+    if (status != FW_BAD_INPUT) return status;
+    const fw_error inner = *error;
+    return fw_scenario_fail(scenario, place, error, "%s%s", before, inner.sentence);
+}
+
 const fw_node *fw_scenario_part(const fw_scenario *scenario, const char *key, int *count)
 {
     const fw_node *part = fw_node_find(fw_document_root(scenario->document), key);
@@ -191,9 +199,7 @@ static fw_status check_control(const fw_scenario *scenario, fw_error *error)
     FW_TRY(fw_document_clone(&document, scenario->document, error));
     const fw_status status = make(&control, document, study->control, study->control_count, error);
     fw_scenario_destroy(control);
-    if (status != FW_BAD_INPUT) return status;
-    const fw_error inner = *error;
-    return fw_scenario_fail(scenario, study->control_place, error, "control: %s", inner.sentence);
+    return fw_scenario_fail_again(scenario, study->control_place, "control: ", status, error);
 }
 
 static fw_status create(fw_scenario **scenario, fw_document *document, const char *const *settings,

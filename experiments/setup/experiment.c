@@ -132,14 +132,6 @@ static fw_status refuse_walls(const fw_experiment *experiment, int number, fw_er
     return FW_OK;
 }
 
-static fw_status place_of_failure(const fw_scenario *scenario, fw_place place, fw_status status,
-                                  fw_error *error)
-{
-    if (status != FW_BAD_INPUT) return status;
-    fw_error inner = *error;
-    return fw_scenario_fail(scenario, place, error, "%s", inner.sentence);
-}
-
 static fw_status refuse_reversal(const fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
@@ -203,8 +195,8 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
                 FW_TRY(refuse_overlap(experiment, a, b, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
-        FW_TRY(place_of_failure(scenario, wall->place, add_wall(experiment->scene, wall, error),
-                                error));
+        FW_TRY(fw_scenario_fail_again(scenario, wall->place, "",
+                                      add_wall(experiment->scene, wall, error), error));
     }
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
@@ -212,7 +204,8 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     FW_TRY(fw_phases_check(scenario, experiment->scene, error));
     FW_TRY(fw_period_check(scenario, experiment->scene, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
-    FW_TRY(place_of_failure(scenario, place, fw_scene_begin(experiment->scene, error), error));
+    FW_TRY(fw_scenario_fail_again(scenario, place, "", fw_scene_begin(experiment->scene, error),
+                                  error));
     return note_start(experiment, error);
 }
 

@@ -83,9 +83,7 @@ static fw_status add_grip(const fw_scenario *scenario, fw_scene *scene, const fw
                              .drive = grip->motion.drive};
     fw_status status = fw_scene_add_grip(scene, range->solid, &def, error);
     free(particles);
-    if (status != FW_BAD_INPUT) return status;
-    const fw_error inner = *error;
-    return fw_scenario_fail(scenario, grip->place, error, "%s", inner.sentence);
+    return fw_scenario_fail_again(scenario, grip->place, "", status, error);
 }
 
 fw_status fw_grips_add(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,

@@ -38,15 +38,6 @@ struct fw_study {
 
 /* --- making --- */
 
-/* The sentence of a change that cannot be made stands after the control's place. */
-static fw_status fail_control(const fw_scenario *scenario, fw_status status, fw_error *error)
-{
-    const fw_error inner = *error;
-    if (status != FW_BAD_INPUT) return status;
-    return fw_scenario_fail(scenario, scenario->study.control_place, error, "control: %s",
-                            inner.sentence);
-}
-
 static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_t seed,
                                fw_scenario **made, fw_error *error)
 {
@@ -62,7 +53,9 @@ static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_
     fw_status status = fw_scenario_read(made, control ? "control" : "replica", text, strlen(text),
                                         settings, count, error);
     free(text);
-    return control ? fail_control(scenario, status, error) : status;
+    return control ? fw_scenario_fail_again(scenario, scenario->study.control_place,
+                                            "control: ", status, error)
+                   : status;
 }
 
 static fw_status make_replica(fw_study *study, int number, const fw_run_options *options,
