@@ -20,7 +20,9 @@ extern "C" {
 /* What the surface of a wall does along its tangent. */
 typedef enum fw_surface_law {
     FW_FRICTIONLESS,  /* normal force only */
-    FW_STICK,         /* a particle that would pass is held in all components */
+    FW_STICK,         /* a particle that would pass is held in all components: at a wall without a
+                         path its momentum turns over, on one with a path it takes the wall's
+                         velocity, and what that costs is heat */
     FW_COULOMB,       /* tangential force up to friction times the reaction */
     FW_COMPONENTWISE, /* each coordinate that would pass is frozen by itself (Dong et al.) */
     FW_PENALTY        /* soft: a spring of `stiffness` per overlap along the normal */
