@@ -23,12 +23,27 @@
 
 typedef struct fw_scenario fw_scenario;
 
+/* Under which heading `fretwork list` names it. */
+typedef enum fw_scenario_group {
+    FW_GROUP_OWN,
+    FW_GROUP_START_HERE,
+    FW_GROUP_LB_SOLID,
+    FW_GROUP_ELASTIC_AUTOMATON,
+    FW_GROUP_MOVABLE_PARTICLES,
+    FW_GROUP_WALLS_AND_CONTACT,
+    FW_GROUP_FRICTION,
+    FW_GROUP_STUDIES,
+    FW_GROUPS
+} fw_scenario_group;
+
 struct fw_scenario {
     fw_document *document; /* as run: after all --set options */
     const char *title;
     const char *source; /* NULL: none given */
     const char *about;  /* NULL: none given */
     const char *figure; /* NULL: none given */
+    fw_scenario_group group;
+    double takes; /* seconds that it was seen to run; 0: not told */
     int material_count;
     fw_scenario_material *materials;
     int body_count;

@@ -292,10 +292,11 @@ static const struct {
     {"run.steps=[", "run.steps=[: a value is missing"},
     {"run.steps=4e3", "run.steps=4e3: run.steps is '4e3', expected a whole number of at least 1, "
                       "written without point, exponent or leading zeros"},
-    {"steps=3",
-     "steps=3: unknown key 'steps', expected a key of a scenario: title, source, figure, about, "
-     "materials, bodies, walls, forces, grips, phases, profile, study, dynamics, run, record, "
-     "measure, expect, pictures, analysis"},
+    {"steps=3", "steps=3: unknown key 'steps', expected a key of a scenario: title, source, "
+                "figure, group, takes, "
+                "about, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
+                "run, record, "
+                "measure, expect, pictures, analysis"},
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
     {"walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}",
      "walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}: walls.floor.surface.coulomb is '-1', "
@@ -321,8 +322,9 @@ static const struct {
     {"forces.pull.until=5",
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
     {"a=b=c",
-     "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, about, "
-     "materials, bodies, walls, forces, grips, phases, profile, study, dynamics, run, record, "
+     "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, takes, "
+     "about, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, run, "
+     "record, "
      "measure, expect, pictures, analysis"},
 };
 
