@@ -94,6 +94,9 @@ static fw_status read_times(series *s, const fw_plot_picture *picture, fw_error 
             s->shown += 1;
     }
     if (s->shown > 0) return FW_OK;
+    if (picture->asked.until == INT64_MAX)
+        return fw_fail(error, FW_BAD_INPUT, "%s: nothing was measured from step %lld on",
+                       s->result->directory, (long long)picture->asked.from);
     return fw_fail(error, FW_BAD_INPUT, "%s: nothing was measured from step %lld to step %lld",
                    s->result->directory, (long long)picture->asked.from,
                    (long long)picture->asked.until);

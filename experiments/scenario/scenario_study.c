@@ -89,6 +89,12 @@ fw_status fw_scenario_read_study(fw_scenario *scenario, fw_error *error)
     const fw_node *node = fw_scenario_part(scenario, "study", &count);
     if (!node) return FW_OK;
     FW_TRY(fw_schema_fill(scenario->document, &fw_study_section, node, study, error));
+    if ((double)(scenario->run.seed + study->seeds - 1) > FW_INTEGER_MAX)
+        return fw_scenario_fail(scenario, node->place, error,
+                                "study.seeds is %lld and run.seed %lld, expected the last of the "
+                                "seeds to be at most %lld",
+                                (long long)study->seeds, (long long)scenario->run.seed,
+                                (long long)FW_INTEGER_MAX);
     const fw_node *control = fw_node_find(node, "control");
     if (!control) return FW_OK;
     if (!profile)
