@@ -11,11 +11,13 @@ typedef enum fw_status {
     FW_BAD_INPUT = 2,          /* what the user wrote cannot be run */
     FW_DIVERGED = 3,           /* a particle's numbers are no longer finite, or it escaped */
     FW_SYSTEM_FAILED = 4,      /* disk, memory, permissions */
+    FW_HUNG_UP = 129,         /* SIGHUP, after a checkpoint */
     FW_INTERRUPTED = 130,      /* SIGINT, after a checkpoint */
     FW_TERMINATED = 143        /* SIGTERM, after a checkpoint */
 } fw_status;
 
-enum { FW_SENTENCE_SIZE = 1024 };
+/* Room for two paths and what is wrong with them. */
+enum { FW_SENTENCE_SIZE = 10240 };
 
 /* One clear sentence: what was found, where, and what was expected. */
 typedef struct fw_error {

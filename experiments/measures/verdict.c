@@ -3,6 +3,8 @@
 #include "experiments/measures/verdict.h"
 
 #include "experiments/measures/layer.h"
+#include "experiments/text/terminal.h"
+#include "experiments/text/text.h"
 
 #include "core/averages.h"
 
@@ -401,15 +403,29 @@ typedef struct widths {
     int in, quantity, expected, found, word;
 } widths;
 
+/* Green and red on a terminal that may have colours. */
+static void print_word(FILE *out, const widths *w, const fw_verdict *v)
+{
+    const bool colours = fw_terminal_colours(out);
+    if (colours) fputs(v->holds ? "\033[32m" : "\033[31m", out);
+    fprintf(out, "%-*s", w->word, fw_verdict_word(v));
+    if (colours) fputs("\033[0m", out);
+    fputs("  ", out);
+}
+
 static void print_row(FILE *out, const widths *w, const fw_verdict *v)
 {
     const char *source = v->expectation->source;
     if (w->in > 0) fprintf(out, "%-*s  ", w->in, v->in ? v->in : "");
-    fprintf(out, "%-*s  %-*s  %-*s  %-*s  %s\n", w->quantity, v->quantity, w->expected, v->expected,
-            w->found, v->found, w->word, fw_verdict_word(v), source ? source : "");
-    if (v->expectation->note)
-        fprintf(out, "%-*s  %s\n", w->quantity + (w->in > 0 ? w->in + 2 : 0), "",
-                v->expectation->note);
+    fprintf(out, "%-*s  %-*s  %-*s  ", w->quantity, v->quantity, w->expected, v->expected, w->found,
+            v->found);
+    print_word(out, w, v);
+    if (source) fw_text_print_line(out, source);
+    fputc('\n', out);
+    if (!v->expectation->note) return;
+    fprintf(out, "%-*s  ", w->quantity + (w->in > 0 ? w->in + 2 : 0), "");
+    fw_text_print_line(out, v->expectation->note);
+    fputc('\n', out);
 }
 
 void fw_verdicts_print(FILE *out, const fw_verdicts *verdicts)

@@ -3,6 +3,8 @@
  * FW_REVISION, FW_COMPILER, FW_FLAGS and FW_LIBRARIES come from experiments/CMakeLists.txt. */
 #include "experiments/results/provenance.h"
 
+#include "experiments/text/text.h"
+
 #include "experiments/storage/hdf5_file.h"
 
 #include <pwd.h>
@@ -56,8 +58,8 @@ void fw_provenance_compare(FILE *out, const char *revision, const char *director
 {
     const fw_provenance now = fw_provenance_now();
     if (strcmp(revision, now.revision) == 0) return;
-    fprintf(out,
-            "fretwork: %s was begun by revision %s and goes on with %s; results of two revisions "
-            "may differ in the last digits\n",
-            directory, revision, now.revision);
+    fprintf(out, "fretwork: %s was begun by revision ", directory);
+    fw_text_print_line(out, revision);
+    fprintf(out, " and goes on with %s; results of two revisions may differ in the last digits\n",
+            now.revision);
 }

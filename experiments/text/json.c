@@ -2,6 +2,7 @@
 /* json.c - commas, indentation and escapes. State: fw_json, the caller's. */
 #include "experiments/text/json.h"
 
+#include "experiments/text/number.h"
 #include "experiments/text/text.h"
 
 #include <math.h>
@@ -76,11 +77,10 @@ void fw_json_text(fw_json *json, const char *key, const char *text)
 
 void fw_json_number(fw_json *json, const char *key, double number)
 {
+    char text[FW_NUMBER_TEXT] = "null";
     begin_value(json, key);
-    if (isfinite(number))
-        fprintf(json->out, "%.17g", number);
-    else
-        fputs("null", json->out);
+    if (isfinite(number)) fw_number_write(text, number);
+    fputs(text, json->out);
 }
 
 void fw_json_integer(fw_json *json, const char *key, int64_t number)

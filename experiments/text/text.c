@@ -99,3 +99,40 @@ char *fw_text_line(char **text)
     *text = end + 1;
     return line;
 }
+
+/* --- for terminals --- */
+
+static bool turns_direction(unsigned code)
+{
+    return code == 0x200E || code == 0x200F || (code >= 0x202A && code <= 0x202E) ||
+           (code >= 0x2066 && code <= 0x2069);
+}
+
+static void print(FILE *out, const char *text, bool one_line)
+{
+    const unsigned char *at = (const unsigned char *)text;
+    for (size_t length = strlen(text), size; length > 0; at += size, length -= size) {
+        unsigned code;
+        size = read_character(at, length, &code);
+        if (size == 0) {
+            fprintf(out, "\\x%02X", *at);
+            size = 1;
+        } else if (code == '\n' || code == '\t') {
+            fputc(one_line ? ' ' : (int)code, out);
+        } else if (code == '\r' || is_unprintable(code) || turns_direction(code)) {
+            fprintf(out, code < 0x100 ? "\\x%02X" : "\\u%04X", code);
+        } else {
+            fwrite(at, 1, size, out);
+        }
+    }
+}
+
+void fw_text_print(FILE *out, const char *text)
+{
+    print(out, text, false);
+}
+
+void fw_text_print_line(FILE *out, const char *text)
+{
+    print(out, text, true);
+}

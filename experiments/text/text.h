@@ -4,6 +4,7 @@
 #define FW_TEXT_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 /* What is wrong with bytes that should be UTF-8 text, and where. */
 typedef struct fw_text_fault {
@@ -30,5 +31,12 @@ fw_quote fw_text_quote(const char *text, size_t length);
 /* The first line of *text, ended in place of its line end, and *text goes behind it; NULL when
  * there is no whole line left. */
 char *fw_text_line(char **text);
+
+/* Writes a text from outside where somebody may read it on a terminal: control characters, among
+ * them those that turn the direction of writing, and bytes that are not UTF-8 are shown as \x1B or
+ * \u202E instead of being obeyed. Tabs and line ends stay. */
+void fw_text_print(FILE *out, const char *text);
+/* The same on one line: tabs and line ends become blanks. */
+void fw_text_print_line(FILE *out, const char *text);
 
 #endif
