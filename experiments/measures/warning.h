@@ -9,15 +9,15 @@
 #include <stdio.h>
 
 typedef struct fw_warning {
-    FILE *out;    /* NULL: says nothing */
+    FILE *out;    /* NULL: looks for nothing */
+    int count;    /* how many there were */
+    char *text;   /* a line each, without "warning: "; NULL: none */
     bool met;     /* bodies were seen to pass through each other, and it was said */
     bool hurried; /* an LB body was too fast, and it was said */
     bool looked;  /* not for the first time */
 } fw_warning;
 
-/* Names the walls that break a law which all others keep, a line each; returns how many there are.
- */
-int fw_warning_walls(FILE *out, const fw_experiment *experiment);
+void fw_warning_clear(fw_warning *warning);
 
 /* Looks at the scene as it is now, and says what is new, a line each. To be called at the start and
  * now and then. */

@@ -1,30 +1,92 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* interrupt.c - the only changeable global of the program: a signal handler has nowhere else to
+/* interrupt.c - the only changeable globals of the program: a signal handler has nowhere else to
  * leave its note. */
 #include "experiments/study/interrupt.h"
 
 #include <signal.h>
+#include <stdatomic.h>
 #include <stddef.h>
+#include <time.h>
+
+/* Seconds within which another signal counts as the same. */
+static const double INSTANT = 0.5;
+
+static const int watched[] = {SIGINT, SIGTERM, SIGHUP};
+enum { WATCHED = sizeof watched / sizeof *watched };
 
 static volatile sig_atomic_t seen;
+static struct timespec seen_at;
+static atomic_int held; /* how many checkpoints are being written */
+static atomic_int last; /* the signal that will end the process, or 0 */
+static struct sigaction before[WATCHED];
+
+/* As if it had never been watched. */
+static void end_by(int signal_number)
+{
+    const struct sigaction usual = {.sa_handler = SIG_DFL};
+    sigset_t set;
+    sigaction(signal_number, &usual, NULL);
+    sigemptyset(&set);
+    sigaddset(&set, signal_number);
+    raise(signal_number);
+    sigprocmask(SIG_UNBLOCK, &set, NULL);
+}
 
 static void note(int signal_number)
 {
-    seen = signal_number;
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    if (!seen) {
+        seen_at = now;
+        seen = signal_number;
+        return;
+    }
+    const double apart =
+        (double)(now.tv_sec - seen_at.tv_sec) + 1e-9 * (double)(now.tv_nsec - seen_at.tv_nsec);
+    if (apart < INSTANT) return;
+    atomic_store(&last, signal_number);
+    if (atomic_load(&held) == 0) end_by(signal_number);
 }
 
 void fw_interrupt_watch(void)
 {
-    struct sigaction action = {.sa_handler = note, .sa_flags = (int)SA_RESETHAND};
+    struct sigaction action = {.sa_handler = note, .sa_flags = SA_RESTART};
     sigemptyset(&action.sa_mask);
+    for (int n = 0; n < WATCHED; ++n) sigaddset(&action.sa_mask, watched[n]);
     seen = 0;
-    sigaction(SIGINT, &action, NULL);
-    sigaction(SIGTERM, &action, NULL);
+    atomic_store(&last, 0);
+    for (int n = 0; n < WATCHED; ++n) {
+        struct sigaction now;
+        sigaction(watched[n], NULL, &now);
+        if (now.sa_handler != note) before[n] = now;
+        if (now.sa_handler != SIG_IGN) sigaction(watched[n], &action, NULL);
+    }
+}
+
+void fw_interrupt_leave(void)
+{
+    for (int n = 0; n < WATCHED; ++n) sigaction(watched[n], &before[n], NULL);
+}
+
+void fw_interrupt_hold(void)
+{
+    atomic_fetch_add(&held, 1);
+}
+
+void fw_interrupt_release(void)
+{
+    if (atomic_fetch_sub(&held, 1) == 1 && atomic_load(&last) != 0) end_by(atomic_load(&last));
 }
 
 fw_status fw_interrupt_seen(void)
 {
     if (seen == SIGINT) return FW_INTERRUPTED;
     if (seen == SIGTERM) return FW_TERMINATED;
+    if (seen == SIGHUP) return FW_HUNG_UP;
     return FW_OK;
+}
+
+bool fw_interrupt_is(fw_status status)
+{
+    return status == FW_INTERRUPTED || status == FW_TERMINATED || status == FW_HUNG_UP;
 }

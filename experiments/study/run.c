@@ -7,8 +7,8 @@
 
 #include "experiments/measures/warning.h"
 #include "experiments/results/playback.h"
+#include "experiments/setup/memory.h"
 #include "experiments/study/interrupt.h"
-#include "experiments/study/progress.h"
 #include "experiments/study/recorder.h"
 
 #include <omp.h>
@@ -38,6 +38,7 @@ static fw_status create(fw_run **run, const fw_scenario *scenario, const fw_run_
     made->scenario = scenario;
     made->options = *options;
     omp_set_num_threads(options->threads > 0 ? options->threads : 1);
+    FW_TRY(fw_memory_check(scenario, 1, error));
     FW_TRY(fw_observer_create(&made->observer, scenario, error));
     made->experiment = made->observer->experiment;
     return fw_measurement_create(&made->measurement, made->observer, error);
@@ -89,7 +90,10 @@ static fw_status checkpoint(fw_run *run, fw_error *error)
 {
     if (!run->recorder) return FW_OK;
     run->checkpointed = fw_progress_clock();
-    return fw_recorder_checkpoint(run->recorder, error);
+    fw_interrupt_hold();
+    const fw_status status = fw_recorder_checkpoint(run->recorder, error);
+    fw_interrupt_release();
+    return status;
 }
 
 /* The start counts as a step of its own: with its checkpoint a run can go on whatever ends it, and
@@ -231,27 +235,36 @@ static fw_status step_once(fw_run *run, fw_error *error)
     return FW_OK;
 }
 
+static double particles_of(const fw_scenario *scenario)
+{
+    double count = 0;
+    for (int b = 0; b < scenario->body_count; ++b) count += (double)scenario->bodies[b].shape.count;
+    return count;
+}
+
+double fw_run_work(const fw_scenario *scenario)
+{
+    return particles_of(scenario) * (double)scenario->run.steps;
+}
+
 fw_status fw_run_to_end(fw_run *run, fw_error *error)
 {
     fw_scene *scene = run->experiment->scene;
-    double particles = 0;
-    for (int b = 0; b < run->experiment->body_count; ++b)
-        particles += run->experiment->bodies[b].count;
-    fw_progress progress =
-        fw_progress_begin(run->options.progress, run->options.name, fw_scene_steps(scene),
-                          run->scenario->run.steps, particles);
+    const double step_work = particles_of(run->scenario);
+    fw_progress_find(run->options.progress, step_work * (double)fw_scene_steps(scene));
     fw_status status = FW_OK;
     run->checkpointed = fw_progress_clock();
     while (status == FW_OK && fw_scene_steps(scene) < run->scenario->run.steps) {
         status = step_once(run, error);
-        fw_progress_show(&progress, fw_scene_steps(scene));
+        fw_progress_add(run->options.progress, step_work);
     }
-    fw_progress_end(&progress);
     if (!run->recorder) return status;
     if (status == FW_OK) return run->options.keep_open ? FW_OK : fw_run_finish(run, error);
     /* The reason goes into the file as far as the disk still takes it. */
     fw_error ignored;
+    fw_interrupt_hold();
     fw_recorder_finish(run->recorder, status, error->sentence, &ignored);
+    fw_interrupt_release();
     return status;
 }
 
@@ -263,7 +276,11 @@ fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, cons
 
 fw_status fw_run_finish(fw_run *run, fw_error *error)
 {
-    return run->recorder ? fw_recorder_finish(run->recorder, FW_OK, NULL, error) : FW_OK;
+    if (!run->recorder) return FW_OK;
+    fw_interrupt_hold();
+    const fw_status status = fw_recorder_finish(run->recorder, FW_OK, NULL, error);
+    fw_interrupt_release();
+    return status;
 }
 
 void fw_run_fail(fw_run *run, fw_status status, const char *reason)
@@ -313,6 +330,7 @@ void fw_run_destroy(fw_run *run)
     if (!run) return;
     fw_recorder_destroy(run->recorder);
     fw_measurement_destroy(run->measurement);
+    fw_warning_clear(&run->warning);
     fw_observer_destroy(run->observer);
     free(run);
 }

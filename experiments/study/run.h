@@ -5,6 +5,7 @@
 #define FW_RUN_H
 
 #include "experiments/measures/measurement.h"
+#include "experiments/study/progress.h"
 #include "experiments/study/recorder.h"
 
 #include <stdio.h>
@@ -14,11 +15,11 @@ typedef struct fw_run_options {
     const char *directory; /* of the results; NULL: only measured, nothing is written */
     bool overwrite;        /* an earlier result is replaced, else refused */
     int threads;
-    int at_once;      /* runs of a study side by side; 0: as many as there are processors */
-    const char *name; /* for the progress line */
-    FILE *progress;   /* NULL: none */
-    bool keep_open;   /* the results file is ended by fw_run_finish, not by the last step */
-    FILE *warnings;   /* where warning.h says what it sees; NULL: nowhere */
+    int at_once;           /* runs of a study side by side; 0: as many as there are processors */
+    const char *name;      /* of the experiment, in sentences */
+    fw_progress *progress; /* of all runs together; NULL: none */
+    bool keep_open;        /* the results file is ended by fw_run_finish, not by the last step */
+    FILE *warnings;        /* where warning.h says what it sees; NULL: nowhere */
 } fw_run_options;
 
 typedef struct fw_run fw_run;
@@ -32,9 +33,12 @@ fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_o
 fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
                         char note[FW_SENTENCE_SIZE], fw_error *error);
 
-/* To the end. FW_INTERRUPTED or FW_TERMINATED: a signal came; a checkpoint was written.
+/* To the end. FW_INTERRUPTED, FW_TERMINATED or FW_HUNG_UP: a signal came; a checkpoint was written.
  * FW_DIVERGED, FW_SYSTEM_FAILED: the last checkpoint stays whole. */
 fw_status fw_run_to_end(fw_run *run, fw_error *error);
+
+/* Particle steps of one run, for the progress. */
+double fw_run_work(const fw_scenario *scenario);
 
 /* With keep_open: what is known of the run as a whole, and the end. */
 fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,

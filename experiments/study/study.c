@@ -5,6 +5,7 @@
 #include "experiments/study/study.h"
 
 #include "core/averages.h"
+#include "experiments/setup/memory.h"
 #include "experiments/storage/csv.h"
 #include "experiments/storage/folder.h"
 #include "summary.h"
@@ -38,6 +39,27 @@ struct fw_study {
 
 /* --- making --- */
 
+/* Takes the place in the text that a replica is read from, which nobody has written, off a
+ * sentence: "control:5:9: ". */
+static void strip_place(fw_error *error)
+{
+    int length = 0;
+    sscanf(error->sentence, "control:%*d:%*d: %n", &length);
+    if (length == 0) sscanf(error->sentence, "replica:%*d:%*d: %n", &length);
+    memmove(error->sentence, error->sentence + length, strlen(error->sentence + length) + 1);
+}
+
+static fw_status fail_replica(const fw_study *study, int number, fw_status status, fw_error *error)
+{
+    if (status != FW_BAD_INPUT) return status;
+    strip_place(error);
+    if (number >= study->seed_count)
+        return fw_scenario_fail_again(study->scenario, study->scenario->study.control_place,
+                                      "control: ", status, error);
+    return fw_fail_within(error, "seed %lld",
+                          (long long)study->replicas[number].scenario->run.seed);
+}
+
 static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_t seed,
                                fw_scenario **made, fw_error *error)
 {
@@ -53,6 +75,7 @@ static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_
     fw_status status = fw_scenario_read(made, control ? "control" : "replica", text, strlen(text),
                                         settings, count, error);
     free(text);
+    if (status != FW_OK) strip_place(error);
     return control ? fw_scenario_fail_again(scenario, scenario->study.control_place,
                                             "control: ", status, error)
                    : status;
@@ -66,12 +89,19 @@ static fw_status make_replica(fw_study *study, int number, const fw_run_options 
     const int64_t seed = study->scenario->run.seed + number % study->seed_count;
     FW_TRY(make_scenario(study->scenario, control, seed, &replica->own, error));
     replica->scenario = replica->own;
-    replica->options = (fw_run_options){.threads = 1, .overwrite = true};
+    replica->options =
+        (fw_run_options){.threads = 1, .overwrite = true, .progress = options->progress};
     if (number != study->seed_count || !options->directory) return FW_OK;
     FW_TRY(fw_path_join(study->control_folder, options->directory, FW_CONTROL_FOLDER, error));
     FW_TRY(fw_path_check_inner(study->control_folder, error));
     replica->options.directory = study->control_folder;
     return FW_OK;
+}
+
+double fw_study_work(const fw_scenario *scenario)
+{
+    const int runs = (int)scenario->study.seeds * (scenario->study.control_count > 0 ? 2 : 1);
+    return runs * fw_run_work(scenario);
 }
 
 static fw_status create(fw_study **study, const fw_scenario *scenario,
@@ -84,6 +114,7 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     made->at_once = options->at_once;
     made->seed_count = (int)scenario->study.seeds;
     made->run_count = made->seed_count * (scenario->study.control_count > 0 ? 2 : 1);
+    FW_TRY(fw_memory_check(scenario, made->run_count, error));
     made->replicas = calloc((size_t)made->run_count, sizeof *made->replicas);
     made->measurements = calloc((size_t)made->seed_count, sizeof *made->measurements);
     if (!made->replicas || !made->measurements) return fw_fail_memory(error, "a study");
@@ -92,6 +123,23 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     /* The results are finished when the whole study is. */
     made->replicas[0].options.keep_open = true;
     for (int n = 1; n < made->run_count; ++n) FW_TRY(make_replica(made, n, options, error));
+    /* A sweep knows the work of all its cases from the beginning. */
+    if (options->progress && !scenario->study.sweep.is_case)
+        options->progress->total += fw_study_work(scenario);
+    return FW_OK;
+}
+
+/* What only shows when a run begins, before any folder is taken: a body of the control that starts
+ * in a wall, a seed that finds no place for its particles. */
+static fw_status check_others(const fw_study *study, fw_error *error)
+{
+    for (int n = 1; n < study->run_count; ++n) {
+        fw_run *run;
+        const fw_status status =
+            fw_run_begin(&run, study->replicas[n].scenario, &(fw_run_options){.threads = 1}, error);
+        FW_TRY(fail_replica(study, n, status, error));
+        fw_run_destroy(run);
+    }
     return FW_OK;
 }
 
@@ -103,18 +151,6 @@ static fw_status begin_others(fw_study *study, fw_error *error)
         if (replica->options.directory)
             FW_TRY(fw_run_begin(&replica->run, replica->scenario, &replica->options, error));
     }
-    return FW_OK;
-}
-
-/* Could the control begin? Asked before anything of an earlier result is replaced. */
-static fw_status check_control(const fw_study *study, fw_error *error)
-{
-    fw_run *run;
-    if (study->run_count == study->seed_count) return FW_OK;
-    const fw_run_options nothing_written = {.threads = 1};
-    FW_TRY(
-        fw_run_begin(&run, study->replicas[study->seed_count].scenario, &nothing_written, error));
-    fw_run_destroy(run);
     return FW_OK;
 }
 
@@ -134,7 +170,7 @@ fw_status fw_study_begin(fw_study **study, const fw_scenario *scenario,
                          const fw_run_options *options, fw_error *error)
 {
     fw_status status = create(study, scenario, options, error);
-    if (status == FW_OK) status = check_control(*study, error);
+    if (status == FW_OK) status = check_others(*study, error);
     if (status == FW_OK) {
         fw_replica *first = &(*study)->replicas[0];
         status = fw_run_begin(&first->run, scenario, &first->options, error);
@@ -188,6 +224,7 @@ static fw_status run_all(fw_study *study, fw_error *error)
     else
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
         for (int n = 0; n < study->run_count; ++n) run_replica(&study->replicas[n]);
+    fw_progress_end(study->replicas[0].options.progress);
     for (int n = 0; n < study->run_count; ++n) {
         if (study->replicas[n].status == FW_OK) continue;
         *error = study->replicas[n].error;

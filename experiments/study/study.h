@@ -25,6 +25,8 @@ fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
                           fw_error *error);
 /* Everything to its end, and into the results. As fw_run_to_end. */
 fw_status fw_study_to_end(fw_study *study, fw_error *error);
+/* Particle steps of all its runs. */
+double fw_study_work(const fw_scenario *scenario);
 void fw_study_destroy(fw_study *study);
 
 /* The experiment's own; a measurement that knows the outcome. */

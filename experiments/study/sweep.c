@@ -5,6 +5,8 @@
 #include "experiments/study/sweep.h"
 
 #include "experiments/storage/manifest.h"
+#include "experiments/study/interrupt.h"
+#include "experiments/study/study.h"
 #include "sweep_case.h"
 #include "sweep_outcome.h"
 
@@ -35,6 +37,8 @@ static fw_status create(fw_sweep **sweep, const fw_scenario *scenario,
     if (!made->cases) return fw_fail_memory(error, "a sweep");
     for (int n = 0; n < scenario->study.sweep.value_count; ++n)
         FW_TRY(fw_sweep_case_make(&made->cases[made->case_count++], scenario, n, error));
+    for (int n = 0; options->progress && n < made->case_count; ++n)
+        options->progress->total += fw_study_work(made->cases[n].scenario);
     return FW_OK;
 }
 
@@ -196,7 +200,7 @@ fw_status fw_sweep_refuse(const char *directory, fw_error *error)
 static fw_status tell_case(const fw_sweep *sweep, int number, fw_status status, fw_error *error)
 {
     const char *name = sweep->cases[number].name, *directory = sweep->options.directory;
-    if (status != FW_INTERRUPTED && status != FW_TERMINATED) return status;
+    if (!fw_interrupt_is(status)) return status;
     if (!directory)
         return fw_fail(error, status, "interrupted in case %d of %d, %s", number + 1,
                        sweep->case_count, name);
@@ -209,10 +213,10 @@ static fw_status complete_case(fw_sweep *sweep, int number, fw_error *error)
 {
     fw_sweep_case *c = &sweep->cases[number];
     fw_run_options options = sweep->options;
-    char path[FW_PATH_SIZE], progress[FW_CASE_NAME + 128];
-    snprintf(progress, sizeof progress, "%.64s %d/%d %s", options.name ? options.name : "sweep",
-             number + 1, sweep->case_count, c->name);
-    options.name = progress;
+    char path[FW_PATH_SIZE];
+    if (options.progress)
+        snprintf(options.progress->label, sizeof options.progress->label, "%.64s %d/%d %.64s",
+                 options.name ? options.name : "sweep", number + 1, sweep->case_count, c->name);
     options.overwrite = true; /* whatever was there and counted has been looked at */
     if (options.directory) {
         FW_TRY(fw_path_join(path, options.directory, c->name, error));

@@ -9,6 +9,7 @@
 #include "experiments/storage/folder.h"
 #include "experiments/study/interrupt.h"
 #include "experiments/study/study.h"
+#include "experiments/text/text.h"
 #include "summary.h"
 
 #include <stdlib.h>
@@ -117,7 +118,11 @@ static fw_status run_case(fw_sweep_case *c, const fw_run_options *options, stage
         FW_TRY(fw_study_resume(&study, c->scenario, options, note, error));
     else
         FW_TRY(fw_study_begin(&study, c->scenario, options, error));
-    if (note[0] && options->warnings) fprintf(options->warnings, "fretwork: %s\n", note);
+    if (note[0] && options->warnings) {
+        fputs("fretwork: ", options->warnings);
+        fw_text_print_line(options->warnings, note);
+        fputc('\n', options->warnings);
+    }
     fw_status status = fw_study_to_end(study, error);
     if (status == FW_OK && fw_study_table(study))
         memcpy(c->layer, fw_study_table(study)->layer, sizeof c->layer);
@@ -133,6 +138,8 @@ fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options
 {
     stage found = NOT_BEGUN;
     if (going_on) FW_TRY(find_stage(c, options, &found, error));
+    if (found == FINISHED || found == FAILED)
+        fw_progress_find(options->progress, fw_study_work(c->scenario));
     if (found == FINISHED) return read_case(c, options->directory, error);
     if (found == FAILED) {
         *error = c->failure;

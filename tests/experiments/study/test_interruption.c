@@ -58,6 +58,7 @@ static void signals_leave_a_run_that_goes_on(void **state)
     expect_end(&seen, 0, "");
     interrupt_twice(folder, SIGINT, 130);
     interrupt_twice(folder, SIGTERM, 143);
+    interrupt_twice(folder, SIGHUP, 129);
     remove_folder(folder);
 }
 
