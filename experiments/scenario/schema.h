@@ -197,6 +197,13 @@ void fw_schema_list_words(const fw_word *words, char *out, size_t size);
 /* "a number above 0": what a key's value should be. */
 void fw_schema_expected(const fw_key *key, char *out, size_t size);
 
+/* Visits every key that a scenario may have, by its whole path: "run.steps", "walls.NAME.path" for
+ * names of the user's own, "expect.N.quantity" for items. A section that several keys lead to is
+ * visited on each way. */
+enum { FW_SCHEMA_PATH = 256 };
+typedef void (*fw_schema_visit)(void *object, const char *path, const fw_key *key);
+void fw_schema_walk(fw_schema_visit visit, void *object);
+
 /* The complete reference as Markdown. FW_SYSTEM_FAILED where `out` cannot be written. */
 fw_status fw_schema_print(FILE *out, fw_error *error);
 
