@@ -3,104 +3,21 @@
  * it is to where its solids stop being right; on request a picture of its start.
  * Start reading at fw_command_check(). */
 #include "experiments/commands/command.h"
-#include "experiments/drawing/figure.h"
 #include "experiments/measures/warning.h"
-#include "experiments/pictures/wall_outline.h"
+#include "experiments/setup/memory.h"
 #include "experiments/setup/solids.h"
+#include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/json.h"
+#include "experiments/text/text.h"
+#include "start_picture.h"
 
 #include <math.h>
 #include <stdlib.h>
-#include <sys/resource.h>
+#include <string.h>
 
 /* For how many seconds steps are taken for real. */
 static const double REHEARSAL_SECONDS = 0.4;
-
-/* --- a picture of the start --- */
-
-typedef struct first_frame {
-    fw_view_body *bodies;
-    fw_outline *walls;
-    fw_vec2 (*corners)[FW_SHAPE_CORNERS]; /* per wall */
-    int **links;                          /* per body */
-} first_frame;
-
-static void release_frame(first_frame *frame, int bodies)
-{
-    for (int b = 0; frame->links && b < bodies; ++b) free(frame->links[b]);
-    free(frame->links);
-    free(frame->bodies);
-    free(frame->walls);
-    free(frame->corners);
-}
-
-/* The links of a body, numbered within it; NULL without memory. */
-static int *links_of(const fw_body_range *range, const fw_solid *solid, int *count)
-{
-    int *links = calloc(2 * (size_t)solid->link_count + 1, sizeof *links);
-    *count = 0;
-    for (int n = 0; links && n < solid->link_count; ++n) {
-        int one = solid->links[n][0] - range->first, other = solid->links[n][1] - range->first;
-        if (one < 0 || one >= range->count || other < 0 || other >= range->count) continue;
-        links[2 * *count] = one;
-        links[2 * *count + 1] = other;
-        *count += 1;
-    }
-    return links;
-}
-
-static fw_status fill_frame(const fw_experiment *experiment, first_frame *frame, fw_error *error)
-{
-    const fw_scene *scene = experiment->scene;
-    int bodies = experiment->body_count, walls = fw_scene_wall_count(scene);
-    frame->bodies = calloc((size_t)bodies + 1, sizeof *frame->bodies);
-    frame->links = calloc((size_t)bodies + 1, sizeof *frame->links);
-    frame->walls = calloc((size_t)walls + 1, sizeof *frame->walls);
-    frame->corners = calloc((size_t)walls + 1, sizeof *frame->corners);
-    if (!frame->bodies || !frame->links || !frame->walls || !frame->corners)
-        return fw_fail_memory(error, "a picture of the start");
-    for (int b = 0; b < bodies; ++b) {
-        const fw_body_range *range = &experiment->bodies[b];
-        const fw_solid *solid = fw_experiment_solid(experiment, b);
-        int count;
-        frame->links[b] = links_of(range, solid, &count);
-        if (!frame->links[b]) return fw_fail_memory(error, "a picture of the start");
-        frame->bodies[b] =
-            (fw_view_body){.name = range->name,
-                           .count = range->count,
-                           .x = solid->x + range->first,
-                           .y = solid->y + range->first,
-                           .links = frame->links[b],
-                           .link_count = count,
-                           .kind = b % FW_PALETTE_KINDS,
-                           .spacing = experiment->scenario->bodies[b].lattice.spacing};
-    }
-    for (int w = 0; w < walls; ++w) {
-        frame->walls[w] =
-            fw_wall_outline(fw_wall_definition(fw_scene_wall(scene, w)), frame->corners[w]);
-        frame->walls[w].displacement = fw_scene_wall_displacement(scene, w);
-    }
-    return FW_OK;
-}
-
-static fw_status draw_start(const fw_experiment *experiment, const char *file, fw_error *error)
-{
-    first_frame frame = {0};
-    fw_status status = fill_frame(experiment, &frame, error);
-    if (status == FW_OK) {
-        const fw_view view = {.bodies = frame.bodies,
-                              .body_count = experiment->body_count,
-                              .walls = frame.walls,
-                              .wall_count = fw_scene_wall_count(experiment->scene)};
-        const fw_figure_motion_plan plan = {.views = &view, .view_count = 1};
-        fw_page page = fw_page_default();
-        page.file = file;
-        page.title = experiment->scenario->title;
-        status = fw_figure_motion(&page, &plan, error);
-    }
-    release_frame(&frame, experiment->body_count);
-    return status;
-}
 
 /* --- sizes --- */
 
@@ -122,14 +39,6 @@ static void print_time(double seconds)
         printf("%.1f h", seconds / 3600);
     else
         printf("%.3g days", seconds / 86400);
-}
-
-/* What this very process took to build all of it. */
-static double memory_used(void)
-{
-    struct rusage used = {0};
-    getrusage(RUSAGE_SELF, &used);
-    return 1024 * (double)used.ru_maxrss;
 }
 
 static void print_bodies(const fw_experiment *experiment)
@@ -204,6 +113,16 @@ typedef struct check_plan {
     double step_count; /* of all runs together */
 } check_plan;
 
+/* What a run would warn of at its start; a speed was told of in better words. */
+static fw_status warn_as_run(const fw_experiment *experiment, int *warnings, fw_error *error)
+{
+    fw_warning warning = {.out = stdout, .hurried = *warnings > 0};
+    const fw_status status = fw_warning_look(&warning, experiment, error);
+    *warnings += warning.count;
+    fw_warning_clear(&warning);
+    return status;
+}
+
 static fw_status check_run(fw_run *run, const char *name, const check_plan *plan,
                            const fw_arguments *arguments, fw_error *error)
 {
@@ -212,14 +131,16 @@ static fw_status check_run(fw_run *run, const char *name, const check_plan *plan
     double step;
     int warnings = 0;
     FW_TRY(fw_run_size(run, &size, error));
-    double memory = memory_used();
-    if (arguments->output) FW_TRY(draw_start(experiment, arguments->output, error));
-    printf("%s: %s\n", name, experiment->scenario->title);
+    const double memory = fw_memory_needed(experiment->scenario);
+    if (arguments->output) FW_TRY(fw_start_picture_draw(experiment, arguments->output, error));
+    printf("%s: ", name);
+    fw_text_print_line(stdout, experiment->scenario->title);
+    printf("\n");
     print_bodies(experiment);
     print_study(plan->scenario);
     print_sizes(experiment->scenario, &size, memory);
     FW_TRY(check_limits(experiment, &warnings, error));
-    warnings += fw_warning_walls(stdout, experiment);
+    FW_TRY(warn_as_run(experiment, &warnings, error));
     if (arguments->output) printf("  %-14s %s\n", "picture", arguments->output);
     fflush(stdout);
     /* Last, since it moves what was looked at so far. */
@@ -241,6 +162,72 @@ static fw_status check_run(fw_run *run, const char *name, const check_plan *plan
     return FW_OK;
 }
 
+/* {name, title, bodies: [{name, particles}], walls, steps, frames, samples, numbers_per_sample,
+ * file_bytes, checkpoint_bytes, memory_bytes, runs, threads, seconds_per_step, seconds: of all runs
+ * one after the other, warnings: [...]}. */
+static void write_json(const fw_experiment *experiment, const char *name, const check_plan *plan,
+                       const fw_results_size *size, double step, int threads, const char *warnings)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    fw_json json = {.out = stdout};
+    fw_json_begin(&json, NULL, '{');
+    fw_json_text(&json, "name", name);
+    fw_json_text(&json, "title", scenario->title);
+    fw_json_begin(&json, "bodies", '[');
+    for (int b = 0; b < experiment->body_count; ++b) {
+        fw_json_begin(&json, NULL, '{');
+        fw_json_text(&json, "name", experiment->bodies[b].name);
+        fw_json_integer(&json, "particles", experiment->bodies[b].count);
+        fw_json_end(&json, '}');
+    }
+    fw_json_end(&json, ']');
+    fw_json_integer(&json, "walls", fw_scene_wall_count(experiment->scene));
+    fw_json_integer(&json, "steps", scenario->run.steps);
+    fw_json_integer(&json, "frames", size->frames);
+    fw_json_integer(&json, "samples", size->rows);
+    fw_json_integer(&json, "numbers_per_sample", size->row_width);
+    fw_json_integer(&json, "file_bytes", (int64_t)size->file);
+    fw_json_integer(&json, "checkpoint_bytes", (int64_t)size->checkpoint);
+    fw_json_integer(&json, "memory_bytes", (int64_t)fw_memory_needed(scenario));
+    fw_json_integer(&json, "runs", plan->run_count);
+    fw_json_integer(&json, "threads", threads);
+    fw_json_number(&json, "seconds_per_step", step);
+    fw_json_number(&json, "seconds", step * plan->step_count);
+    fw_json_begin(&json, "warnings", '[');
+    while (warnings && *warnings) {
+        char line[512];
+        const int length = (int)strcspn(warnings, "\n");
+        snprintf(line, sizeof line, "%.*s", length, warnings);
+        fw_json_text(&json, NULL, line);
+        warnings += length + (warnings[length] == '\n');
+    }
+    fw_json_end(&json, ']');
+    fw_json_end(&json, '}');
+}
+
+static fw_status check_run_as_json(fw_run *run, const char *name, const check_plan *plan,
+                                   const fw_arguments *arguments, fw_error *error)
+{
+    const fw_experiment *experiment = fw_run_experiment(run);
+    fw_results_size size;
+    double step;
+    char *said = NULL;
+    size_t length = 0;
+    FW_TRY(fw_run_size(run, &size, error));
+    if (arguments->output) FW_TRY(fw_start_picture_draw(experiment, arguments->output, error));
+    fw_warning warning = {.out = open_memstream(&said, &length)};
+    if (!warning.out) return fw_fail_memory(error, "the warnings");
+    fw_status status = fw_warning_look(&warning, experiment, error);
+    if (status == FW_OK) status = fw_run_rehearse(run, REHEARSAL_SECONDS, &step, error);
+    if (status == FW_OK)
+        write_json(experiment, name, plan, &size, step, fw_command_threads(arguments),
+                   warning.text);
+    fclose(warning.out);
+    free(said);
+    fw_warning_clear(&warning);
+    return status;
+}
+
 static fw_status check_scenario(const fw_scenario *scenario, const char *name,
                                 const check_plan *plan, const fw_arguments *arguments,
                                 fw_error *error)
@@ -248,7 +235,8 @@ static fw_status check_scenario(const fw_scenario *scenario, const char *name,
     const fw_run_options options = {.threads = fw_command_threads(arguments), .name = name};
     fw_run *run;
     FW_TRY(fw_run_begin(&run, scenario, &options, error));
-    const fw_status status = check_run(run, name, plan, arguments, error);
+    const fw_status status =
+        (arguments->json ? check_run_as_json : check_run)(run, name, plan, arguments, error);
     fw_run_destroy(run);
     return status;
 }
@@ -264,6 +252,13 @@ static fw_status check_study(const fw_scenario *scenario, const char *name,
 {
     check_plan plan = {.scenario = scenario};
     count_runs(&plan, scenario);
+    if (plan.run_count > 1) {
+        /* Whatever a run would refuse of other seeds and of the control. */
+        const fw_run_options options = {.threads = fw_command_threads(arguments), .name = name};
+        fw_study *study;
+        FW_TRY(fw_study_begin(&study, scenario, &options, error));
+        fw_study_destroy(study);
+    }
     return check_scenario(scenario, name, &plan, arguments, error);
 }
 

@@ -1,29 +1,189 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_list.c - what there is to run, to measure and to write: list, show, quantities,
- * reference. */
+/* command_list.c - list and show: the named experiments, grouped by what one wants to see.
+ * Start reading at fw_command_list(). */
 #include "experiments/commands/command.h"
-#include "experiments/measures/quantity.h"
 #include "experiments/scenario/catalogue.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/text/json.h"
+#include "experiments/text/spelling.h"
+#include "experiments/text/text.h"
 
-#include "core/automaton/elastic_automaton.h"
-#include "core/boltzmann/lb_solid.h"
-#include "core/particles/linear_lattice.h"
-#include "core/particles/particles.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const groups[FW_GROUPS] = {
+    [FW_GROUP_OWN] = "Others",
+    [FW_GROUP_START_HERE] = "Start here",
+    [FW_GROUP_LB_SOLID] = "The lattice Boltzmann solid",
+    [FW_GROUP_ELASTIC_AUTOMATON] = "The elastic automaton",
+    [FW_GROUP_MOVABLE_PARTICLES] = "Movable lattice particles",
+    [FW_GROUP_WALLS_AND_CONTACT] = "Walls and contact",
+    [FW_GROUP_FRICTION] = "Friction",
+    [FW_GROUP_STUDIES] = "Studies",
+};
+
+typedef struct catalogue {
+    int count;
+    fw_scenario **scenarios; /* of fw_catalogue, in its order */
+    bool *wanted;
+} catalogue;
+
+static void release(catalogue *c)
+{
+    for (int n = 0; c->scenarios && n < c->count; ++n) fw_scenario_destroy(c->scenarios[n]);
+    free(c->scenarios);
+    free(c->wanted);
+}
+
+static fw_status load(catalogue *c, fw_error *error)
+{
+    while (fw_catalogue[c->count].name) c->count += 1;
+    c->scenarios = calloc((size_t)c->count, sizeof *c->scenarios);
+    c->wanted = calloc((size_t)c->count, sizeof *c->wanted);
+    if (!c->scenarios || !c->wanted) return fw_fail_memory(error, "the catalogue");
+    for (int n = 0; n < c->count; ++n)
+        FW_TRY(fw_scenario_read(&c->scenarios[n], fw_catalogue[n].name, fw_catalogue[n].text,
+                                fw_catalogue[n].length, NULL, 0, error));
+    return FW_OK;
+}
+
+/* --- which ones --- */
+
+/* Is the word in the text, whatever its capitals? */
+static bool speaks_of(const char *text, const char *word)
+{
+    const size_t length = strlen(word);
+    for (; text && *text; ++text) {
+        size_t n = 0;
+        while (n < length && tolower((unsigned char)text[n]) == tolower((unsigned char)word[n]))
+            ++n;
+        if (n == length) return true;
+    }
+    return false;
+}
+
+static fw_status choose(catalogue *c, const char *word, fw_error *error)
+{
+    int found = 0;
+    fw_suggestion suggestion = fw_suggestion_begin(word);
+    for (int n = 0; n < c->count; ++n) {
+        const fw_scenario *s = c->scenarios[n];
+        c->wanted[n] = speaks_of(fw_catalogue[n].name, word) || speaks_of(s->title, word) ||
+                       speaks_of(s->source, word) || speaks_of(groups[s->group], word);
+        found += c->wanted[n];
+        fw_suggestion_offer(&suggestion, fw_catalogue[n].name);
+    }
+    if (found > 0) return FW_OK;
+    const fw_quote quote = fw_text_quote(word, strlen(word));
+    if (suggestion.best)
+        return fw_fail(error, FW_BAD_INPUT, "no experiment speaks of '%s'; did you mean '%s'?",
+                       quote.text, suggestion.best);
+    return fw_fail(error, FW_BAD_INPUT,
+                   "no experiment speaks of '%s', expected a word of those that `fretwork list` "
+                   "shows",
+                   quote.text);
+}
+
+/* --- how they are told --- */
+
+/* "0.02 s", "2 min" */
+static void write_time(double seconds, char text[16])
+{
+    text[0] = '\0';
+    if (seconds >= 100)
+        snprintf(text, 16, "%.0f min", seconds / 60);
+    else if (seconds > 0)
+        snprintf(text, 16, "%.2g s", seconds);
+}
+
+static void print_line(const char *name, const fw_scenario *scenario)
+{
+    char time[16];
+    write_time(scenario->takes, time);
+    printf("  %-20s %7s  %s", name, time, scenario->title);
+    if (scenario->source) printf("  [%s]", scenario->source);
+    printf("\n");
+}
+
+static void print_groups(const catalogue *c)
+{
+    bool first = true;
+    for (int pass = 1; pass <= FW_GROUPS; ++pass) {
+        const fw_scenario_group group = (fw_scenario_group)(pass % FW_GROUPS);
+        bool begun = false;
+        for (int n = 0; n < c->count; ++n) {
+            if (!c->wanted[n] || c->scenarios[n]->group != group) continue;
+            if (!begun) printf("%s%s\n", first ? "" : "\n", groups[group]);
+            first = false;
+            begun = true;
+            print_line(fw_catalogue[n].name, c->scenarios[n]);
+        }
+    }
+}
+
+static void print_one(const char *name, const fw_scenario *scenario)
+{
+    char time[16];
+    write_time(scenario->takes, time);
+    printf("%s: %s\n", name, scenario->title);
+    printf("  %-8s %s\n", "group", groups[scenario->group]);
+    if (scenario->source) printf("  %-8s %s\n", "source", scenario->source);
+    if (scenario->figure) printf("  %-8s %s\n", "figure", scenario->figure);
+    if (*time) printf("  %-8s %s, about\n", "takes", time);
+    if (scenario->about) printf("\n%s", scenario->about);
+    printf("\n`fretwork show %s` prints its scenario, `fretwork run %s` runs it.\n", name, name);
+}
+
+/* A list of {name, title, group, source, figure, takes, about}; null: not told. */
+static void write_json(const catalogue *c)
+{
+    fw_json json = {.out = stdout};
+    fw_json_begin(&json, NULL, '[');
+    for (int n = 0; n < c->count; ++n) {
+        const fw_scenario *s = c->scenarios[n];
+        if (!c->wanted[n]) continue;
+        fw_json_begin(&json, NULL, '{');
+        fw_json_text(&json, "name", fw_catalogue[n].name);
+        fw_json_text(&json, "title", s->title);
+        fw_json_text(&json, "group", groups[s->group]);
+        fw_json_text(&json, "source", s->source);
+        fw_json_text(&json, "figure", s->figure);
+        fw_json_number(&json, "takes", s->takes > 0 ? s->takes : NAN);
+        fw_json_text(&json, "about", s->about);
+        fw_json_end(&json, '}');
+    }
+    fw_json_end(&json, ']');
+}
+
+/* The number of the experiment of that name, or -1. */
+static int find_name(const char *word)
+{
+    for (int n = 0; fw_catalogue[n].name; ++n)
+        if (strcmp(fw_catalogue[n].name, word) == 0) return n;
+    return -1;
+}
 
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error)
 {
-    (void)arguments;
-    for (const fw_catalogue_entry *entry = fw_catalogue; entry->name; ++entry) {
-        fw_scenario *scenario;
-        FW_TRY(
-            fw_scenario_read(&scenario, entry->name, entry->text, entry->length, NULL, 0, error));
-        printf("%-18s %s", entry->name, scenario->title);
-        if (scenario->source) printf("  [%s]", scenario->source);
-        printf("\n");
-        fw_scenario_destroy(scenario);
-    }
-    return FW_OK;
+    const char *word = arguments->word_count > 0 ? arguments->words[0] : "";
+    const int named = find_name(word);
+    catalogue c = {0};
+    fw_status status = load(&c, error);
+    if (status == FW_OK && named < 0) status = choose(&c, word, error);
+    if (status == FW_OK && named >= 0) c.wanted[named] = true;
+    if (status == FW_OK && arguments->json)
+        write_json(&c);
+    else if (status == FW_OK && arguments->names)
+        for (int n = 0; n < c.count; ++n) {
+            if (c.wanted[n]) printf("%s\n", fw_catalogue[n].name);
+        }
+    else if (status == FW_OK && named >= 0)
+        print_one(word, c.scenarios[named]);
+    else if (status == FW_OK)
+        print_groups(&c);
+    release(&c);
+    return status;
 }
 
 fw_status fw_command_show(const fw_arguments *arguments, fw_error *error)
@@ -32,41 +192,4 @@ fw_status fw_command_show(const fw_arguments *arguments, fw_error *error)
     FW_TRY(fw_catalogue_find(&entry, arguments->words[0], error));
     fwrite(entry->text, 1, entry->length, stdout);
     return FW_OK;
-}
-
-static void print_fields(const fw_solid_model *model)
-{
-    printf("\nFields of a %s solid (record.fields, plot --field):\n", model->name);
-    for (const fw_field *field = model->fields; field->name; ++field)
-        printf("  %-20s %s\n", field->name, field->meaning);
-}
-
-fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error)
-{
-    static const char *const scope[] = {
-        [FW_SCOPE_SCENE] = "scene",       [FW_SCOPE_BODIES] = "body or scene",
-        [FW_SCOPE_BODY] = "body",         [FW_SCOPE_SITE] = "site",
-        [FW_SCOPE_WALL] = "wall",         [FW_SCOPE_PISTON] = "piston",
-        [FW_SCOPE_GRIP] = "grip",         [FW_SCOPE_STUDY] = "study",
-        [FW_SCOPE_ANALYSIS] = "analysis",
-    };
-    (void)arguments;
-    (void)error;
-    printf("Quantities (measure, expect.quantity, plot --observable):\n");
-    printf("  %-20s %-14s %-12s %-16s %s\n", "name", "measured of", "components", "unit",
-           "meaning");
-    for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q))
-        printf("  %-20s %-14s %-12s %-16s %s\n", q->name, scope[q->scope],
-               q->components[0] ? q->components : "-", q->unit, q->meaning);
-    print_fields(&fw_lb_solid_model);
-    print_fields(&fw_particles_model);
-    print_fields(&fw_linear_lattice_model);
-    print_fields(&fw_elastic_automaton_model);
-    return FW_OK;
-}
-
-fw_status fw_command_reference(const fw_arguments *arguments, fw_error *error)
-{
-    (void)arguments;
-    return fw_schema_print(stdout, error);
 }

@@ -9,16 +9,30 @@
 #include "experiments/study/leftovers.h"
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/terminal.h"
+#include "experiments/text/text.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+/* What may be done with a result; for people only, never for a script that reads on. */
+static void suggest_next(const fw_scenario *scenario, const char *directory)
+{
+    if (!fw_terminal_is(stdout) || fw_scenario_is_sweep(scenario)) return;
+    printf("next: `fretwork table %s` gives the numbers over time, `fretwork plot %s --help` tells "
+           "of other pictures, `fretwork cite %s` what to cite\n",
+           directory, directory, directory);
+}
+
 /* What comes after the last step: pictures, the table, and where everything lies. */
 static fw_status tell(const fw_scenario *scenario, const fw_verdicts *verdicts,
-                      const char *directory, bool no_plot, fw_error *error)
+                      const char *warnings, const char *directory, bool no_plot, fw_error *error)
 {
-    printf("%s\n", scenario->title);
+    fw_text_print_line(stdout, scenario->title);
+    printf("\n");
     fw_verdicts_print(stdout, verdicts);
+    /* They were said when they came, and belong to what came out. */
+    if (warnings) fw_text_print(stdout, warnings);
     if (fw_scenario_is_sweep(scenario)) {
         char name[FW_CASE_NAME];
         fw_scenario_case_name(scenario, 0, name);
@@ -31,7 +45,16 @@ static fw_status tell(const fw_scenario *scenario, const fw_verdicts *verdicts,
                    directory);
     }
     fflush(stdout);
+    /* The results are whole: whoever interrupts the pictures loses nothing else. */
+    fw_interrupt_leave();
+    const fw_status signal = fw_interrupt_seen();
+    if (signal != FW_OK && !no_plot)
+        return fw_fail(error, signal,
+                       "interrupted before the pictures; the results are whole, `fretwork plot %s` "
+                       "draws them",
+                       directory);
     if (!no_plot) FW_TRY(fw_plot_all(directory, stdout, error));
+    suggest_next(scenario, directory);
     return fw_verdicts_failed(verdicts) > 0 ? FW_EXPECTATION_FAILED : FW_OK;
 }
 
@@ -43,7 +66,8 @@ static fw_status finish(fw_study *study, const fw_scenario *scenario, const char
     fw_interrupt_watch();
     FW_TRY(fw_study_to_end(study, error));
     FW_TRY(fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error));
-    const fw_status status = tell(scenario, &verdicts, directory, no_plot, error);
+    const fw_status status =
+        tell(scenario, &verdicts, fw_study_warnings(study), directory, no_plot, error);
     fw_verdicts_clear(&verdicts);
     return status;
 }
@@ -56,7 +80,7 @@ static fw_status finish_sweep(fw_sweep *sweep, const fw_scenario *scenario, cons
     /* Some cases have failed: the others have their verdicts and pictures all the same. */
     if (status != FW_DIVERGED) FW_TRY(status);
     fw_error own;
-    const fw_status told = tell(scenario, fw_sweep_verdicts(sweep), directory, no_plot, &own);
+    const fw_status told = tell(scenario, fw_sweep_verdicts(sweep), NULL, directory, no_plot, &own);
     if (status != FW_OK) return status;
     *error = own;
     return told;
@@ -91,12 +115,13 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
     FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
     snprintf(standard, sizeof standard, "results/%s", name);
     const char *directory = arguments->output ? arguments->output : standard;
+    fw_progress progress = fw_progress_begin(arguments->quiet ? NULL : stderr, name);
     const fw_run_options options = {.directory = directory,
                                     .overwrite = arguments->overwrite,
                                     .threads = fw_command_threads(arguments),
-                                    .at_once = arguments->threads,
+                                    .at_once = (int)arguments->threads,
                                     .name = name,
-                                    .progress = arguments->quiet ? NULL : stderr,
+                                    .progress = &progress,
                                     .warnings = stderr};
     fw_leftovers *leftovers;
     fw_status status =
@@ -137,7 +162,11 @@ static fw_status go_on(const char *directory, const fw_run_options *options, boo
     fw_status status = fw_leftovers_check(directory, scenario, error);
     if (status == FW_OK) status = fw_study_resume(&study, scenario, options, note, error);
     if (status == FW_OK) {
-        if (note[0]) fprintf(stderr, "fretwork: %s\n", note);
+        if (note[0]) {
+            fputs("fretwork: ", stderr);
+            fw_text_print_line(stderr, note);
+            fputc('\n', stderr);
+        }
         status = finish(study, scenario, directory, no_plot, error);
         fw_study_destroy(study);
     }
@@ -164,11 +193,12 @@ static fw_status go_on_with_sweep(const char *directory, const fw_run_options *o
 fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
 {
     const char *directory = arguments->words[0];
+    fw_progress progress = fw_progress_begin(arguments->quiet ? NULL : stderr, directory);
     const fw_run_options options = {.directory = directory,
                                     .threads = fw_command_threads(arguments),
-                                    .at_once = arguments->threads,
+                                    .at_once = (int)arguments->threads,
                                     .name = directory,
-                                    .progress = arguments->quiet ? NULL : stderr,
+                                    .progress = &progress,
                                     .warnings = stderr};
     return fw_sweep_is_in(directory)
                ? go_on_with_sweep(directory, &options, arguments->no_plot, error)

@@ -6,6 +6,7 @@
 #include "experiments/measures/column.h"
 #include "experiments/storage/csv.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/text.h"
 
 #include "core/array.h"
 
@@ -53,7 +54,7 @@ static void write_head(const table *t, FILE *out)
 {
     char name[FW_COLUMN_NAME];
     fputs("# ", out);
-    for (const char *c = t->playback->title; *c; ++c) fputc(*c == '\n' ? ' ' : *c, out);
+    fw_text_print_line(out, t->playback->title);
     fputs("\n# units: steps,time", out);
     for (int n = 0; n < t->count; ++n) {
         fputc(',', out);

@@ -9,6 +9,7 @@
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
 #include "experiments/text/json.h"
+#include "experiments/text/text.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -46,7 +47,9 @@ static void judge(tally *sum, const char *name, const fw_scenario *scenario,
                   const fw_verdicts *verdicts, double seconds)
 {
     if (sum->table) {
-        fprintf(sum->table, "%s: %s (%.1f s)\n", name, scenario->title, seconds);
+        fprintf(sum->table, "%s: ", name);
+        fw_text_print_line(sum->table, scenario->title);
+        fprintf(sum->table, " (%.1f s)\n", seconds);
         fw_verdicts_print(sum->table, verdicts);
         fprintf(sum->table, "\n");
         fflush(sum->table);
@@ -104,10 +107,11 @@ static fw_status verify_one(const char *word, const fw_arguments *arguments, tal
     fw_scenario *scenario;
     char name[FW_NAME_BYTES + 1];
     FW_TRY(fw_command_load(&scenario, word, arguments, name, error));
+    fw_progress progress = fw_progress_begin(arguments->quiet ? NULL : stderr, name);
     const fw_run_options options = {.threads = fw_command_threads(arguments),
-                                    .at_once = arguments->threads,
+                                    .at_once = (int)arguments->threads,
                                     .name = name,
-                                    .progress = arguments->quiet ? NULL : stderr};
+                                    .progress = &progress};
     const fw_status status = fw_scenario_is_sweep(scenario)
                                  ? verify_sweep(scenario, &options, sum, error)
                                  : verify_study(scenario, &options, sum, error);
@@ -142,7 +146,7 @@ static fw_status verify_all(const fw_arguments *arguments, tally *sum, fw_error 
 
 fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error)
 {
-    const bool to_stdout = arguments->json && strcmp(arguments->json, "-") == 0;
+    const bool to_stdout = arguments->json_file && strcmp(arguments->json_file, "-") == 0;
     char *text = NULL;
     size_t size = 0;
     /* Gathered in memory: a file appears whole, once everything was judged. */
@@ -153,8 +157,8 @@ fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error)
         status = fw_fail_memory(error, "the verdicts");
     if (status == FW_OK && to_stdout)
         fwrite(text, 1, size, stdout);
-    else if (status == FW_OK && arguments->json)
-        status = fw_whole_file_write(arguments->json, text, size, error);
+    else if (status == FW_OK && arguments->json_file)
+        status = fw_whole_file_write(arguments->json_file, text, size, error);
     free(text);
     if (status == FW_OK && sum.failures > 0) return FW_EXPECTATION_FAILED;
     return status;

@@ -73,6 +73,58 @@ static void check_warns_and_refuses(void **state)
     remove_folder(folder);
 }
 
+/* What a run warns of is said by check before, and stands in the table of the run. */
+static void warnings_are_in_check_and_in_the_table(void **state)
+{
+    char folder[64];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    outcome seen = run_program(folder, "check bounce-as-printed");
+    expect_end(&seen, 0, "");
+    const char *wall = strstr(seen.out, "warning: the surface of wall ");
+    assert_non_null(wall);
+    assert_non_null(strstr(wall, "is 'componentwise'"));
+    assert_non_null(strstr(seen.out, "bounce-as-printed can be run, with 1 warning\n"));
+    seen = run_program(folder, "run bounce-as-printed -q --no-plot -o it");
+    expect_end(&seen, 0, "is 'componentwise'");
+    wall = strstr(seen.out, "\nwarning: the surface of wall ");
+    assert_non_null(wall);
+    assert_null(strstr(wall + 1, "\nwarning: "));
+    seen = run_program(folder, "run wall-bounce -q --no-plot -o other");
+    assert_null(strstr(seen.out, "warning"));
+    remove_folder(folder);
+}
+
+static const char pressed[] =
+    "title: a gas above a floor\n"
+    "materials: {gas: {movable-particles: {strength: 0}}}\n"
+    "bodies: {cloud: {material: gas, shape: {rectangle: [5, 5]}, temperature: 1}}\n"
+    "dynamics: {time-step: 0.01, damping: 1, temperature: 0.5}\n"
+    "walls: {floor: {chain: [[-10, -3], [20, -3]]}}\n"
+    "run: {steps: 20}\n"
+    "profile: {every: 5, bin: 1, far: [0.5, 3]}\n"
+    "study: {seeds: 2, control: ['bodies.cloud.origin=[0, -4]']}\n";
+
+/* Nothing is begun where the control cannot be, and the sentence names the control's place. */
+static void what_a_control_cannot_begin_is_refused_before(void **state)
+{
+    static const char *const lines[] = {"check pressed.yaml", "run pressed.yaml -q -o it",
+                                        "verify pressed.yaml -q"};
+    static const char sentence[] = "fretwork: pressed.yaml:8:28: control: body cloud starts in "
+                                   "wall floor: particle 0 at (0, -4) lies 1 behind its surface";
+    char folder[64];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "pressed.yaml", pressed);
+    for (int n = 0; n < 3; ++n) {
+        outcome seen = run_program(folder, lines[n]);
+        expect_end(&seen, 2, sentence);
+        assert_string_equal(seen.out, "");
+    }
+    shell(folder, "test \"$(ls)\" = pressed.yaml");
+    remove_folder(folder);
+}
+
 /* Reads the next cell, in quotes or not; returns what is behind its comma or line end. */
 static char *next_cell(char *at, char *cell, size_t size)
 {
@@ -162,7 +214,7 @@ static void json_holds_any_text_and_number(void **state)
                         "{\n"
                         "  \"quote\\\"d\": \"a\\\\b\\n\\tc\\u0001 \xc3\xa9 \\ufffd\\ufffd\",\n"
                         "  \"list\": [\n"
-                        "    0.10000000000000001,\n"
+                        "    0.1,\n"
                         "    null,\n"
                         "    null,\n"
                         "    -9223372036854775808,\n"
@@ -228,6 +280,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(check_tells_what_a_run_takes),
         cmocka_unit_test(check_warns_and_refuses),
+        cmocka_unit_test(what_a_control_cannot_begin_is_refused_before),
+        cmocka_unit_test(warnings_are_in_check_and_in_the_table),
         cmocka_unit_test(table_gives_the_same_numbers_back),
         cmocka_unit_test(json_holds_any_text_and_number),
         cmocka_unit_test(verify_writes_its_verdicts_as_json),

@@ -1,0 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* citation.h - what a scenario rests on: papers and programs, a constant row each. */
+#ifndef FW_CITATION_H
+#define FW_CITATION_H
+
+#include "experiments/scenario/scenario.h"
+
+#include <stdio.h>
+
+typedef struct fw_citation {
+    const char *key; /* of the BibTeX entry; NULL ends the table */
+    const char *entry;
+    /* Does the scenario rest on it? */
+    bool (*needed)(const fw_scenario *scenario);
+} fw_citation;
+
+extern const fw_citation fw_citations[];
+
+/* The entries that the scenario rests on, and this program's own. */
+void fw_citation_print(FILE *out, const fw_scenario *scenario);
+
+#endif
