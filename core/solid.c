@@ -4,39 +4,35 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int count,
-                               fw_error *error)
+void fw_solid_head_begin(fw_solid *solid, const fw_solid_model *model, int count)
 {
-    size_t size = (size_t)count;
+    const size_t size = (size_t)count;
     solid->model = model;
     solid->count = count;
     solid->tick = 1;
     solid->conserves = true;
-    solid->x = fw_array_of_doubles(size);
-    solid->y = fw_array_of_doubles(size);
-    solid->external_x = fw_array_of_doubles(size);
-    solid->external_y = fw_array_of_doubles(size);
-    solid->boundary = fw_array_allocate(size, sizeof *solid->boundary);
-    if (!solid->x || !solid->y || !solid->external_x || !solid->external_y || !solid->boundary) {
-        fw_solid_head_release(solid);
-        return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %d particles", count);
-    }
-    return FW_OK;
+    FW_ARENA_ADD(&solid->arena, solid->x, size);
+    FW_ARENA_ADD(&solid->arena, solid->y, size);
+    FW_ARENA_ADD(&solid->arena, solid->external_x, size);
+    FW_ARENA_ADD(&solid->arena, solid->external_y, size);
+    FW_ARENA_ADD(&solid->arena, solid->boundary, size);
+}
+
+fw_status fw_solid_allocate(fw_solid *solid, fw_error *error)
+{
+    char what[48];
+    snprintf(what, sizeof what, "%d particles", solid->count);
+    return fw_arena_allocate(&solid->arena, what, error);
 }
 
 void fw_solid_head_release(fw_solid *solid)
 {
-    free(solid->x);
-    free(solid->y);
-    free(solid->external_x);
-    free(solid->external_y);
-    free(solid->boundary);
+    fw_arena_release(&solid->arena);
     free(solid->links);
-    solid->x = solid->y = solid->external_x = solid->external_y = NULL;
-    solid->boundary = NULL;
     solid->links = NULL;
 }
 

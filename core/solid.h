@@ -11,6 +11,7 @@
 #ifndef FW_SOLID_H
 #define FW_SOLID_H
 
+#include "core/arena.h"
 #include "core/array.h"
 #include "core/status.h"
 #include "core/vec2.h"
@@ -124,13 +125,16 @@ struct fw_solid {
     int (*links)[2];       /* pairs of linked particles, for files and pictures; NULL if none */
     int link_count;
     fw_solid_ledger ledger;
-    int64_t ticks; /* advanced since creation */
+    int64_t ticks;  /* advanced since creation */
+    fw_arena arena; /* of these arrays but `links`, and of those that a model adds */
 };
 
-/* Allocates the arrays of the head for `count` particles; on failure everything is released. */
-fw_status fw_solid_head_create(fw_solid *solid, const fw_solid_model *model, int count,
-                               fw_error *error);
-/* Releases the arrays of the head, not the struct itself. */
+/* Begins a head for `count` particles: its arrays stand in the arena, to which the model adds its
+ * own before it calls fw_solid_allocate. */
+void fw_solid_head_begin(fw_solid *solid, const fw_solid_model *model, int count);
+/* FW_SYSTEM_FAILED without memory; the head is to be released then too. */
+fw_status fw_solid_allocate(fw_solid *solid, fw_error *error);
+/* Releases the arrays of the arena and the links, not the struct itself. */
 void fw_solid_head_release(fw_solid *solid);
 /* The part of `restored` that all models share: positions are finite, counters not negative. */
 fw_status fw_solid_head_restored(const fw_solid *solid, fw_error *error);

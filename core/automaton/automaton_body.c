@@ -12,11 +12,6 @@ void fw_automaton_release(fw_automaton *body)
 {
     for (int c = 0; c < FW_COLOURS; ++c) {
         fw_automaton_colour *colour = &body->colour[c];
-        free(colour->x);
-        free(colour->y);
-        free(colour->particle);
-        free(colour->place);
-        free(colour->held);
         free(colour->span);
         free(colour->rim);
     }
@@ -27,6 +22,7 @@ void fw_automaton_release(fw_automaton *body)
     free(body->built);
     free(body->moved);
     free(body->share);
+    fw_arena_release(&body->cells);
     fw_solid_head_release(&body->head);
 }
 

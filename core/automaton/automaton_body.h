@@ -59,6 +59,7 @@ typedef struct fw_automaton {
     double break_at; /* stretch of a bond that breaks it */
     bool breaks;     /* break_at is finite: every cell then has a rim entry */
     fw_automaton_colour colour[FW_COLOURS];
+    fw_arena cells;   /* of the arrays of both colours but spans and rims */
     int *cell;        /* of each particle: its number within its colour */
     uint8_t *white;   /* of each particle: FW_BLACK or FW_WHITE */
     uint8_t *border;  /* of each particle: bit d, its bond in direction d crosses a seam; bit 4,

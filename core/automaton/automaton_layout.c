@@ -138,13 +138,15 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
     for (int c = 0; c < FW_COLOURS; ++c) {
         fw_automaton_colour *colour = &body->colour[c];
         const size_t cells = (size_t)colour->count;
-        colour->x = fw_array_of_doubles(cells);
-        colour->y = fw_array_of_doubles(cells);
-        colour->particle = fw_array_allocate(cells, sizeof *colour->particle);
-        colour->place = fw_array_allocate(cells, sizeof *colour->place);
-        colour->held = fw_array_allocate(cells, sizeof *colour->held);
-        if (!colour->x || !colour->y || !colour->particle || !colour->place || !colour->held)
-            return fw_fail_memory(error, "the cells of an automaton");
+        FW_ARENA_ADD(&body->cells, colour->x, cells);
+        FW_ARENA_ADD(&body->cells, colour->y, cells);
+        FW_ARENA_ADD(&body->cells, colour->particle, cells);
+        FW_ARENA_ADD(&body->cells, colour->place, cells);
+        FW_ARENA_ADD(&body->cells, colour->held, cells);
+    }
+    FW_TRY(fw_arena_allocate(&body->cells, "the cells of an automaton", error));
+    for (int c = 0; c < FW_COLOURS; ++c) {
+        fw_automaton_colour *colour = &body->colour[c];
         for (int n = 0; n < colour->count; ++n) colour->held[n] = -1;
         for (int d = 0; d < FW_DIRECTIONS; ++d)
             colour->matrix[d] = &body->matrices.bond[c == FW_BLACK ? d : fw_opposite(d)];

@@ -86,8 +86,8 @@ static fw_status build(fw_automaton **made, const fw_elastic_automaton_def *def,
     int exponent;
     (void)frexp(def->lattice.spacing, &exponent);
     body->quantum = ldexp(1, exponent);
-    fw_status status =
-        fw_solid_head_create(&body->head, &fw_elastic_automaton_model, def->sites->count, error);
+    fw_solid_head_begin(&body->head, &fw_elastic_automaton_model, def->sites->count);
+    fw_status status = fw_solid_allocate(&body->head, error);
     if (status == FW_OK) status = fw_automaton_lay_out(body, def, error);
     if (status != FW_OK) {
         destroy(&body->head);

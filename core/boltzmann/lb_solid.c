@@ -108,77 +108,46 @@ static void choose_kernels(lb_solid *lb, const fw_lb_solid_def *def)
     }
 }
 
-static bool allocate_matrices(matrices *m, size_t count, bool full)
+static void add_matrices(fw_arena *arena, matrices *m, size_t count, bool full)
 {
-    m->xx = fw_array_of_doubles(count);
-    if (!full) {
-        m->xy = m->yy = NULL;
-        return m->xx;
-    }
-    m->xy = fw_array_of_doubles(count);
-    m->yy = fw_array_of_doubles(count);
-    return m->xx && m->xy && m->yy;
+    FW_ARENA_ADD(arena, m->xx, count);
+    if (!full) return;
+    FW_ARENA_ADD(arena, m->xy, count);
+    FW_ARENA_ADD(arena, m->yy, count);
 }
 
-static void release_matrices(matrices *m)
+static fw_status allocate(lb_solid *lb, fw_error *error)
 {
-    free(m->xx);
-    free(m->xy);
-    free(m->yy);
-}
-
-static bool allocate(lb_solid *lb)
-{
-    size_t count = (size_t)lb->head.count;
-    bool all = true;
+    fw_arena *arena = &lb->head.arena;
+    const size_t count = (size_t)lb->head.count;
+    const size_t chunks = (count + LB_CHUNK - 1) / LB_CHUNK;
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
-        lb->slot_x[d] = fw_array_of_doubles(count);
-        lb->slot_y[d] = fw_array_of_doubles(count);
-        lb->neighbour[d] = fw_array_allocate(count, sizeof *lb->neighbour[d]);
-        all = all && lb->slot_x[d] && lb->slot_y[d] && lb->neighbour[d];
+        FW_ARENA_ADD(arena, lb->slot_x[d], count);
+        FW_ARENA_ADD(arena, lb->slot_y[d], count);
     }
-    lb->present = fw_array_allocate(count, 1);
-    lb->edge = fw_array_allocate(count, 1);
-    all = all && lb->present && lb->edge && allocate_matrices(&lb->inverse, count, lb->matrix) &&
-          allocate_matrices(&lb->mass, count, lb->matrix);
+    add_matrices(arena, &lb->inverse, count, lb->matrix);
+    add_matrices(arena, &lb->mass, count, lb->matrix);
     if (lb->resting) {
-        lb->rest_x = fw_array_of_doubles(count);
-        lb->rest_y = fw_array_of_doubles(count);
-        all =
-            all && lb->rest_x && lb->rest_y && allocate_matrices(&lb->rest_mass, count, lb->matrix);
+        FW_ARENA_ADD(arena, lb->rest_x, count);
+        FW_ARENA_ADD(arena, lb->rest_y, count);
+        add_matrices(arena, &lb->rest_mass, count, lb->matrix);
     }
-    if (lb->weighted)
-        for (int d = FW_EAST; d <= FW_NORTH; ++d)
-            all = all && allocate_matrices(&lb->stiffness[d], count, lb->matrix);
-    int chunks = (lb->head.count + LB_CHUNK - 1) / LB_CHUNK;
-    lb->spans = fw_array_allocate(count, sizeof *lb->spans);
-    lb->chunk_span = fw_array_allocate((size_t)chunks + 1, sizeof *lb->chunk_span);
-    lb->chunk_ledger = fw_array_allocate((size_t)chunks, sizeof *lb->chunk_ledger);
-    lb->chunk_count = chunks;
-    return all && lb->spans && lb->chunk_span && lb->chunk_ledger;
+    for (int d = FW_EAST; d <= FW_NORTH && lb->weighted; ++d)
+        add_matrices(arena, &lb->stiffness[d], count, lb->matrix);
+    for (int d = 0; d < FW_DIRECTIONS; ++d) FW_ARENA_ADD(arena, lb->neighbour[d], count);
+    FW_ARENA_ADD(arena, lb->present, count);
+    FW_ARENA_ADD(arena, lb->edge, count);
+    FW_ARENA_ADD(arena, lb->spans, count);
+    FW_ARENA_ADD(arena, lb->chunk_span, chunks + 1);
+    FW_ARENA_ADD(arena, lb->chunk_ledger, chunks);
+    lb->chunk_count = (int)chunks;
+    return fw_solid_allocate(&lb->head, error);
 }
 
 static void destroy(fw_solid *solid)
 {
-    lb_solid *lb = (lb_solid *)solid;
-    for (int d = 0; d < FW_DIRECTIONS; ++d) {
-        free(lb->slot_x[d]);
-        free(lb->slot_y[d]);
-        free(lb->neighbour[d]);
-    }
-    for (int d = FW_EAST; d <= FW_NORTH; ++d) release_matrices(&lb->stiffness[d]);
-    free(lb->present);
-    free(lb->edge);
-    release_matrices(&lb->inverse);
-    release_matrices(&lb->mass);
-    release_matrices(&lb->rest_mass);
-    free(lb->rest_x);
-    free(lb->rest_y);
-    free(lb->spans);
-    free(lb->chunk_span);
-    free(lb->chunk_ledger);
-    fw_solid_head_release(&lb->head);
-    free(lb);
+    fw_solid_head_release(solid);
+    free(solid);
 }
 
 static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error)
@@ -258,18 +227,13 @@ fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_er
     FW_TRY(check_definition(def, error));
     lb_solid *lb = calloc(1, sizeof *lb);
     if (!lb) return fw_fail_memory(error, "an LB solid");
-    fw_status status =
-        fw_solid_head_create(&lb->head, &fw_lb_solid_model, def->sites->count, error);
-    if (status != FW_OK) {
-        free(lb);
-        return status;
-    }
+    fw_solid_head_begin(&lb->head, &fw_lb_solid_model, def->sites->count);
     choose_kernels(lb, def);
     for (int d = 0; d < FW_DIRECTIONS; ++d) lb->step[d] = fw_lattice_step(&def->lattice, d);
-    if (!allocate(lb)) {
+    fw_status status = allocate(lb, error);
+    if (status != FW_OK) {
         destroy(&lb->head);
-        return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for an LB solid of %d particles",
-                       def->sites->count);
+        return status;
     }
     lb_layout_connect(lb, def->sites);
     status = weigh(lb, def, error);

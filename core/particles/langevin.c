@@ -26,41 +26,25 @@ static int block_count(const fw_langevin *solid)
 fw_status fw_langevin_create(fw_langevin *solid, const fw_solid_model *model, int count,
                              fw_error *error)
 {
-    FW_TRY(fw_solid_head_create(&solid->head, model, count, error));
+    fw_solid_head_begin(&solid->head, model, count);
     const size_t size = (size_t)count;
     double **arrays[] = {
         &solid->velocity_x,   &solid->velocity_y,   &solid->force_x,           &solid->force_y,
         &solid->mass,         &solid->inverse_mass, &solid->root_inverse_mass, &solid->constraint_x,
         &solid->constraint_y, &solid->scratch};
-    bool complete = true;
-    for (size_t a = 0; a < sizeof arrays / sizeof *arrays; ++a) {
-        *arrays[a] = fw_array_of_doubles(size);
-        complete = complete && *arrays[a];
-    }
-    solid->held_at = fw_array_allocate(size, sizeof *solid->held_at);
-    solid->sums = fw_array_allocate((size_t)block_count(solid), sizeof *solid->sums);
-    if (!complete || !solid->held_at || !solid->sums) {
-        fw_langevin_release(solid);
-        return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %d particles", count);
-    }
-    return FW_OK;
+    fw_arena *arena = &solid->head.arena;
+    for (size_t a = 0; a < sizeof arrays / sizeof *arrays; ++a)
+        fw_arena_add(arena, arrays[a], size, sizeof(double));
+    FW_ARENA_ADD(arena, solid->held_at, size);
+    FW_ARENA_ADD(arena, solid->sums, (size_t)block_count(solid));
+    fw_status status = fw_solid_allocate(&solid->head, error);
+    if (status != FW_OK) fw_langevin_release(solid);
+    return status;
 }
 
 void fw_langevin_release(fw_langevin *solid)
 {
     fw_solid_head_release(&solid->head);
-    free(solid->velocity_x);
-    free(solid->velocity_y);
-    free(solid->force_x);
-    free(solid->force_y);
-    free(solid->mass);
-    free(solid->inverse_mass);
-    free(solid->root_inverse_mass);
-    free(solid->constraint_x);
-    free(solid->constraint_y);
-    free(solid->scratch);
-    free(solid->held_at);
-    free(solid->sums);
 }
 
 fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *error)

@@ -56,7 +56,8 @@ static void measure(fw_broadphase *broadphase, int moving_wall, int count, fw_ve
     const fw_vec2 velocity = {0.02, 0.013};
     const int columns = (int)sqrt(count);
     fw_solid solid = {0};
-    if (fw_solid_head_create(&solid, &ballistic, count, NULL) != FW_OK) abort();
+    fw_solid_head_begin(&solid, &ballistic, count);
+    if (fw_solid_allocate(&solid, NULL) != FW_OK) abort();
     solid.count = solid.boundary_count = count;
     for (int i = 0; i < count; ++i) {
         solid.boundary[i] = i;

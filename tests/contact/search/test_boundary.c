@@ -19,7 +19,8 @@ static const fw_solid_model ballistic = {.name = "ballistic", .ticks_per_step = 
 static void cloud_create(cloud *c, int count)
 {
     *c = (cloud){0};
-    assert_int_equal(fw_solid_head_create(&c->solid, &ballistic, count, NULL), FW_OK);
+    fw_solid_head_begin(&c->solid, &ballistic, count);
+    assert_int_equal(fw_solid_allocate(&c->solid, NULL), FW_OK);
     c->solid.count = count;
     c->velocity_x = fw_array_of_doubles((size_t)count);
     c->velocity_y = fw_array_of_doubles((size_t)count);
