@@ -130,14 +130,15 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
 }
 
 /* What only shows when a run begins, before any folder is taken: a body of the control that starts
- * in a wall, a seed that finds no place for its particles. */
-static fw_status check_others(const fw_study *study, fw_error *error)
+ * in a wall, a seed that finds no place for its particles. The first run comes first: what is wrong
+ * with all of them is told of it, at its own place. */
+static fw_status check_runs(const fw_study *study, fw_error *error)
 {
-    for (int n = 1; n < study->run_count; ++n) {
+    for (int n = 0; study->run_count > 1 && n < study->run_count; ++n) {
         fw_run *run;
         const fw_status status =
             fw_run_begin(&run, study->replicas[n].scenario, &(fw_run_options){.threads = 1}, error);
-        FW_TRY(fail_replica(study, n, status, error));
+        FW_TRY(n > 0 ? fail_replica(study, n, status, error) : status);
         fw_run_destroy(run);
     }
     return FW_OK;
@@ -170,7 +171,7 @@ fw_status fw_study_begin(fw_study **study, const fw_scenario *scenario,
                          const fw_run_options *options, fw_error *error)
 {
     fw_status status = create(study, scenario, options, error);
-    if (status == FW_OK) status = check_others(*study, error);
+    if (status == FW_OK) status = check_runs(*study, error);
     if (status == FW_OK) {
         fw_replica *first = &(*study)->replicas[0];
         status = fw_run_begin(&first->run, scenario, &first->options, error);
