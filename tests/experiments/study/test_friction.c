@@ -5,37 +5,8 @@
 #include "core/particles/particles.h"
 #include "experiments/storage/csv.h"
 #include "experiments/study/study.h"
+#include "tests/support/beams.h"
 #include "tests/support/scratch.h"
-
-/* 6 columns of 8 against 10 rows of 5, rubbed for some cycles. */
-static const char small_beams[] =
-    "title: two small beams\n"
-    "materials: {crystal: {movable-particles: {return-force: {amplitude: 1, axes: lab}}}}\n"
-    "bodies:\n"
-    "  left: {material: crystal, lattice: hexagonal, angle: 90, shape: {rectangle: [8, 6]},\n"
-    "    origin: [-0.5, -3.75]}\n"
-    "  right: {material: crystal, lattice: hexagonal, shape: {rectangle: [5, 10]},\n"
-    "    origin: [0.5, -3.9]}\n"
-    "dynamics: {time-step: 0.005, damping: 0.3, temperature: 0.0005}\n"
-    "grips:\n"
-    "  left: {body: left, side: left, layer: 1.34, force: [16, 0], tether: [0, 1]}\n"
-    "  right: {body: right, side: right, layer: 1.34, force: [-16, 0], tether: [0, 1]}\n"
-    "phases:\n"
-    "  settle: {until: 500, damping: 1}\n"
-    "  drive: {until: 1500, temperature: 0.001, grips: {\n"
-    "    left: {force: [16, 0], amplitude: [0, 30], period: 4, tether: [0, 1]},\n"
-    "    right: {force: [-16, 0], amplitude: [0, -30], period: 4, tether: [0, 1]}}}\n"
-    "  sample: {until: 2500, grips: {\n"
-    "    left: {force: [16, 0], amplitude: [0, 30], period: 4, tether: [0, 1]},\n"
-    "    right: {force: [-16, 0], amplitude: [0, -30], period: 4, tether: [0, 1]}}}\n"
-    "run: {steps: 2500, measure-every: 10}\n"
-    "record: {fields: [return-force]}\n"
-    "profile: {axis: x, phase: sample, every: 100, far: [2.5, 4], contact: 1.2}\n"
-    "study: {seeds: 2, control: [\n"
-    "  'phases.drive.grips.left.amplitude=[0, 0]', 'phases.drive.grips.right.amplitude=[0, 0]',\n"
-    "  'phases.sample.grips.left.amplitude=[0, 0]',\n"
-    "  'phases.sample.grips.right.amplitude=[0, 0]']}\n"
-    "expect: [{quantity: layer-contact-over-control, above: 1}]\n";
 
 static fw_scenario *read_with(const char *const *settings, int count)
 {
@@ -421,56 +392,6 @@ static void the_layer_of_every_run_is_kept(void **state)
     remove_folder(folder);
 }
 
-/* --- refusals --- */
-
-static void mistakes_are_refused(void **state)
-{
-    (void)state;
-    static const struct {
-        const char *setting, *sentence;
-    } rows[] = {
-        {"grips.more={body: left, sites: left}", "which grip 'left' holds already"},
-        {"grips.left.sites={rows: [90, 91]}", "rows are [90, 91]"},
-        {"phases.drive.until=400", "phases out of order: 'drive' ends at step 400"},
-        {"phases.sample.until=2400", "phases out of order: 'sample' ends at step 2400"},
-        {"phases.sample.until=2600", "phases out of order: 'sample' ends at step 2600"},
-        {"phases.drive.grips.middle={force: [1, 0]}", "there is no grip 'middle'"},
-        {"grips.left.path={velocity: [1, 0]}", "a path that no component follows"},
-        {"grips.left.period=3", "has 'period' but no 'amplitude'"},
-        {"grips.left.hold=x", "moves that component whatever force acts"},
-        {"profile.window=[90, 99]", "the profile has no particles: none lies at 90 <= y <= 99"},
-        {"profile.middle=90", "the profile has no particles at the contact"},
-        {"profile.far=[80, 90]", "the profile has no particles far from the contact"},
-        {"profile.phase=smaple", "did you mean 'sample'?"},
-        {"profile.every=5000", "expected at most the 1000 steps"},
-        {"expect.0={quantity: layer-contcat, above: 1}", "did you mean layer-contact?"},
-        {"expect.0={quantity: slip, component: y, phase: drove, above: 1}", "did you mean 'drive'"},
-        {"expect.0={quantity: layer-mobility, above: 1}",
-         "it is now called layer-relative-displacement"},
-        {"measure=[layer-contact]", "comes out of all runs together"},
-        {"study.control=['phases.drive.grips.lfet.amplitude=[0, 0]']", "control: "},
-    };
-    int faults = 0;
-    for (size_t n = 0; n < sizeof rows / sizeof rows[0]; ++n) {
-        fw_scenario *scenario;
-        fw_study *study = NULL;
-        const fw_run_options options = {.threads = 1};
-        fw_status status = fw_scenario_read(&scenario, "beams.yaml", small_beams,
-                                            strlen(small_beams), &rows[n].setting, 1, &error);
-        if (status == FW_OK) status = fw_study_begin(&study, scenario, &options, &error);
-        if (status == FW_BAD_INPUT && strstr(error.sentence, rows[n].sentence)) {
-            fw_scenario_destroy(scenario);
-            continue;
-        }
-        faults += 1;
-        print_error("%s\n  found    %s\n  expected %s\n", rows[n].setting,
-                    status == FW_OK ? "no complaint" : error.sentence, rows[n].sentence);
-        fw_study_destroy(study);
-        fw_scenario_destroy(scenario);
-    }
-    assert_int_equal(faults, 0);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -485,7 +406,6 @@ int main(void)
         cmocka_unit_test(rubbing_shows_beside_the_control),
         cmocka_unit_test(the_results_file_holds_profile_and_layer),
         cmocka_unit_test(the_layer_of_every_run_is_kept),
-        cmocka_unit_test(mistakes_are_refused),
     };
     return cmocka_run_group_tests_name("friction", tests, NULL, NULL);
 }
