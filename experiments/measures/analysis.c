@@ -45,15 +45,11 @@ fw_status fw_analysis_create(fw_analysis **analysis, const fw_scenario *scenario
     fw_analysis *made = calloc(1, sizeof *made);
     if (!made) return fw_fail_memory(error, "an analysis");
     made->what = what;
-    fw_error inner;
-    const fw_status status = kinds[what->kind].compute(made, scenario, &inner);
+    const fw_status status = kinds[what->kind].compute(made, scenario, error);
     if (status != FW_OK) {
         fw_analysis_destroy(made);
-        if (status == FW_BAD_INPUT)
-            return fw_scenario_fail(scenario, what->place, error, "analysis %s: %s", what->name,
-                                    inner.sentence);
-        *error = inner;
-        return status;
+        return fw_scenario_fail_within(scenario, what->place, status, error, "analysis %s",
+                                       what->name);
     }
     *analysis = made;
     return FW_OK;

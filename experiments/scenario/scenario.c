@@ -84,12 +84,25 @@ fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error
     return fw_document_fail(scenario->document, place, error, "%s", sentence);
 }
 
-fw_status fw_scenario_fail_again(const fw_scenario *scenario, fw_place place, const char *before,
-                                 fw_status status, fw_error *error)
+fw_status fw_scenario_fail_again(const fw_scenario *scenario, fw_place place, fw_status status,
+                                 fw_error *error)
 {
     if (status != FW_BAD_INPUT) return status;
     const fw_error inner = *error;
-    return fw_scenario_fail(scenario, place, error, "%s%s", before, inner.sentence);
+    return fw_document_fail(scenario->document, place, error, "%s", inner.sentence);
+}
+
+fw_status fw_scenario_fail_within(const fw_scenario *scenario, fw_place place, fw_status status,
+                                  fw_error *error, const char *format, ...)
+{
+    if (status != FW_BAD_INPUT) return status;
+    char part[FW_SENTENCE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(part, sizeof part, format, arguments);
+    va_end(arguments);
+    fw_fail_within(error, "%s", part);
+    return fw_scenario_fail_again(scenario, place, status, error);
 }
 
 const fw_node *fw_scenario_part(const fw_scenario *scenario, const char *key, int *count)
@@ -209,7 +222,7 @@ static fw_status check_control(const fw_scenario *scenario, fw_error *error)
     FW_TRY(fw_document_clone(&document, scenario->document, error));
     const fw_status status = make(&control, document, study->control, study->control_count, error);
     fw_scenario_destroy(control);
-    return fw_scenario_fail_again(scenario, study->control_place, "control: ", status, error);
+    return fw_scenario_fail_within(scenario, study->control_place, status, error, "control");
 }
 
 static fw_status create(fw_scenario **scenario, fw_document *document, const char *const *settings,

@@ -99,11 +99,14 @@ fw_status fw_scenario_fail_case(const fw_scenario *sweep, int number, fw_status 
 fw_status fw_scenario_fail(const fw_scenario *scenario, fw_place place, fw_error *error,
                            const char *format, ...) __attribute__((format(printf, 4, 5)));
 
-/* The same for a sentence that was made without a place: FW_BAD_INPUT gets it and `before`, "body
- * a:
- * ", in front of it; any other status changes nothing. Returns the status. */
-fw_status fw_scenario_fail_again(const fw_scenario *scenario, fw_place place, const char *before,
-                                 fw_status status, fw_error *error);
+/* Puts the place in front of a sentence that was made without one. Only FW_BAD_INPUT has a place:
+ * any other status changes nothing. Returns the status. */
+fw_status fw_scenario_fail_again(const fw_scenario *scenario, fw_place place, fw_status status,
+                                 fw_error *error);
+/* The same with "format: " between the place and the sentence, as in "body a: ". */
+fw_status fw_scenario_fail_within(const fw_scenario *scenario, fw_place place, fw_status status,
+                                  fw_error *error, const char *format, ...)
+    __attribute__((format(printf, 5, 6)));
 
 /* The scenario as run, as a text that reads back to the same scenario: *text is malloc'ed. */
 fw_status fw_scenario_print(const fw_scenario *scenario, char **text, fw_error *error);

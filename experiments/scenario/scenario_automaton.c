@@ -72,7 +72,6 @@ fw_status fw_scenario_read_automaton(const fw_scenario *scenario, const fw_node 
 {
     fw_scenario_automaton *material = &owner->automaton;
     const fw_node *given, *partner;
-    fw_error inner;
     if ((given = fw_node_find(node, "chopard"))) {
         if (given->text[0] != 't')
             return fw_scenario_fail(scenario, given->place, error,
@@ -83,15 +82,15 @@ fw_status fw_scenario_read_automaton(const fw_scenario *scenario, const fw_node 
     }
     if ((given = fw_node_find(node, "shear-modulus"))) {
         FW_TRY(find_partner(scenario, node, "poisson-ratio", given, &partner, error));
-        if (fw_automaton_speeds_from_moduli(&material->speeds, fw_node_number(given),
-                                            fw_node_number(partner), &inner) != FW_OK)
-            return fw_scenario_fail(scenario, given->place, error, "%s", inner.sentence);
+        const fw_status status = fw_automaton_speeds_from_moduli(
+            &material->speeds, fw_node_number(given), fw_node_number(partner), error);
+        FW_TRY(fw_scenario_fail_again(scenario, given->place, status, error));
     } else {
         given = fw_node_find(node, "c1");
         FW_TRY(find_partner(scenario, node, "c2", given, &partner, error));
     }
-    if (fw_automaton_speeds_check(material->speeds, &inner) == FW_OK) return FW_OK;
-    return fw_scenario_fail(scenario, given->place, error, "%s", inner.sentence);
+    return fw_scenario_fail_again(scenario, given->place,
+                                  fw_automaton_speeds_check(material->speeds, error), error);
 }
 
 /* --- bodies --- */

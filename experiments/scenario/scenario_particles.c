@@ -116,13 +116,6 @@ const fw_section fw_linear_lattice_section = {
     "against each other.",
     .keys = linear_lattice_keys};
 
-/* The sentence of a part of the solid, at the place where its cause was written. */
-static fw_status pass_on(const fw_scenario *scenario, fw_place place, const fw_error *inner,
-                         fw_error *error)
-{
-    return fw_scenario_fail(scenario, place, error, "%s", inner->sentence);
-}
-
 /* --- materials --- */
 
 static fw_status read_potential(const fw_scenario *scenario, const fw_node *node,
@@ -135,9 +128,8 @@ static fw_status read_potential(const fw_scenario *scenario, const fw_node *node
     }
     potential->kind = fw_node_find(node, "morse") ? FW_MORSE : FW_LENNARD_JONES;
     potential->cut = fw_smooth_cut_over(potential->cut.inner, potential->cut.outer);
-    fw_error inner;
-    if (fw_pair_potential_check(potential, &inner) == FW_OK) return FW_OK;
-    return pass_on(scenario, node->first->key_place, &inner, error);
+    return fw_scenario_fail_again(scenario, node->first->key_place,
+                                  fw_pair_potential_check(potential, error), error);
 }
 
 static fw_status read_return_force(const fw_scenario *scenario, const fw_node *node,
@@ -164,10 +156,9 @@ static fw_status read_return_force(const fw_scenario *scenario, const fw_node *n
         return fw_scenario_fail(scenario, angle->key_place, error,
                                 "the return force has both an 'angle' and corotating axes, which "
                                 "find theirs by themselves; expected 'axes: lab' or no angle");
-    fw_error inner;
-    if (fw_return_force_check(force, &inner) == FW_OK) return FW_OK;
     const fw_node *reach = fw_node_find(node, "reach");
-    return pass_on(scenario, reach ? reach->place : node->key_place, &inner, error);
+    return fw_scenario_fail_again(scenario, reach ? reach->place : node->key_place,
+                                  fw_return_force_check(force, error), error);
 }
 
 fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,

@@ -73,12 +73,11 @@ static fw_site read_site(const fw_node *pair)
 }
 
 /* The sentence of the maker of sites, at the place where the shape was written. */
-static fw_status pass_on(const fw_scenario *scenario, const fw_node *node, const char *body,
-                         const fw_error *inner, fw_error *error)
+static fw_status fail_shape(const fw_scenario *scenario, const fw_node *node, const char *body,
+                            fw_status status, fw_error *error)
 {
-    if (inner->status != FW_BAD_INPUT) return fw_fail(error, inner->status, "%s", inner->sentence);
-    return fw_scenario_fail(scenario, node->place, error, "bodies.%s.shape.%s: %s", body, node->key,
-                            inner->sentence);
+    return fw_scenario_fail_within(scenario, node->place, status, error, "bodies.%s.shape.%s", body,
+                                   node->key);
 }
 
 static fw_status read_list(const fw_scenario *scenario, const fw_node *list, fw_scenario_body *body,
@@ -89,10 +88,9 @@ static fw_status read_list(const fw_scenario *scenario, const fw_node *list, fw_
     int count = 0;
     for (const fw_node *pair = list->first; pair; pair = pair->next)
         sites[count++] = read_site(pair);
-    fw_error inner;
-    fw_status status = fw_sites_list(&body->shape.sites, sites, count, &inner);
+    const fw_status status = fw_sites_list(&body->shape.sites, sites, count, error);
     free(sites);
-    if (status != FW_OK) return pass_on(scenario, list, body->name, &inner, error);
+    FW_TRY(fail_shape(scenario, list, body->name, status, error));
     measure_sites(&body->shape);
     return FW_OK;
 }
@@ -111,9 +109,8 @@ static fw_status read_mask(const fw_scenario *scenario, const fw_node *mask, fw_
                                 "expected '#' for a particle and '.' for none",
                                 body->name, fw_text_quote(c, size).text, row);
     }
-    fw_error inner;
-    if (fw_sites_mask(&body->shape.sites, mask->text, &inner) != FW_OK)
-        return pass_on(scenario, mask, body->name, &inner, error);
+    const fw_status status = fw_sites_mask(&body->shape.sites, mask->text, error);
+    FW_TRY(fail_shape(scenario, mask, body->name, status, error));
     measure_sites(&body->shape);
     return FW_OK;
 }

@@ -185,10 +185,8 @@ void fw_scenario_case_name(const fw_scenario *scenario, int number, char name[FW
 fw_status fw_scenario_fail_case(const fw_scenario *sweep, int number, fw_status status,
                                 fw_error *error)
 {
-    if (status != FW_BAD_INPUT) return status;
-    const fw_error inner = *error;
     char name[FW_CASE_NAME];
     fw_scenario_case_name(sweep, number, name);
-    return fw_scenario_fail(sweep, sweep->study.sweep.place, error, "the case %s: %s", name,
-                            inner.sentence);
+    return fw_scenario_fail_within(sweep, sweep->study.sweep.place, status, error, "the case %s",
+                                   name);
 }

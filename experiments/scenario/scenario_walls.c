@@ -190,11 +190,9 @@ static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenar
                                 "walls.%s has both '%s' and 'side'; a %s is free to the left of "
                                 "the way along it, so turn its points round instead",
                                 node->key, fw_shape_of(def)->word, fw_shape_of(def)->word);
-    fw_error inner;
     fw_wall_shape shape;
-    if (fw_wall_def_check(def, &inner) != FW_OK)
-        return fw_scenario_fail(scenario, find_geometry(node, &shape)->place, error, "%s",
-                                inner.sentence);
+    FW_TRY(fw_scenario_fail_again(scenario, find_geometry(node, &shape)->place,
+                                  fw_wall_def_check(def, error), error));
     return read_piston(scenario, node, wall, error);
 }
 

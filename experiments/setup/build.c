@@ -22,10 +22,8 @@ uint32_t fw_build_velocity_stream(int body)
 
 fw_status fw_build_fail(const fw_scenario *scenario, int body, fw_status status, fw_error *error)
 {
-    if (status != FW_BAD_INPUT) return status;
-    fw_error inner = *error;
-    return fw_scenario_fail(scenario, scenario->bodies[body].place, error, "body %s: %s",
-                            scenario->bodies[body].name, inner.sentence);
+    return fw_scenario_fail_within(scenario, scenario->bodies[body].place, status, error, "body %s",
+                                   scenario->bodies[body].name);
 }
 
 static fw_vec2 pattern_value(const fw_pattern *pattern, fw_site site, fw_vec2 place, int particle,

@@ -31,9 +31,8 @@ static fw_status fail_solid(const fw_scenario *scenario, int body, double limit,
     const bool written = place.line > 0 || place.setting > 0;
     if (status != FW_BAD_INPUT || !written || scenario->dynamics.time_step < limit)
         return fw_build_fail(scenario, body, status, error);
-    const fw_error inner = *error;
-    return fw_scenario_fail(scenario, place, error, "body %s: %s", scenario->bodies[body].name,
-                            inner.sentence);
+    return fw_scenario_fail_within(scenario, place, status, error, "body %s",
+                                   scenario->bodies[body].name);
 }
 
 /* --- where particles are, and how they move --- */

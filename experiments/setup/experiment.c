@@ -195,7 +195,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
                 FW_TRY(refuse_overlap(experiment, a, b, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
-        FW_TRY(fw_scenario_fail_again(scenario, wall->place, "",
+        FW_TRY(fw_scenario_fail_again(scenario, wall->place,
                                       add_wall(experiment->scene, wall, error), error));
     }
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
@@ -204,8 +204,8 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     FW_TRY(fw_phases_check(scenario, experiment->scene, error));
     FW_TRY(fw_period_check(scenario, experiment->scene, error));
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
-    FW_TRY(fw_scenario_fail_again(scenario, place, "", fw_scene_begin(experiment->scene, error),
-                                  error));
+    FW_TRY(
+        fw_scenario_fail_again(scenario, place, fw_scene_begin(experiment->scene, error), error));
     return note_start(experiment, error);
 }
 

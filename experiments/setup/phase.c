@@ -83,7 +83,7 @@ static fw_status add_grip(const fw_scenario *scenario, fw_scene *scene, const fw
                              .drive = grip->motion.drive};
     fw_status status = fw_scene_add_grip(scene, range->solid, &def, error);
     free(particles);
-    return fw_scenario_fail_again(scenario, grip->place, "", status, error);
+    return fw_scenario_fail_again(scenario, grip->place, status, error);
 }
 
 fw_status fw_grips_add(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,
@@ -113,11 +113,10 @@ fw_status fw_phases_check(const fw_scenario *scenario, const fw_scene *scene, fw
         const fw_langevin_controls controls = controls_in(scenario, phase);
         for (int b = 0; b < fw_scene_body_count(scene); ++b) {
             const fw_solid *solid = fw_scene_observe_body(scene, b);
-            fw_error inner;
             if (!fw_solid_is_langevin(solid)) continue;
-            if (fw_langevin_check_heat(solid, &controls, &inner) != FW_OK)
-                return fw_scenario_fail(scenario, phase->place, error, "phase %s: %s", phase->name,
-                                        inner.sentence);
+            FW_TRY(fw_scenario_fail_within(scenario, phase->place,
+                                           fw_langevin_check_heat(solid, &controls, error), error,
+                                           "phase %s", phase->name));
         }
     }
     return FW_OK;
@@ -161,10 +160,9 @@ static fw_status set_pistons(const fw_scenario *scenario, fw_scene *scene,
             if (other->damping >= 0) damping = other->damping;
             place = other->place;
         }
-        fw_error inner;
         const fw_status status =
-            fw_piston_set_drive(fw_scene_piston(scene, w), drive, damping, &inner);
-        if (status != FW_OK) return fw_scenario_fail(scenario, place, error, "%s", inner.sentence);
+            fw_piston_set_drive(fw_scene_piston(scene, w), drive, damping, error);
+        FW_TRY(fw_scenario_fail_again(scenario, place, status, error));
     }
     return FW_OK;
 }

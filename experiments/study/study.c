@@ -54,8 +54,8 @@ static fw_status fail_replica(const fw_study *study, int number, fw_status statu
     if (status != FW_BAD_INPUT) return status;
     strip_place(error);
     if (number >= study->seed_count)
-        return fw_scenario_fail_again(study->scenario, study->scenario->study.control_place,
-                                      "control: ", status, error);
+        return fw_scenario_fail_within(study->scenario, study->scenario->study.control_place,
+                                       status, error, "control");
     return fw_fail_within(error, "seed %lld",
                           (long long)study->replicas[number].scenario->run.seed);
 }
@@ -76,8 +76,8 @@ static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_
                                         settings, count, error);
     free(text);
     if (status != FW_OK) strip_place(error);
-    return control ? fw_scenario_fail_again(scenario, scenario->study.control_place,
-                                            "control: ", status, error)
+    return control ? fw_scenario_fail_within(scenario, scenario->study.control_place, status, error,
+                                             "control")
                    : status;
 }
 
