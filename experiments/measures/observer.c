@@ -60,7 +60,7 @@ static fw_status add_profile(fw_observer *observer, fw_error *error)
                                 "a profile is taken of movable particles, and no body is made of "
                                 "them");
     FW_TRY(fw_profile_create(&observer->profile, scenario, particles, error));
-    fw_profile_follow(observer->profile, particles, 0);
+    fw_profile_follow(observer->profile, observer->experiment, 0);
     return FW_OK;
 }
 
@@ -109,7 +109,7 @@ fw_status fw_observer_step(fw_observer *observer, fw_error *error)
     FW_TRY(fw_experiment_step(observer->experiment, error));
     follow_energy(observer);
     if (observer->profile)
-        fw_profile_follow(observer->profile, fw_experiment_particles(observer->experiment),
+        fw_profile_follow(observer->profile, observer->experiment,
                           fw_scene_steps(observer->experiment->scene));
     return FW_OK;
 }

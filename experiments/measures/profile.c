@@ -4,71 +4,12 @@
  * that a sum does not depend on threads. Start reading at fw_profile_follow(). */
 #include "experiments/measures/profile.h"
 
-#include "bond_history.h"
 #include "core/particles/particles.h"
+#include "profile_parts.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-const fw_profile_column_row fw_profile_columns[FW_PROFILE_COLUMNS] = {
-    [FW_PROFILE_RETURN_FORCE] = {"return-force", "force",
-                                 "mean length of a particle's net return force (Eqs 24, 25)"},
-    [FW_PROFILE_BOND_FORCE] = {"bond-return-force", "force",
-                               "mean length of the return force of a single bond"},
-    [FW_PROFILE_ORDER] = {"order", "1", "mean of |psi_n| over particles"},
-    [FW_PROFILE_DENSITY] = {"density", "1/length^2", "particles per area"},
-    [FW_PROFILE_TEMPERATURE] = {"temperature", "energy",
-                                "m v^2/2 relative to the mean of the bin in each sample"},
-    [FW_PROFILE_DRIFT] = {"drift-velocity", "length/time",
-                          "root mean square over samples of the bin's mean velocity along the bin"},
-    [FW_PROFILE_BOND_BREAKING] = {"bond-breaking-rate", "1/time",
-                                  "bonds broken per particle and time: once closer than the bond "
-                                  "radius, now 1.2 times further apart"},
-    [FW_PROFILE_RELATIVE_DISPLACEMENT] = {"relative-displacement", "length^2",
-                                          "mean square change of a bond's vector over one unit of "
-                                          "time, r0 (m/epsilon)^(1/2)"},
-    [FW_PROFILE_DIFFUSIVITY] = {"diffusivity", "length^2/time",
-                                "across the bins: growth of the mean square relative displacement "
-                                "of bonded particles between 1 and 4 units of time, over 4"},
-};
-
-/* What is summed. Pairs of a sum and what it is divided by. */
-typedef enum fw_sum {
-    SUM_PARTICLES,
-    SUM_RETURN_FORCE,
-    SUM_BOND_FORCE,
-    SUM_BONDED, /* particles with bonds in their own body */
-    SUM_ORDER,
-    SUM_HEAT,    /* m (v - mean)^2 */
-    SUM_FREEDOM, /* degrees of freedom that it belongs to */
-    SUM_DRIFT,   /* particles times square of the mean velocity */
-    SUM_BROKEN,
-    SUM_LOOKS, /* particles looked at */
-    SUM_CHANGE,
-    SUM_ACROSS,
-    SUM_CHANGED, /* bonds that were followed over one lag */
-    SUM_ACROSS_LATE,
-    SUM_CHANGED_LATE, /* bonds that were followed over FW_HISTORY_LAGS */
-    SUMS
-} fw_sum;
-
-/* Velocities of a bin in one sample. */
-typedef struct fw_flow {
-    double count, along, across;
-} fw_flow;
-
-struct fw_profile {
-    fw_scenario_profile plan;
-    double window_low, window_high, time_step;
-    int particle_count, bin_count, first_bin; /* bin b is centred on middle + (first + b) width */
-    double (*sums)[SUMS];                     /* bins, contact, far */
-    fw_flow *flow;
-    double *force_x, *force_y, *bond_force, *velocity_x, *velocity_y, *mass;
-    double *scratch; /* the six above, one after the other */
-    int64_t samples;
-    fw_bond_history *history;
-};
 
 /* --- where --- */
 
@@ -109,26 +50,32 @@ static int rows_at(const fw_profile *p, double place, int rows[2])
 
 /* --- one sample --- */
 
+static void add_velocity(fw_flow *flow, const fw_profile *p, int i)
+{
+    flow->count += 1;
+    flow->along += p->plan.axis == 0 ? p->velocity_y[i] : p->velocity_x[i];
+    flow->across += p->plan.axis == 0 ? p->velocity_x[i] : p->velocity_y[i];
+}
+
 static void add_flow(fw_profile *p, const fw_solid *solid)
 {
     memset(p->flow, 0, ((size_t)p->bin_count + 2) * sizeof *p->flow);
+    memset(p->free_flow, 0, ((size_t)p->bin_count + 2) * sizeof *p->free_flow);
     solid->model->velocities(solid, p->velocity_x, p->velocity_y);
     for (int i = 0; i < solid->count; ++i) {
         int rows[2];
         if (!in_window(p, solid, i)) continue;
         const int count = rows_at(p, across_of(p, solid, i), rows);
         for (int n = 0; n < count; ++n) {
-            fw_flow *flow = &p->flow[rows[n]];
-            flow->count += 1;
-            flow->along += p->plan.axis == 0 ? p->velocity_y[i] : p->velocity_x[i];
-            flow->across += p->plan.axis == 0 ? p->velocity_x[i] : p->velocity_y[i];
+            add_velocity(&p->flow[rows[n]], p, i);
+            if (!p->held[i]) add_velocity(&p->free_flow[rows[n]], p, i);
         }
     }
     for (int row = 0; row < p->bin_count + 2; ++row) {
         const fw_flow *flow = &p->flow[row];
-        if (flow->count == 0) continue;
-        p->sums[row][SUM_DRIFT] += flow->along * flow->along / flow->count;
-        p->sums[row][SUM_FREEDOM] += 2 * (flow->count - 1);
+        const double free_count = p->free_flow[row].count;
+        if (flow->count > 0) p->sums[row][SUM_DRIFT] += flow->along * flow->along / flow->count;
+        if (free_count > 0) p->sums[row][SUM_FREEDOM] += 2 * (free_count - 1);
     }
 }
 
@@ -142,8 +89,6 @@ static void add_particle(fw_profile *p, const fw_solid *solid, int i)
     const double across = p->plan.axis == 0 ? p->velocity_x[i] : p->velocity_y[i];
     for (int n = 0; n < count; ++n) {
         double *sums = p->sums[rows[n]];
-        const fw_flow *flow = &p->flow[rows[n]];
-        const double u = along - flow->along / flow->count, v = across - flow->across / flow->count;
         sums[SUM_PARTICLES] += 1;
         sums[SUM_RETURN_FORCE] +=
             sqrt(p->force_x[i] * p->force_x[i] + p->force_y[i] * p->force_y[i]);
@@ -152,18 +97,46 @@ static void add_particle(fw_profile *p, const fw_solid *solid, int i)
             sums[SUM_BONDED] += 1;
         }
         sums[SUM_ORDER] += sqrt(order.cosine * order.cosine + order.sine * order.sine);
+        if (p->held[i]) continue;
+        const fw_flow *flow = &p->free_flow[rows[n]];
+        const double u = along - flow->along / flow->count, v = across - flow->across / flow->count;
         sums[SUM_HEAT] += p->mass[i] * (u * u + v * v);
     }
 }
 
-static void take(fw_profile *p, const fw_solid *solid)
+static void mark_held(fw_profile *p, const fw_experiment *experiment)
 {
+    memset(p->held, 0, (size_t)p->particle_count * sizeof *p->held);
+    for (int b = 0; b < experiment->body_count; ++b)
+        if (fw_solid_is_particles(fw_experiment_solid(experiment, b)))
+            fw_scene_mark_held(experiment->scene, experiment->bodies[b].solid, p->held);
+}
+
+static void take(fw_profile *p, const fw_experiment *experiment)
+{
+    const fw_solid *solid = fw_experiment_particles(experiment);
+    mark_held(p, experiment);
     fw_particles_return_forces(solid, p->force_x, p->force_y);
     fw_particles_bond_return_forces(solid, p->bond_force);
     add_flow(p, solid);
     for (int i = 0; i < solid->count; ++i)
         if (in_window(p, solid, i)) add_particle(p, solid, i);
     p->samples += 1;
+}
+
+/* Beside the samples: of this instant. */
+double fw_profile_contact_now(fw_profile *p, const fw_solid *solid)
+{
+    double sum = 0;
+    int count = 0;
+    fw_particles_return_forces(solid, p->force_x, p->force_y);
+    for (int i = 0; i < solid->count; ++i) {
+        if (!in_window(p, solid, i)) continue;
+        if (!(fabs(across_of(p, solid, i) - p->plan.middle) < p->plan.contact)) continue;
+        sum += sqrt(p->force_x[i] * p->force_x[i] + p->force_y[i] * p->force_y[i]);
+        count += 1;
+    }
+    return count > 0 ? sum / count : NAN;
 }
 
 /* --- from look to look --- */
@@ -212,12 +185,12 @@ static void follow_bonds(fw_profile *p, const fw_solid *solid, int64_t step)
     fw_bond_history_remember(p->history, solid, step);
 }
 
-void fw_profile_follow(fw_profile *profile, const fw_solid *solid, int64_t step)
+void fw_profile_follow(fw_profile *profile, const fw_experiment *experiment, int64_t step)
 {
     const fw_scenario_profile *plan = &profile->plan;
     if (step < plan->from || step > plan->until) return;
-    if (step > plan->from && (step - plan->from) % plan->every == 0) take(profile, solid);
-    follow_bonds(profile, solid, step);
+    if (step > plan->from && (step - plan->from) % plan->every == 0) take(profile, experiment);
+    follow_bonds(profile, fw_experiment_particles(experiment), step);
 }
 
 /* --- life --- */
@@ -230,9 +203,11 @@ static bool allocate(fw_profile *p)
     const size_t part_count = sizeof parts / sizeof parts[0];
     p->sums = fw_array_allocate(rows, sizeof *p->sums);
     p->flow = fw_array_allocate(rows, sizeof *p->flow);
+    p->free_flow = fw_array_allocate(rows, sizeof *p->free_flow);
+    p->held = fw_array_allocate(count, sizeof *p->held);
     p->scratch = fw_array_of_doubles(part_count * count);
     for (size_t n = 0; p->scratch && n < part_count; ++n) *parts[n] = p->scratch + n * count;
-    return p->sums && p->flow && p->scratch;
+    return p->sums && p->flow && p->free_flow && p->held && p->scratch;
 }
 
 static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario,
@@ -329,6 +304,8 @@ void fw_profile_destroy(fw_profile *profile)
     if (!profile) return;
     free(profile->sums);
     free(profile->flow);
+    free(profile->free_flow);
+    free(profile->held);
     free(profile->scratch);
     fw_bond_history_destroy(profile->history);
     free(profile);
@@ -351,98 +328,4 @@ fw_status fw_profile_restored(const fw_profile *profile, fw_error *error)
                        "the profile follows a bond of a particle that is none of the %d",
                        profile->particle_count);
     return FW_OK;
-}
-
-/* --- what came out --- */
-
-double fw_profile_contact_now(fw_profile *p, const fw_solid *solid)
-{
-    double sum = 0;
-    int count = 0;
-    fw_particles_return_forces(solid, p->force_x, p->force_y);
-    for (int i = 0; i < solid->count; ++i) {
-        if (!in_window(p, solid, i)) continue;
-        if (!(fabs(across_of(p, solid, i) - p->plan.middle) < p->plan.contact)) continue;
-        sum += sqrt(p->force_x[i] * p->force_x[i] + p->force_y[i] * p->force_y[i]);
-        count += 1;
-    }
-    return count > 0 ? sum / count : NAN;
-}
-
-int fw_profile_bin_count(const fw_profile *profile)
-{
-    return profile->bin_count;
-}
-
-double fw_profile_edge(const fw_profile *profile, int bin)
-{
-    return profile->plan.middle + (profile->first_bin + bin - .5) * profile->plan.bin;
-}
-
-int64_t fw_profile_sample_count(const fw_profile *profile)
-{
-    return profile->samples;
-}
-
-static double over(double sum, double count)
-{
-    return count > 0 ? sum / count : NAN;
-}
-
-static int row_of(const fw_profile *p, int bin)
-{
-    return bin >= 0 ? bin : p->bin_count + (bin == FW_PROFILE_FAR);
-}
-
-/* Time that particles were looked at, one after the other. */
-static double looked_at(const fw_profile *p, const double *sums)
-{
-    return sums[SUM_LOOKS] * (double)p->history->look * p->time_step;
-}
-
-double fw_profile_least_breaking(const fw_profile *p, int bin)
-{
-    return over(1, looked_at(p, p->sums[row_of(p, bin)]));
-}
-
-/* Two walkers move apart twice as fast as one alone: <(x_i - x_j)^2> grows as 4 D t. */
-static double diffusivity(const fw_profile *p, const double *sums)
-{
-    const double early = over(sums[SUM_ACROSS], sums[SUM_CHANGED]);
-    const double late = over(sums[SUM_ACROSS_LATE], sums[SUM_CHANGED_LATE]);
-    const double lag = (double)p->history->lag * p->time_step;
-    return (late - early) / (4 * (FW_HISTORY_LAGS - 1) * lag);
-}
-
-double fw_profile_value(const fw_profile *p, int bin, fw_profile_column column)
-{
-    const int row = row_of(p, bin);
-    const double *sums = p->sums[row];
-    const double width = bin >= 0                    ? p->plan.bin
-                         : bin == FW_PROFILE_CONTACT ? 2 * p->plan.contact
-                                                     : 2 * (p->plan.far[1] - p->plan.far[0]);
-    const double area = width * (p->window_high - p->window_low);
-    switch (column) {
-    case FW_PROFILE_RETURN_FORCE:
-        return over(sums[SUM_RETURN_FORCE], sums[SUM_PARTICLES]);
-    case FW_PROFILE_BOND_FORCE:
-        return over(sums[SUM_BOND_FORCE], sums[SUM_BONDED]);
-    case FW_PROFILE_ORDER:
-        return over(sums[SUM_ORDER], sums[SUM_PARTICLES]);
-    case FW_PROFILE_DENSITY:
-        return over(sums[SUM_PARTICLES], (double)p->samples * area);
-    case FW_PROFILE_TEMPERATURE:
-        return over(sums[SUM_HEAT], sums[SUM_FREEDOM]);
-    case FW_PROFILE_DRIFT:
-        return sqrt(over(sums[SUM_DRIFT], sums[SUM_PARTICLES]));
-    case FW_PROFILE_BOND_BREAKING:
-        return over(sums[SUM_BROKEN], looked_at(p, sums));
-    case FW_PROFILE_RELATIVE_DISPLACEMENT:
-        return over(sums[SUM_CHANGE], sums[SUM_CHANGED]);
-    case FW_PROFILE_DIFFUSIVITY:
-        return diffusivity(p, sums);
-    case FW_PROFILE_COLUMNS:
-        break;
-    }
-    return NAN;
 }

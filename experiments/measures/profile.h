@@ -9,15 +9,14 @@
 #ifndef FW_PROFILE_H
 #define FW_PROFILE_H
 
-#include "core/solid.h"
-#include "experiments/scenario/scenario.h"
+#include "experiments/setup/experiment.h"
 
 typedef enum fw_profile_column {
     FW_PROFILE_RETURN_FORCE, /* mean length of a particle's net return force */
     FW_PROFILE_BOND_FORCE,   /* mean length of the return force of a bond */
     FW_PROFILE_ORDER,        /* mean of |psi_n| */
     FW_PROFILE_DENSITY,      /* particles per area */
-    FW_PROFILE_TEMPERATURE,  /* m <(v - mean of the bin)^2> / 2 */
+    FW_PROFILE_TEMPERATURE,  /* m <(v - mean of the bin)^2> / 2, of what no grip holds */
     FW_PROFILE_DRIFT,        /* root mean square over samples of the bin's mean velocity along it */
     FW_PROFILE_BOND_BREAKING,         /* bonds of a particle that break per time */
     FW_PROFILE_RELATIVE_DISPLACEMENT, /* mean square change of r_i - r_j over one lag, over bonds */
@@ -40,7 +39,7 @@ fw_status fw_profile_create(fw_profile **profile, const fw_scenario *scenario,
 void fw_profile_destroy(fw_profile *profile);
 
 /* To be called after each step, and at the start: takes a sample when one is due. */
-void fw_profile_follow(fw_profile *profile, const fw_solid *solid, int64_t step);
+void fw_profile_follow(fw_profile *profile, const fw_experiment *experiment, int64_t step);
 void fw_profile_state(fw_profile *profile, fw_state_list *list);
 /* After saved values were written back. FW_BAD_INPUT: they hold what no profile writes. */
 fw_status fw_profile_restored(const fw_profile *profile, fw_error *error);

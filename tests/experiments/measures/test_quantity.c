@@ -143,8 +143,35 @@ static void the_temperature_of_a_bin_counts_its_own_mean(void **state)
         set_velocity(i, 5 + .1 * i, 7);
         set_velocity(9 + i, 5 - .1 * i, 7);
     }
-    fw_profile_follow(observer->profile, fw_experiment_particles(observer->experiment), 100);
+    fw_profile_follow(observer->profile, observer->experiment, 100);
     for (int bin = 0; bin < 9; ++bin)
+        assert_close(fw_profile_value(observer->profile, bin, FW_PROFILE_TEMPERATURE),
+                     3 * (2 * .01 * bin * bin) / 2, 1e-12);
+    end();
+}
+
+/* What a grip holds moves as one: it is no part of a bin's heat, nor of its degrees of freedom. */
+static void the_temperature_of_a_bin_leaves_out_what_is_held(void **state)
+{
+    (void)state;
+    begin(
+        "title: three in a bin, one of them held\n"
+        "materials: {m: {movable-particles: {mass: 3}}}\n"
+        "bodies: {c: {material: m, lattice: square, shape: {rectangle: [9, 3]}, origin: [-4, 0]}}\n"
+        "grips:\n"
+        "  lower: {body: c, sites: [[0, 0], [1, 0], [2, 0], [3, 0], [4, 0], [5, 0], [6, 0], [7, "
+        "0],\n"
+        "    [8, 0], [0, 1]]}\n"
+        "run: {steps: 100}\n"
+        "profile: {axis: x, every: 100, bin: 1, contact: 0.5, far: [2.5, 4.5]}\n");
+    for (int i = 0; i < 9; ++i) {
+        set_velocity(i, 0, 0);
+        set_velocity(9 + i, 5 + .1 * i, 7);
+        set_velocity(18 + i, 5 - .1 * i, 7);
+    }
+    fw_profile_follow(observer->profile, observer->experiment, 100);
+    assert_true(is_plain_nan(fw_profile_value(observer->profile, 0, FW_PROFILE_TEMPERATURE)));
+    for (int bin = 1; bin < 9; ++bin)
         assert_close(fw_profile_value(observer->profile, bin, FW_PROFILE_TEMPERATURE),
                      3 * (2 * .01 * bin * bin) / 2, 1e-12);
     end();
@@ -171,6 +198,7 @@ int main(void)
         cmocka_unit_test(temperature_counts_what_is_free),
         cmocka_unit_test(what_is_held_or_alone_has_no_temperature),
         cmocka_unit_test(the_temperature_of_a_bin_counts_its_own_mean),
+        cmocka_unit_test(the_temperature_of_a_bin_leaves_out_what_is_held),
         cmocka_unit_test(a_body_at_rest_has_no_poisson_ratio),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
