@@ -31,12 +31,12 @@ const fw_quantity fw_layer_quantities[] = {
     [FW_LAYER_WIDTH_HALF] = {"layer-width-half", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above the middle of contact and far", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above twice that of far", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_TEMPERATURE] = {"layer-temperature", FW_SCOPE_STUDY, "", "energy", "of the contact, relative to its mean motion in each sample", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "way of the first grip along the second in the phase before the samples", NULL, NULL, NULL, FW_NEEDS_PROFILE},
+    [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "way of the first grip along the second in the phase before the samples, summed in every step", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_OFFSET] = {"layer-offset", FW_SCOPE_STUDY, "", "length", "size of the mean displacement of the first grip along the second while samples are taken: how far the bodies have walked off each other", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_FRICTION_FORCE] = {"layer-friction-force", FW_SCOPE_STUDY, "", "force", "mean size of the force along the interface while samples are taken", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_NORMAL_FORCE] = {"layer-normal-force", FW_SCOPE_STUDY, "", "force", "mean force across the interface while samples are taken, pressing counts positive", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_FRICTION_COEFFICIENT] = {"layer-friction-coefficient", FW_SCOPE_STUDY, "", "1", "energy of the loop over its way and the normal force", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_LOOP_ENERGY] = {"layer-loop-energy", FW_SCOPE_STUDY, "", "energy", "area of the fretting loop (force along the interface against slip) per cycle", NULL, NULL, NULL, FW_NEEDS_PROFILE},
+    [FW_LAYER_LOOP_ENERGY] = {"layer-loop-energy", FW_SCOPE_STUDY, "", "energy", "area of the fretting loop (force along the interface against slip, step by step) per cycle", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_UNSTEADINESS] = {"layer-unsteadiness", FW_SCOPE_STUDY, "", "1", "standard errors between both halves of contact-return-force, over as long before the samples as they take: steady below 3", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     {NULL, FW_SCOPE_STUDY, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
@@ -194,24 +194,6 @@ static double at(const fw_measurement *m, int64_t row, int column)
     return column < 0 ? NAN : m->values[row * m->width + column];
 }
 
-static double path_of(fw_rows rows, int column)
-{
-    double path = 0;
-    for (int64_t row = rows.first + 1; row < rows.end; ++row)
-        path += fabs(at(rows.m, row, column) - at(rows.m, row - 1, column));
-    return path;
-}
-
-/* Integral of the force along the second body against slip, by trapezoids: what rubbing takes. */
-static double loop_of(fw_rows rows, int force, int slip)
-{
-    double area = 0;
-    for (int64_t row = rows.first + 1; row < rows.end; ++row)
-        area -= 0.5 * (at(rows.m, row, force) + at(rows.m, row - 1, force)) *
-                (at(rows.m, row, slip) - at(rows.m, row - 1, slip));
-    return area;
-}
-
 /* How many cycles of the drive the samples take; 1 where nothing oscillates. */
 static double cycles_of(const fw_experiment *experiment)
 {
@@ -228,33 +210,15 @@ static double cycles_of(const fw_experiment *experiment)
     return period > 0 ? span / period : 1;
 }
 
-static void measure_friction(double *values, const fw_experiment *experiment,
-                             const fw_measurement *m)
+static void measure_friction(double *values, const fw_observer *observer)
 {
-    const fw_scenario *scenario = experiment->scenario;
-    const fw_scenario_profile *plan = &scenario->profile;
-    const int along = plan->axis == 0 ? 1 : 0, across = plan->axis;
-    const int slip = column_of(m, "slip", along);
-    const int force = column_of(m, "interface-force", along);
-    const int normal = column_of(m, "interface-force", across);
-    const fw_rows rows = rows_between(m, plan->from, plan->until);
-    int64_t before = 0;
-    for (int p = 0; p < scenario->phase_count; ++p)
-        if (scenario->phases[p].until == plan->from) before = scenario->phases[p].from;
-    double size = 0, press = 0, offset = 0;
-    for (int64_t row = rows.first; row < rows.end; ++row) {
-        offset += at(m, row, slip);
-        size += fabs(at(m, row, force));
-        press += fabs(at(m, row, normal));
-    }
-    const double count = (double)(rows.end - rows.first);
-    const double area = loop_of(rows, force, slip);
-    values[FW_LAYER_SLIP_PATH] = path_of(rows_between(m, before, plan->from), slip);
-    values[FW_LAYER_OFFSET] = fabs(offset / count);
-    values[FW_LAYER_FRICTION_FORCE] = size / count;
-    values[FW_LAYER_NORMAL_FORCE] = press / count;
-    values[FW_LAYER_LOOP_ENERGY] = area / cycles_of(experiment);
-    values[FW_LAYER_FRICTION_COEFFICIENT] = area / (path_of(rows, slip) * (press / count));
+    const fw_rubbing_sums *s = &observer->rubbing.sums;
+    values[FW_LAYER_SLIP_PATH] = s->path_before;
+    values[FW_LAYER_OFFSET] = fabs(s->slip / s->steps);
+    values[FW_LAYER_FRICTION_FORCE] = s->force / s->steps;
+    values[FW_LAYER_NORMAL_FORCE] = s->pressing / s->steps;
+    values[FW_LAYER_LOOP_ENERGY] = s->work / cycles_of(observer->experiment);
+    values[FW_LAYER_FRICTION_COEFFICIENT] = s->work / (s->path * (s->pressing / s->steps));
 }
 
 static fw_status measure_steadiness(double *value, const fw_experiment *experiment,
@@ -282,7 +246,7 @@ fw_status fw_layer_of(double values[FW_LAYER_MEASURES], const fw_observer *obser
     for (int n = 0; n < FW_LAYER_MEASURES; ++n) values[n] = NAN;
     measure_profile(values, observer);
     FW_TRY(measure_widths(values, observer, error));
-    measure_friction(values, observer->experiment, measurement);
+    measure_friction(values, observer);
     return measure_steadiness(&values[FW_LAYER_UNSTEADINESS], observer->experiment, measurement,
                               error);
 }

@@ -47,7 +47,9 @@ void fw_observer_state(fw_observer *observer, fw_state_list *list)
 {
     fw_state_list_add(list, "energy-scale", FW_F64, (size_t)observer->experiment->body_count + 1,
                       observer->energy_scale);
-    if (observer->profile) fw_profile_state(observer->profile, list);
+    if (!observer->profile) return;
+    fw_profile_state(observer->profile, list);
+    fw_rubbing_state(&observer->rubbing, list);
 }
 
 static fw_status add_profile(fw_observer *observer, fw_error *error)
@@ -61,6 +63,8 @@ static fw_status add_profile(fw_observer *observer, fw_error *error)
                                 "them");
     FW_TRY(fw_profile_create(&observer->profile, scenario, particles, error));
     fw_profile_follow(observer->profile, observer->experiment, 0);
+    observer->rubbing = fw_rubbing_begin(scenario);
+    fw_rubbing_follow(&observer->rubbing, observer->experiment, 0);
     return FW_OK;
 }
 
@@ -108,8 +112,9 @@ fw_status fw_observer_step(fw_observer *observer, fw_error *error)
 {
     FW_TRY(fw_experiment_step(observer->experiment, error));
     follow_energy(observer);
-    if (observer->profile)
-        fw_profile_follow(observer->profile, observer->experiment,
-                          fw_scene_steps(observer->experiment->scene));
+    if (!observer->profile) return FW_OK;
+    const int64_t step = fw_scene_steps(observer->experiment->scene);
+    fw_profile_follow(observer->profile, observer->experiment, step);
+    fw_rubbing_follow(&observer->rubbing, observer->experiment, step);
     return FW_OK;
 }

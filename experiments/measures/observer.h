@@ -6,12 +6,14 @@
 
 #include "experiments/measures/analysis.h"
 #include "experiments/measures/profile.h"
+#include "experiments/measures/rubbing.h"
 #include "experiments/setup/experiment.h"
 
 /* Everybody may read it; all of it is owned. */
 typedef struct fw_observer {
     fw_experiment *experiment;
     fw_profile *profile; /* NULL where the scenario has none */
+    fw_rubbing rubbing;  /* followed where there is a profile */
     /* The largest energy or work so far, by which what the ledgers lack is judged: of the scene,
      * then of each body of the scenario. Part of the state. */
     double *energy_scale;

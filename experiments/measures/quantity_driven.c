@@ -3,8 +3,6 @@
  * bodies rub. Keeps no state. */
 #include "experiments/measures/quantity.h"
 
-#include "core/particles/particles.h"
-
 #include <math.h>
 
 static void put(double *out, fw_vec2 v)
@@ -114,23 +112,13 @@ static void unmatched(const fw_experiment *experiment, fw_subject subject, doubl
 static void slip(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
-    if (fw_scene_grip_count(experiment->scene) < 2) {
-        put(out, (fw_vec2){NAN, NAN});
-        return;
-    }
-    const fw_subject first = {.grip = 0}, second = {.grip = 1};
-    put(out, fw_vec2_subtract(driven_of(experiment, first).displacement,
-                              driven_of(experiment, second).displacement));
+    put(out, fw_rubbing_slip(experiment));
 }
 
 static void interface_force(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
-    const fw_solid *particles = fw_experiment_particles(experiment);
-    if (particles && fw_particles_group_count(particles) > 1)
-        put(out, fw_particles_force_on(particles, 0, 1));
-    else
-        put(out, (fw_vec2){NAN, NAN});
+    put(out, fw_rubbing_force(experiment));
 }
 
 static void contact_return_force(const fw_experiment *experiment, fw_subject subject, double *out)

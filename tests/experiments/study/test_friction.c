@@ -250,6 +250,43 @@ static void rates_do_not_depend_on_how_often_is_sampled(void **state)
     }
 }
 
+/* Ways, works and mean forces are summed in every step, however seldom rows are measured. */
+static void rubbing_does_not_depend_on_how_often_is_measured(void **state)
+{
+    (void)state;
+    static const char *const every[] = {"run.measure-every=10", "run.measure-every=250"};
+    static const fw_layer_measure measures[] = {
+        FW_LAYER_SLIP_PATH,    FW_LAYER_OFFSET,      FW_LAYER_FRICTION_FORCE,
+        FW_LAYER_NORMAL_FORCE, FW_LAYER_LOOP_ENERGY, FW_LAYER_FRICTION_COEFFICIENT};
+    double layers[2][FW_LAYER_MEASURES];
+    for (int n = 0; n < 2; ++n) {
+        fw_scenario *scenario = read_with(&every[n], 1);
+        fw_observer *observer = make(scenario);
+        fw_measurement *measurement;
+        double path = 0, last = 0;
+        assert_fine(fw_measurement_create(&measurement, observer, &error));
+        for (int step = 1; step <= 2500; ++step) {
+            assert_fine(fw_observer_step(observer, &error));
+            const double slip = fw_rubbing_slip(observer->experiment).y;
+            if (step > observer->rubbing.before && step <= observer->rubbing.from)
+                path += fabs(slip - last);
+            last = slip;
+            if (fw_measurement_is_due(scenario, step))
+                fw_measurement_take(measurement, observer->experiment);
+        }
+        assert_fine(fw_layer_of(layers[n], observer, measurement, &error));
+        assert_true(path > 0);
+        assert_close(layers[n][FW_LAYER_SLIP_PATH], path, 1e-14);
+        fw_measurement_destroy(measurement);
+        fw_observer_destroy(observer);
+        fw_scenario_destroy(scenario);
+    }
+    for (size_t k = 0; k < sizeof measures / sizeof measures[0]; ++k) {
+        assert_true(isfinite(layers[0][measures[k]]) && layers[0][measures[k]] != 0);
+        assert_close(layers[1][measures[k]], layers[0][measures[k]], 0);
+    }
+}
+
 /* --- study --- */
 
 static void run_study(fw_scenario *scenario, const char *folder, int threads,
@@ -402,6 +439,7 @@ int main(void)
         cmocka_unit_test(a_run_goes_on_exactly_from_the_middle_of_any_phase),
         cmocka_unit_test(a_crystal_that_moves_as_one_has_a_plain_profile),
         cmocka_unit_test(rates_do_not_depend_on_how_often_is_sampled),
+        cmocka_unit_test(rubbing_does_not_depend_on_how_often_is_measured),
         cmocka_unit_test(replicas_do_not_depend_on_how_many_run_at_a_time),
         cmocka_unit_test(rubbing_shows_beside_the_control),
         cmocka_unit_test(the_results_file_holds_profile_and_layer),
