@@ -14,33 +14,39 @@
 const fw_quantity fw_layer_quantities[] = {
     [FW_LAYER_CONTACT] = {"layer-contact", FW_SCOPE_STUDY, "", "force", "return force at the contact", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_FAR] = {"layer-far", FW_SCOPE_STUDY, "", "force", "return force far from it", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_CONTACT_OVER_FAR] = {"layer-contact-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_PEAK_OVER_FAR] = {"layer-peak-over-far", FW_SCOPE_STUDY, "", "1", "return force of the highest bin nearer than far, over far", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_CONTACT_OVER_CONTROL] = {"layer-contact-over-control", FW_SCOPE_STUDY, "", "1", "return force at the contact over the control's", NULL, NULL, NULL, FW_NEEDS_PROFILE},
+    [FW_LAYER_CONTACT_OVER_FAR] = {"layer-contact-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL, "no return force acts far from the contact", FW_NEEDS_PROFILE},
+    [FW_LAYER_PEAK_OVER_FAR] = {"layer-peak-over-far", FW_SCOPE_STUDY, "", "1", "return force of the highest bin nearer than far, over far", NULL, NULL, "no return force acts far from the contact", FW_NEEDS_PROFILE},
+    [FW_LAYER_CONTACT_OVER_CONTROL] = {"layer-contact-over-control", FW_SCOPE_STUDY, "", "1", "return force at the contact over the control's", NULL, NULL, "no return force acts at the control's contact", FW_NEEDS_PROFILE},
     [FW_LAYER_BOND_BREAKING] = {"layer-bond-breaking", FW_SCOPE_STUDY, "", "1/time", "bonds broken per particle and time at the contact", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_BOND_BREAKING_FAR] = {"layer-bond-breaking-far", FW_SCOPE_STUDY, "", "1/time", "the same far from it", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_BOND_BREAKING_OVER_FAR] = {"layer-bond-breaking-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other, or over a single one seen: at least so much", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_BOND_BREAKING_OVER_CONTROL] = {"layer-bond-breaking-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's, or over a single one seen: at least so much", NULL, NULL, NULL, FW_NEEDS_PROFILE},
+    [FW_LAYER_BOND_BREAKING_OVER_FAR] = {"layer-bond-breaking-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other, or over a single one seen: at least so much", NULL, NULL, "no particle was looked at far from the contact", FW_NEEDS_PROFILE},
+    [FW_LAYER_BOND_BREAKING_OVER_CONTROL] = {"layer-bond-breaking-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's, or over a single one seen: at least so much", NULL, NULL, "no particle was looked at at the control's contact", FW_NEEDS_PROFILE},
     [FW_LAYER_RELATIVE_DISPLACEMENT] = {"layer-relative-displacement", FW_SCOPE_STUDY, "", "length^2", "mean square change of a bond's vector over one unit of time, r0 (m/epsilon)^(1/2), at the contact", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_RELATIVE_DISPLACEMENT_FAR] = {"layer-relative-displacement-far", FW_SCOPE_STUDY, "", "length^2", "the same far from it", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_RELATIVE_DISPLACEMENT_OVER_FAR] = {"layer-relative-displacement-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL] = {"layer-relative-displacement-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's", NULL, NULL, NULL, FW_NEEDS_PROFILE},
+    [FW_LAYER_RELATIVE_DISPLACEMENT_OVER_FAR] = {"layer-relative-displacement-over-far", FW_SCOPE_STUDY, "", "1", "the one over the other", NULL, NULL, "no bond changes far from the contact", FW_NEEDS_PROFILE},
+    [FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL] = {"layer-relative-displacement-over-control", FW_SCOPE_STUDY, "", "1", "at the contact over the control's", NULL, NULL, "no bond changes at the control's contact", FW_NEEDS_PROFILE},
     [FW_LAYER_DIFFUSIVITY] = {"layer-diffusivity", FW_SCOPE_STUDY, "", "length^2/time", "of the particles at the contact, across it: 0 within its error where they only slide", NULL, NULL, NULL, FW_NEEDS_PROFILE},
     [FW_LAYER_DIFFUSIVITY_FAR] = {"layer-diffusivity-far", FW_SCOPE_STUDY, "", "length^2/time", "the same far from it", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_WIDTH_ORDER] = {"layer-width-order", FW_SCOPE_STUDY, "", "length", "how far across, nearer than far, the order |psi_n| is below .9, straight lines between the bins; of seeds whose bodies have not parted (density at the contact above half of that far from it)", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_WIDTH_HALF] = {"layer-width-half", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above the middle of contact and far", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above twice that of far", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_TEMPERATURE] = {"layer-temperature", FW_SCOPE_STUDY, "", "energy", "of the contact, relative to its mean motion in each sample", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "way of the first grip along the second in the phase before the samples, summed in every step", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_OFFSET] = {"layer-offset", FW_SCOPE_STUDY, "", "length", "size of the mean displacement of the first grip along the second while samples are taken: how far the bodies have walked off each other", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_FRICTION_FORCE] = {"layer-friction-force", FW_SCOPE_STUDY, "", "force", "mean size of the force along the interface while samples are taken", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_NORMAL_FORCE] = {"layer-normal-force", FW_SCOPE_STUDY, "", "force", "mean force across the interface while samples are taken, pressing counts positive", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_FRICTION_COEFFICIENT] = {"layer-friction-coefficient", FW_SCOPE_STUDY, "", "1", "energy of the loop over its way and the normal force", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_LOOP_ENERGY] = {"layer-loop-energy", FW_SCOPE_STUDY, "", "energy", "area of the fretting loop (force along the interface against slip, step by step) per cycle", NULL, NULL, NULL, FW_NEEDS_PROFILE},
-    [FW_LAYER_UNSTEADINESS] = {"layer-unsteadiness", FW_SCOPE_STUDY, "", "1", "standard errors between both halves of contact-return-force, over as long before the samples as they take: steady below 3", NULL, NULL, NULL, FW_NEEDS_PROFILE},
+    [FW_LAYER_WIDTH_ORDER] = {"layer-width-order", FW_SCOPE_STUDY, "", "length", "how far across, nearer than far, the order |psi_n| is below .9, straight lines between the bins; of seeds whose bodies have not parted (density at the contact above half of that far from it)", NULL, NULL, "the bodies have parted", FW_NEEDS_PROFILE},
+    [FW_LAYER_WIDTH_HALF] = {"layer-width-half", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above the middle of contact and far", NULL, NULL, "the bodies have parted", FW_NEEDS_PROFILE},
+    [FW_LAYER_WIDTH_DOUBLE] = {"layer-width-double", FW_SCOPE_STUDY, "", "length", "the same, where the return force is above twice that of far", NULL, NULL, "the bodies have parted", FW_NEEDS_PROFILE},
+    [FW_LAYER_TEMPERATURE] = {"layer-temperature", FW_SCOPE_STUDY, "", "energy", "of the contact, relative to its mean motion in each sample", NULL, NULL, "nothing at the contact is free", FW_NEEDS_PROFILE},
+    [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "way of the first grip along the second in the phase before the samples, summed in every step", NULL, NULL, "there are fewer than two grips", FW_NEEDS_PROFILE},
+    [FW_LAYER_OFFSET] = {"layer-offset", FW_SCOPE_STUDY, "", "length", "size of the mean displacement of the first grip along the second while samples are taken: how far the bodies have walked off each other", NULL, NULL, "there are fewer than two grips", FW_NEEDS_PROFILE},
+    [FW_LAYER_FRICTION_FORCE] = {"layer-friction-force", FW_SCOPE_STUDY, "", "force", "mean size of the force along the interface while samples are taken", NULL, NULL, "there are fewer than two bodies of movable particles", FW_NEEDS_PROFILE},
+    [FW_LAYER_NORMAL_FORCE] = {"layer-normal-force", FW_SCOPE_STUDY, "", "force", "mean force across the interface while samples are taken, pressing counts positive", NULL, NULL, "there are fewer than two bodies of movable particles", FW_NEEDS_PROFILE},
+    [FW_LAYER_FRICTION_COEFFICIENT] = {"layer-friction-coefficient", FW_SCOPE_STUDY, "", "1", "energy of the loop over its way and the normal force", NULL, NULL, "nothing slips under a normal force", FW_NEEDS_PROFILE},
+    [FW_LAYER_LOOP_ENERGY] = {"layer-loop-energy", FW_SCOPE_STUDY, "", "energy", "area of the fretting loop (force along the interface against slip, step by step) per cycle", NULL, NULL, "it takes two grips and two bodies of movable particles", FW_NEEDS_PROFILE},
+    [FW_LAYER_UNSTEADINESS] = {"layer-unsteadiness", FW_SCOPE_STUDY, "", "1", "standard errors between both halves of contact-return-force, over as long before the samples as they take: steady below 3", NULL, NULL, "fewer than 8 rows are measured before the samples", FW_NEEDS_PROFILE},
     {NULL, FW_SCOPE_STUDY, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */
+
+/* No number over nothing, nor over what is rounding beside it. */
+static double over(double value, double below)
+{
+    return below > FW_MEASURED * fabs(value) ? value / below : NAN;
+}
 
 /* --- from the profile --- */
 
@@ -154,13 +160,13 @@ static void measure_profile(double *values, const fw_observer *observer)
     for (size_t n = 0; n < sizeof plain / sizeof plain[0]; ++n)
         values[plain[n].measure] = fw_profile_value(p, plain[n].region, plain[n].column);
     const double far = values[FW_LAYER_FAR];
-    values[FW_LAYER_CONTACT_OVER_FAR] = values[FW_LAYER_CONTACT] / far;
-    values[FW_LAYER_PEAK_OVER_FAR] = highest_force(observer) / far;
+    values[FW_LAYER_CONTACT_OVER_FAR] = over(values[FW_LAYER_CONTACT], far);
+    values[FW_LAYER_PEAK_OVER_FAR] = over(highest_force(observer), far);
     values[FW_LAYER_BOND_BREAKING_OVER_FAR] =
-        values[FW_LAYER_BOND_BREAKING] /
-        fmax(values[FW_LAYER_BOND_BREAKING_FAR], fw_profile_least_breaking(p, FW_PROFILE_FAR));
+        over(values[FW_LAYER_BOND_BREAKING], fmax(values[FW_LAYER_BOND_BREAKING_FAR],
+                                                  fw_profile_least_breaking(p, FW_PROFILE_FAR)));
     values[FW_LAYER_RELATIVE_DISPLACEMENT_OVER_FAR] =
-        values[FW_LAYER_RELATIVE_DISPLACEMENT] / values[FW_LAYER_RELATIVE_DISPLACEMENT_FAR];
+        over(values[FW_LAYER_RELATIVE_DISPLACEMENT], values[FW_LAYER_RELATIVE_DISPLACEMENT_FAR]);
 }
 
 /* --- from the series --- */
@@ -218,7 +224,7 @@ static void measure_friction(double *values, const fw_observer *observer)
     values[FW_LAYER_FRICTION_FORCE] = s->force / s->steps;
     values[FW_LAYER_NORMAL_FORCE] = s->pressing / s->steps;
     values[FW_LAYER_LOOP_ENERGY] = s->work / cycles_of(observer->experiment);
-    values[FW_LAYER_FRICTION_COEFFICIENT] = s->work / (s->path * (s->pressing / s->steps));
+    values[FW_LAYER_FRICTION_COEFFICIENT] = over(s->work, s->path * (s->pressing / s->steps));
 }
 
 static fw_status measure_steadiness(double *value, const fw_experiment *experiment,
@@ -261,11 +267,12 @@ bool fw_layer_needs_control(int measure)
 void fw_layer_compare(double values[FW_LAYER_MEASURES], const double control[FW_LAYER_MEASURES],
                       const fw_profile *profile)
 {
-    values[FW_LAYER_CONTACT_OVER_CONTROL] = values[FW_LAYER_CONTACT] / control[FW_LAYER_CONTACT];
+    values[FW_LAYER_CONTACT_OVER_CONTROL] =
+        over(values[FW_LAYER_CONTACT], control[FW_LAYER_CONTACT]);
     values[FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL] =
-        values[FW_LAYER_RELATIVE_DISPLACEMENT] / control[FW_LAYER_RELATIVE_DISPLACEMENT];
+        over(values[FW_LAYER_RELATIVE_DISPLACEMENT], control[FW_LAYER_RELATIVE_DISPLACEMENT]);
     values[FW_LAYER_BOND_BREAKING_OVER_CONTROL] =
-        values[FW_LAYER_BOND_BREAKING] /
-        fmax(control[FW_LAYER_BOND_BREAKING],
-             fw_profile_least_breaking(profile, FW_PROFILE_CONTACT));
+        over(values[FW_LAYER_BOND_BREAKING],
+             fmax(control[FW_LAYER_BOND_BREAKING],
+                  fw_profile_least_breaking(profile, FW_PROFILE_CONTACT)));
 }

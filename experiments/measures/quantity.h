@@ -37,6 +37,10 @@ typedef struct fw_subject {
 
 enum { FW_COMPONENTS_MAX = 4 };
 
+/* What is a smaller part than this of what it is compared with is rounding: nothing is divided by
+ * it. */
+#define FW_MEASURED 1e-12
+
 typedef struct fw_quantity {
     const char *name; /* NULL ends the table */
     fw_scope scope;

@@ -133,13 +133,30 @@ static void angular_momentum(const fw_experiment *experiment, fw_subject subject
     out[0] = fw_solid_angular_momentum(body_of(experiment, subject), range->first, range->count);
 }
 
+/* By which rounding of a momentum is judged: what all of the start's energy could move with,
+ * (2 M E)^(1/2). */
+static double momentum_scale(const fw_experiment *experiment, fw_subject subject)
+{
+    const double energy = subject.body < 0
+                              ? fw_scene_ledger(experiment->scene).energy_at_start
+                              : fw_experiment_energy_at_start(experiment, subject.body);
+    double mass = 0;
+    for (int b = 0; b < experiment->body_count; ++b) {
+        if (subject.body >= 0 && subject.body != b) continue;
+        const fw_sym2 own = fw_body_range_mass(experiment->scene, &experiment->bodies[b]);
+        mass += fmax(own.xx, own.yy);
+    }
+    return sqrt(2 * mass * fabs(energy));
+}
+
 static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     fw_vec2 now = momentum_of(experiment, subject);
     fw_vec2 start = subject.body < 0 ? fw_scene_ledger(experiment->scene).momentum_at_start
                                      : experiment->momentum_at_start[subject.body];
-    const double square = fw_vec2_dot(start, start);
-    out[0] = square > 0 ? sqrt(fw_vec2_dot(now, now) / square) : NAN;
+    const double size = sqrt(fw_vec2_dot(start, start));
+    const bool moves = size > FW_MEASURED * momentum_scale(experiment, subject);
+    out[0] = moves ? sqrt(fw_vec2_dot(now, now)) / size : NAN;
 }
 
 /* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
@@ -324,7 +341,7 @@ static void friction_ratio(const fw_experiment *experiment, fw_subject subject, 
     fw_vec2 impulse = ledger_of(experiment, subject)->impulse;
     const double along = fw_vec2_dot(impulse, fw_vec2_turn(facet->normal));
     const double pressed = fw_vec2_dot(impulse, facet->normal);
-    out[0] = pressed != 0 ? fabs(along) / pressed : NAN;
+    out[0] = fabs(pressed) > FW_MEASURED * fabs(along) ? fabs(along) / pressed : NAN;
 }
 
 static void contacts(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -349,7 +366,7 @@ const fw_quantity fw_common_quantities[] = {
     {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum, NULL, FW_NEEDS_NOTHING},
     {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error, NULL, FW_NEEDS_NOTHING},
     {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", "lattice-boltzmann movable-particles linear-lattice", angular_momentum, NULL, FW_NEEDS_NOTHING},
-    {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio, "it started without momentum", FW_NEEDS_NOTHING},
+    {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio, "it started without momentum, but for rounding", FW_NEEDS_NOTHING},
     {"mean-velocity", FW_SCOPE_BODY, "x y", "length/time", "momentum over mass, both of the whole body", NULL, mean_velocity, NULL, FW_NEEDS_NOTHING},
     {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work, NULL, FW_NEEDS_NOTHING},
     {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work, NULL, FW_NEEDS_NOTHING},

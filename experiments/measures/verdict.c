@@ -307,7 +307,8 @@ static void count_seeds(fw_verdict *verdict, const fw_scenario *scenario,
                         const fw_measurement *measurement, int number)
 {
     verdict->seeds = verdict->seeds_asked = (int)scenario->study.seeds;
-    verdict->why = "no seed shows it";
+    const char *absent = fw_layer_quantities[measurement->component[number]].absent;
+    verdict->why = absent ? absent : "no seed shows it";
     if (!measurement->outcome_of_seeds) return;
     verdict->seeds = 0;
     for (int n = 0; n < verdict->seeds_asked; ++n)

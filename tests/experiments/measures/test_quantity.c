@@ -4,6 +4,7 @@
 
 #include "core/particles/langevin.h"
 #include "core/particles/particles.h"
+#include "experiments/measures/layer.h"
 #include "experiments/measures/measurement.h"
 
 #include <string.h>
@@ -129,6 +130,24 @@ static void what_is_held_or_alone_has_no_temperature(void **state)
     }
 }
 
+/* .1 + .2 - .3 is not 0, and no momentum either. */
+static void rounding_is_no_momentum_to_start_from(void **state)
+{
+    (void)state;
+    begin("title: three of them\n"
+          "materials: {m: {movable-particles: {}}}\n"
+          "bodies:\n"
+          "  a: {material: m, shape: {sites: [[0, 0]]}, velocity: [0.1, 0]}\n"
+          "  b: {material: m, shape: {sites: [[0, 0]]}, velocity: [0.2, 0], origin: [0, 50]}\n"
+          "  c: {material: m, shape: {sites: [[0, 0]]}, velocity: [-0.3, 0], origin: [50, 0]}\n"
+          "run: {steps: 1}\nmeasure: [momentum, momentum-ratio, momentum-ratio.a]\n");
+    fw_measurement_take(measurement, observer->experiment);
+    assert_true(now("momentum", 0) != 0);
+    assert_true(is_plain_nan(now("momentum-ratio", 0)));
+    assert_close(now("momentum-ratio.a", 0), 1, 0);
+    end();
+}
+
 /* A bin of n particles has 2 (n - 1) degrees of freedom beside its mean motion. */
 static void the_temperature_of_a_bin_counts_its_own_mean(void **state)
 {
@@ -177,6 +196,34 @@ static void the_temperature_of_a_bin_leaves_out_what_is_held(void **state)
     end();
 }
 
+/* A control that shows nothing, or rounding, is nothing to be a multiple of. */
+static void a_layer_has_no_ratio_to_nothing(void **state)
+{
+    (void)state;
+    static const double controls[] = {0, 1e-17, .5};
+    begin(
+        "title: nothing moves\n"
+        "materials: {m: {movable-particles: {}}}\n"
+        "bodies: {c: {material: m, lattice: square, shape: {rectangle: [9, 2]}, origin: [-4, 0]}}\n"
+        "run: {steps: 100}\n"
+        "profile: {axis: x, every: 100, bin: 1, contact: 0.5, far: [2.5, 4.5]}\n");
+    for (size_t n = 0; n < 3; ++n) {
+        double values[FW_LAYER_MEASURES], control[FW_LAYER_MEASURES];
+        for (int k = 0; k < FW_LAYER_MEASURES; ++k) values[k] = 1, control[k] = controls[n];
+        fw_layer_compare(values, control, observer->profile);
+        static const fw_layer_measure measures[] = {FW_LAYER_CONTACT_OVER_CONTROL,
+                                                    FW_LAYER_RELATIVE_DISPLACEMENT_OVER_CONTROL};
+        for (int k = 0; k < 2; ++k) {
+            assert_true(fw_layer_quantities[measures[k]].absent != NULL);
+            if (n < 2)
+                assert_true(is_plain_nan(values[measures[k]]));
+            else
+                assert_close(values[measures[k]], 2, 0);
+        }
+    }
+    end();
+}
+
 static void a_body_at_rest_has_no_poisson_ratio(void **state)
 {
     (void)state;
@@ -197,6 +244,8 @@ int main(void)
         cmocka_unit_test(errors_of_energy_have_the_scale_of_what_went_through),
         cmocka_unit_test(temperature_counts_what_is_free),
         cmocka_unit_test(what_is_held_or_alone_has_no_temperature),
+        cmocka_unit_test(rounding_is_no_momentum_to_start_from),
+        cmocka_unit_test(a_layer_has_no_ratio_to_nothing),
         cmocka_unit_test(the_temperature_of_a_bin_counts_its_own_mean),
         cmocka_unit_test(the_temperature_of_a_bin_leaves_out_what_is_held),
         cmocka_unit_test(a_body_at_rest_has_no_poisson_ratio),
