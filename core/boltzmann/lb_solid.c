@@ -16,7 +16,7 @@
 fw_lb_solid_def fw_lb_solid_def_default(void)
 {
     return (fw_lb_solid_def){.lattice = {.kind = FW_SQUARE, .spacing = 1},
-                             .damping = 1,
+                             .mu = 1,
                              .stiffness = fw_sym2_scalar(1),
                              .break_at = INFINITY};
 }
@@ -75,11 +75,12 @@ static fw_status check_definition(const fw_lb_solid_def *def, fw_error *error)
     if (!(def->lattice.spacing > 0 && isfinite(def->lattice.spacing)))
         return fw_fail(error, FW_BAD_INPUT, "spacing %g, expected a positive number",
                        def->lattice.spacing);
-    if (!(def->damping > 0.5 && def->damping <= 1))
-        return fw_fail(error, FW_BAD_INPUT,
-                       "damping %g, expected more than 0.5 (below it momentum would change sign "
-                       "each step) and at most 1",
-                       def->damping);
+    if (!(def->mu > 0.5 && def->mu <= 1))
+        return fw_fail(
+            error, FW_BAD_INPUT,
+            "damping factor mu %g, expected more than 0.5 (below it momentum would change sign "
+            "each step) and at most 1",
+            def->mu);
     if (!(def->break_at > 0))
         return fw_fail(error, FW_BAD_INPUT, "break-at %g, expected a positive stretch",
                        def->break_at);
@@ -96,7 +97,7 @@ static fw_status check_definition(const fw_lb_solid_def *def, fw_error *error)
 
 static void choose_kernels(lb_solid *lb, const fw_lb_solid_def *def)
 {
-    lb->damping = def->damping;
+    lb->mu = def->mu;
     lb->break_at = def->break_at;
     lb->resting = isfinite(def->break_at); /* breaking makes rest mass */
     for (int l = 0; l < def->sites->count; ++l) {

@@ -2,8 +2,8 @@
 /* lb_solid.h - the lattice Boltzmann (LB) solid of Chopard & Marconi (2002), in population form.
  *
  * Particles on a square lattice of any shape exchange fields f_i along their links; i = 0 is a rest
- * field with mass M0. With mu (`damping`) on Psi and F alike and F/2 throughout (corrected Eqs
- * 18-20),
+ * field with mass M0. With the damping factor mu on Psi and F alike and F/2 throughout (corrected
+ * Eqs 18-20),
  *
  *     w      = mu M^-1 (Psi + F/2)           displacement of a particle in one step
  *     f_i   -> w - f_{i+2}                   sent along every existing link
@@ -37,7 +37,7 @@ extern const fw_solid_model fw_lb_solid_model; /* name "lattice-boltzmann" */
 typedef struct fw_lb_solid_def {
     const fw_sites *sites;
     fw_lattice lattice;             /* kind must be FW_SQUARE */
-    double damping;                 /* mu, 1/2 < mu <= 1 (at 1 nothing is lost) */
+    double mu;                      /* damping factor, 1/2 < mu <= 1; at 1 nothing is lost */
     fw_sym2 rest_mass;              /* M0 of every particle, symmetric */
     const fw_sym2 *rest_masses;     /* M0 per site instead, or NULL */
     fw_sym2 stiffness;              /* kappa of every link, positive definite */
@@ -51,7 +51,7 @@ typedef struct fw_lb_solid_def {
 /* mu = 1, M0 = 0, kappa = 1, unbreakable, at rest. */
 fw_lb_solid_def fw_lb_solid_def_default(void);
 
-/* FW_BAD_INPUT for damping outside (1/2, 1], a lattice that is not square, a particle without links
+/* FW_BAD_INPUT for mu outside (1/2, 1], a lattice that is not square, a particle without links
  * and rest mass (M would be singular), a stiffness that is not positive, M closer to singular than
  * FW_LB_CONDITION_MAX, numbers not finite. */
 fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_error *error);

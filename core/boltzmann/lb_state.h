@@ -31,7 +31,7 @@ typedef struct span {
 
 typedef struct lb_solid {
     fw_solid head;
-    double damping;  /* mu */
+    double mu;       /* damping factor */
     double break_at; /* stretch, or INFINITY */
     bool resting;    /* has rest fields (some M0 is not zero, or links may break) */
     bool matrix;     /* some M0 or kappa is a matrix */

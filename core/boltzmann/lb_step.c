@@ -49,7 +49,7 @@ static inline void relax_full(lb_solid *lb, const span *s, int begin, int end, k
                            *restrict zyy = lb->rest_mass.yy;
     const double *restrict mxx = lb->mass.xx, *restrict mxy = lb->mass.xy,
                            *restrict myy = lb->mass.yy;
-    const double mu = lb->damping;
+    const double mu = lb->mu;
     const double loss = 2 * (1 / mu - 1);
     double work = 0, dissipated = 0, impulse_x = 0, impulse_y = 0, drag_x = 0, drag_y = 0;
 #pragma omp simd reduction(+ : work, dissipated, impulse_x, impulse_y, drag_x, drag_y)
@@ -111,7 +111,7 @@ static inline void relax_full(lb_solid *lb, const span *s, int begin, int end, k
 /* One of eight loops for each of the two kinds of mass. */
 static void relax_stretch(lb_solid *lb, const span *s, int begin, int end, fw_solid_ledger *ledger)
 {
-    const bool loaded = lb->head.loaded, damped = lb->damping < 1;
+    const bool loaded = lb->head.loaded, damped = lb->mu < 1;
 #define RELAX(R, M, L, D) relax_full(lb, s, begin, end, (kernel){R, M, L, D}, ledger)
     if (lb->matrix && lb->resting)
         loaded   ? damped ? RELAX(true, true, true, true) : RELAX(true, true, true, false)
@@ -156,7 +156,7 @@ static fw_vec2 free_displacement(const lb_solid *lb, int l)
     fw_vec2 push = fw_vec2_add(lb_psi(lb, l), fw_vec2_scale(0.5, external_force(lb, l)));
     fw_vec2 w = fw_sym2_apply(lb_get(&lb->inverse, l), push);
     if (lb->matrix) w = refine(lb, l, push, w);
-    return fw_vec2_scale(lb->damping, w);
+    return fw_vec2_scale(lb->mu, w);
 }
 
 /* Any particle: edges, weighted links, and those whose displacement w contact has decided. */
@@ -180,9 +180,9 @@ static void relax_one(lb_solid *lb, int l, fw_vec2 w, fw_solid_ledger *ledger)
         ledger->work += fw_vec2_dot(force, w);
         ledger->impulse = fw_vec2_add(ledger->impulse, force);
     }
-    if (lb->damping < 1) {
+    if (lb->mu < 1) {
         /* dE = F.w - 2(1/mu - 1) w.Mw, dPsi = F - 2(1/mu - 1) Mw */
-        double loss = 2 * (1 / lb->damping - 1);
+        double loss = 2 * (1 / lb->mu - 1);
         fw_vec2 push = fw_vec2_scale(loss, fw_sym2_apply(lb_get(&lb->mass, l), w));
         ledger->dissipated += fw_vec2_dot(push, w);
         ledger->drag = fw_vec2_subtract(ledger->drag, push);
@@ -252,7 +252,7 @@ fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int cons
 
 static fw_prediction predict_one(const lb_solid *lb, int l)
 {
-    fw_sym2 inverse = fw_sym2_scale(lb->damping, lb_get(&lb->inverse, l));
+    fw_sym2 inverse = fw_sym2_scale(lb->mu, lb_get(&lb->inverse, l));
     /* The elastic part of Psi is half the pull of the links; what is left of it, kappa times the
      * mean of each link's two fields and the rest field, is the particle's own momentum. */
     fw_vec2 momentum = {0, 0};

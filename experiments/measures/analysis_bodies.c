@@ -51,7 +51,7 @@ static fw_status make_reference(fw_solid **reference, const fw_scenario *scenari
         def.sites = sites;
         def.lattice = body->lattice;
         const double a = 1 - scenario->materials[body->material].automaton.damping;
-        def.damping = (1 + a) / 2; /* mu */
+        def.mu = (1 + a) / 2;
         def.displacement = u;
         def.velocity = v;
         status = fw_lb_solid_create(reference, &def, error);

@@ -114,7 +114,7 @@ fw_status fw_build_boltzmann(const fw_scenario *scenario, int number, const fw_s
     if (status == FW_OK) {
         def.sites = sites;
         def.lattice = body->lattice;
-        def.damping = 1 - material->damping; /* mu */
+        def.mu = 1 - material->damping;
         def.rest_masses = start.rest_mass;
         def.stiffness_east = start.stiffness[FW_EAST];
         def.stiffness_north = start.stiffness[FW_NORTH];

@@ -7,13 +7,13 @@
 #include "tests/support/scenes.h"
 
 static inline void add_sheet(fw_scene *scene, int columns, int rows, fw_vec2 velocity,
-                             double rest_mass, double damping)
+                             double rest_mass, double mu)
 {
     add_body(scene, (body_options){.columns = columns,
                                    .rows = rows,
                                    .velocity = velocity,
                                    .rest_mass = rest_mass,
-                                   .damping = damping});
+                                   .mu = mu});
 }
 
 static const fw_surface smooth = {.law = FW_FRICTIONLESS};

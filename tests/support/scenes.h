@@ -22,7 +22,7 @@ static inline void must(fw_status status)
 typedef struct body_options {
     int columns, rows;
     fw_vec2 origin, velocity;
-    double rest_mass, damping, angle;
+    double rest_mass, mu, angle;
     fw_sym2 rest_matrix;
 } body_options;
 
@@ -39,7 +39,7 @@ static inline void add_body(fw_scene *scene, body_options o)
     def.lattice.angle = o.angle;
     def.velocity = velocity;
     def.rest_mass = o.rest_matrix.xx != 0 ? o.rest_matrix : fw_sym2_scalar(o.rest_mass);
-    def.damping = o.damping > 0 ? o.damping : 1;
+    def.mu = o.mu > 0 ? o.mu : 1;
     fw_solid *solid;
     must(fw_lb_solid_create(&solid, &def, &error));
     int body;

@@ -55,7 +55,7 @@ static inline fw_solid *make_boltzmann(const start *s)
     def.sites = &s->sites;
     def.lattice = s->lattice;
     def.rest_mass = fw_sym2_scalar(0.8);
-    def.damping = 1 - s->loss * LB_SOUND / 2;
+    def.mu = 1 - s->loss * LB_SOUND / 2;
     def.displacement = s->displacement;
     def.velocity = velocity;
     const fw_status status = fw_lb_solid_create(&solid, &def, &error);

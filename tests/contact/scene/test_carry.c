@@ -14,7 +14,7 @@ static void add_block(fw_scene *scene, solid_kind kind, double damping, double t
     if (kind == LATTICE_BOLTZMANN) {
         add_body(scene, (body_options){.columns = SIDE,
                                        .rows = SIDE,
-                                       .damping = 1 - 0.1 * damping,
+                                       .mu = 1 - 0.1 * damping,
                                        .rest_matrix = {1, 0.2, 0.7}});
         return;
     }

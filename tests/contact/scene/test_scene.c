@@ -226,8 +226,7 @@ static void resting_block_shows_its_load_as_reaction(void **state)
     (void)state;
     fw_scene *scene = empty_scene(INFINITY);
     const fw_vec2 floor[] = {{-100, 0}, {100, 0}};
-    add_body(scene,
-             (body_options){.columns = 20, .rows = 10, .origin = {0, 0.013}, .damping = 0.95});
+    add_body(scene, (body_options){.columns = 20, .rows = 10, .origin = {0, 0.013}, .mu = 0.95});
     add_wall(scene, FW_CHAIN, floor, 2, 0, FW_INSIDE, (fw_surface){.law = FW_FRICTIONLESS});
     int top[20];
     for (int i = 0; i < 20; ++i) top[i] = 180 + i;
@@ -253,8 +252,7 @@ static double stopping_place(int walls_before, int pieces)
     fw_scene *scene = empty_scene(INFINITY);
     const fw_vec2 far[] = {{500, 500}, {510, 510}};
     fw_vec2 floor[8];
-    add_body(scene,
-             (body_options){.columns = 8, .rows = 4, .velocity = {0.05, 0}, .damping = 0.999});
+    add_body(scene, (body_options){.columns = 8, .rows = 4, .velocity = {0.05, 0}, .mu = 0.999});
     for (int n = 0; n < walls_before; ++n)
         add_wall(scene, FW_BOX, far, 2, 0, FW_OUTSIDE,
                  (fw_surface){.law = FW_COULOMB, .friction = 1});
@@ -285,7 +283,7 @@ static void block_sticks_on_a_round_hill(void **state)
     const fw_vec2 centre = {4, -30};
     int all[45];
     for (int i = 0; i < 45; ++i) all[i] = i;
-    add_body(scene, (body_options){.columns = 9, .rows = 5, .origin = {0.013, 0}, .damping = 0.95});
+    add_body(scene, (body_options){.columns = 9, .rows = 5, .origin = {0.013, 0}, .mu = 0.95});
     add_wall(scene, FW_CIRCLE, &centre, 1, 29.7, FW_OUTSIDE,
              (fw_surface){.law = FW_COULOMB, .friction = 0.6});
     const fw_load_def pull = {.kind = FW_LOAD_ACCELERATION,
@@ -377,10 +375,9 @@ static void gripped_bar_keeps_its_ledger(void **state)
     (void)state;
     for (int driven = 0; driven < 2; ++driven) {
         fw_scene *scene = empty_scene(INFINITY);
-        add_body(scene, (body_options){.columns = 12,
-                                       .rows = 5,
-                                       .damping = 0.98,
-                                       .rest_matrix = (fw_sym2){1, 0.6, 0.3}});
+        add_body(scene,
+                 (body_options){
+                     .columns = 12, .rows = 5, .mu = 0.98, .rest_matrix = (fw_sym2){1, 0.6, 0.3}});
         int left[10], right[10];
         for (int j = 0; j < 5; ++j)
             for (int i = 0; i < 2; ++i) {

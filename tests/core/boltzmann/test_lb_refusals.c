@@ -25,11 +25,11 @@ static void impossible_parameters_are_refused(void **state)
     def.sites = &pair;
     const double wrong[] = {0.5, 1.01, -1, NAN};
     for (int n = 0; n < 4; ++n) {
-        def.damping = wrong[n];
+        def.mu = wrong[n];
         assert_int_equal(fw_lb_solid_create(&solid, &def, &error), FW_BAD_INPUT);
-        assert_non_null(strstr(error.sentence, "damping"));
+        assert_non_null(strstr(error.sentence, "damping factor mu"));
     }
-    def.damping = 1;
+    def.mu = 1;
     def.stiffness = fw_sym2_scalar(-1);
     assert_int_equal(fw_lb_solid_create(&solid, &def, &error), FW_BAD_INPUT);
     assert_null(solid);

@@ -49,7 +49,7 @@ static void push_at_random(fw_solid *solid, uint64_t *seed)
 
 enum { REST_NONE, REST_SCALAR, REST_MATRIX, REST_PER_SITE, REST_KINDS };
 
-static fw_solid *solid_of(const fw_sites *sites, int kind, double damping, double break_at)
+static fw_solid *solid_of(const fw_sites *sites, int kind, double mu, double break_at)
 {
     fw_lb_solid_def def = fw_lb_solid_def_default();
     fw_sym2 *masses = malloc((size_t)sites->count * sizeof *masses);
@@ -63,7 +63,7 @@ static fw_solid *solid_of(const fw_sites *sites, int kind, double damping, doubl
         displacement[l] = (fw_vec2){0.1 * random_number(&seed), 0.1 * random_number(&seed)};
     }
     def.sites = sites;
-    def.damping = damping;
+    def.mu = mu;
     def.break_at = break_at;
     def.velocity = velocity;
     def.displacement = displacement;
@@ -81,10 +81,10 @@ static fw_solid *solid_of(const fw_sites *sites, int kind, double damping, doubl
 
 /* The oracle: M[u+ - 2u + u-] + M(1/mu - 1)[u+ - u-] = sum_links (u_m - u_l) + [F(t) + F(t-1)]/2,
  * Stoermer-Verlet with mass M and unit springs. It shares nothing with the solid but the graph. */
-static double distance_from_oracle(int kind, double damping, uint64_t seed)
+static double distance_from_oracle(int kind, double mu, uint64_t seed)
 {
     fw_sites sites = blob(157, seed);
-    fw_solid *solid = solid_of(&sites, kind, damping, INFINITY);
+    fw_solid *solid = solid_of(&sites, kind, mu, INFINITY);
     int count = solid->count;
     fw_vec2 *start = malloc((size_t)count * sizeof *start),
             *now = calloc((size_t)count, sizeof *now),
@@ -98,7 +98,7 @@ static double distance_from_oracle(int kind, double damping, uint64_t seed)
             stretch[l][d] = fw_lb_solid_deformation(solid, l, d);
     push_at_random(solid, &seed);
     double worst = 0;
-    const double a = 1 / damping - 1;
+    const double a = 1 / mu - 1;
     for (int step = 0; step < 300; ++step) {
         if (step == 0) {
             advance_free(solid);
@@ -147,11 +147,11 @@ static double distance_from_oracle(int kind, double damping, uint64_t seed)
 static void agrees_with_stoermer_verlet(void **state)
 {
     (void)state;
-    const double damping[] = {1, 0.9, 0.7};
+    const double mu[] = {1, 0.9, 0.7};
     for (int kind = 0; kind < REST_KINDS; ++kind)
         for (int n = 0; n < 3; ++n)
             for (uint64_t seed = 1; seed <= 2; ++seed)
-                assert_below(distance_from_oracle(kind, damping[n], seed), 1e-11);
+                assert_below(distance_from_oracle(kind, mu[n], seed), 1e-11);
 }
 
 static void ledger_balances_under_random_forces(void **state)
