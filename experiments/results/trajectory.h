@@ -36,9 +36,9 @@ typedef struct fw_trajectory fw_trajectory;
 
 typedef struct fw_trajectory_body {
     const char *name;
-    int count;          /* particles */
-    const double *mass; /* of each particle; NULL in all bodies: masses are not stored */
-    const int *links;   /* link_count pairs of the body's particles, one after the other */
+    int count;             /* particles */
+    const double *mass;    /* of each particle; NULL in all bodies: masses are not stored */
+    const int (*links)[2]; /* link_count pairs of the body's particles */
     int link_count;
 } fw_trajectory_body;
 

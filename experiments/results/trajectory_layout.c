@@ -175,8 +175,8 @@ static void make_links(fw_hdf5 *file, const fw_trajectory_def *def)
     }
     int32_t first = 0;
     for (int body = 0; body < def->body_count; ++body) {
-        for (int i = 0; i < 2 * def->bodies[body].link_count; ++i)
-            *next++ = first + def->bodies[body].links[i];
+        for (int i = 0; i < def->bodies[body].link_count; ++i)
+            for (int end = 0; end < 2; ++end) *next++ = first + def->bodies[body].links[i][end];
         first += def->bodies[body].count;
     }
     fw_hdf5_make_group(file, "connectivity");

@@ -31,21 +31,15 @@ static fw_status describe_bodies(fw_file_plan *plan, fw_error *error)
         const fw_body_range *range = &experiment->bodies[b];
         const fw_solid *solid = fw_experiment_solid(experiment, b);
         double *mass = calloc((size_t)solid->count, sizeof *mass);
-        int *links = calloc(2 * (size_t)solid->link_count + 1, sizeof *links);
         plan->masses[b] = mass;
-        plan->links[b] = links;
-        bodies[b] = (fw_trajectory_body){
-            .name = range->name, .count = range->count, .mass = mass, .links = links};
-        if (!mass || !links) return fw_fail_memory(error, "the bodies of a results file");
+        plan->links[b] = fw_body_range_links(experiment->scene, range, &bodies[b].link_count);
+        bodies[b].name = range->name;
+        bodies[b].count = range->count;
+        bodies[b].mass = mass;
+        bodies[b].links = (const int(*)[2])plan->links[b];
+        if (!mass || !plan->links[b]) return fw_fail_memory(error, "the bodies of a results file");
         solid->model->masses(solid, mass);
         memmove(mass, mass + range->first, (size_t)range->count * sizeof *mass);
-        for (int n = 0; n < solid->link_count; ++n) {
-            int one = solid->links[n][0] - range->first, other = solid->links[n][1] - range->first;
-            if (one < 0 || one >= range->count || other < 0 || other >= range->count) continue;
-            links[2 * bodies[b].link_count] = one;
-            links[2 * bodies[b].link_count + 1] = other;
-            bodies[b].link_count += 1;
-        }
     }
     return FW_OK;
 }

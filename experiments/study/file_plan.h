@@ -15,7 +15,7 @@ typedef struct fw_file_plan {
     char *directory, *scenario;
     fw_trajectory_body *bodies;
     double **masses; /* per body */
-    int **links;
+    int (**links)[2];
     fw_trajectory_field *fields;
     fw_observable *observables;
     fw_trajectory_array *arrays;

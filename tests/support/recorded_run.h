@@ -11,7 +11,7 @@
 enum { RUN_PARTICLES = 8, RUN_FRAMES = 40, RUN_SAMPLES = 300 };
 
 static const int run_counts[] = {5, 3};
-static const int run_links[] = {0, 1, 1, 2, 2, 3, 3, 4};
+static const int run_links[][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 4}};
 static const double run_masses[] = {1, 1, 2, 1, 1, 0.5, 0.5, 0.25};
 
 /* Exact in binary, so that "right" means equal. */
