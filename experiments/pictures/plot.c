@@ -39,7 +39,7 @@ static fw_status draw_picture(const fw_plot_result *result, const fw_plot_wish *
         snprintf(name, sizeof name, "%s.png", choice->name);
         status = fw_manifest_enter(result->directory, name, error);
     }
-    if (status == FW_OK) fprintf(out, "picture: %s\n", choice->file);
+    if (status == FW_OK) fprintf(out, "picture: %s\n", choice->picture.page.file);
     if (status == FW_OK && choice->notes[0]) fprintf(out, "  %s\n", choice->notes);
     fw_plot_choice_clear(choice);
     free(choice);

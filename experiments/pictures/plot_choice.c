@@ -352,14 +352,11 @@ static fw_status choose_page(draft *d, fw_error *error)
     append(choice->caption, sizeof choice->caption, "%s%s%s", choice->notes,
            choice->caption[0] || choice->notes[0] ? " " : "", d->result->units);
     page->caption = choice->caption;
-    const int length = d->wish->file
-                           ? snprintf(choice->file, sizeof choice->file, "%s", d->wish->file)
-                           : snprintf(choice->file, sizeof choice->file, "%s/%s.png",
-                                      d->result->directory, choice->name);
-    if (length >= (int)sizeof choice->file)
-        return fw_fail(error, FW_BAD_INPUT, "the name of the picture %s is too long", choice->name);
-    page->file = choice->file;
-    return FW_OK;
+    page->file = d->wish->file ? d->wish->file : choice->file;
+    if (d->wish->file) return FW_OK;
+    char name[FW_NAME_BYTES + 8];
+    snprintf(name, sizeof name, "%s.png", choice->name);
+    return fw_path_join(choice->file, d->result->directory, name, error);
 }
 
 fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,

@@ -9,8 +9,8 @@
 /* A picture, and the texts and lists that it points into. */
 typedef struct fw_plot_choice {
     fw_plot_picture picture;
-    const char *name; /* of the file, without folder and ending */
-    char file[FW_PATH_SIZE];
+    const char *name;        /* of the file, without folder and ending */
+    char file[FW_PATH_SIZE]; /* in the folder of the result; unused where the wish names one */
     char caption[1024];
     char notes[640]; /* what the output has to say of steps that were not recorded */
 } fw_plot_choice;

@@ -118,11 +118,10 @@ static void clear_side(side *s)
 static fw_status open_control(fw_plot_result *control, const fw_plot_result *result,
                               char folder[FW_PATH_SIZE], bool *found, fw_error *error)
 {
-    const bool wanted = result->scenario->study.control_count > 0;
-    const int length =
-        snprintf(folder, FW_PATH_SIZE, "%s/%s", result->directory, FW_CONTROL_FOLDER);
-    *found = wanted && length < FW_PATH_SIZE;
-    return *found ? fw_plot_result_open(control, folder, error) : FW_OK;
+    *found = result->scenario->study.control_count > 0;
+    if (!*found) return FW_OK;
+    FW_TRY(fw_path_join(folder, result->directory, FW_CONTROL_FOLDER, error));
+    return fw_plot_result_open(control, folder, error);
 }
 
 /* The axis of the profile runs from left to right, whichever it is. */

@@ -114,6 +114,7 @@ static fw_status read_links(fw_playback *playback, fw_error *error)
         !fw_hdf5_is_stored(hdf5, dataset))
         return fw_playback_refuse(playback, "connectivity/links", error);
     int(*links)[2] = fw_array_allocate(shape.extent[0], sizeof *links);
+    playback->file->links = links;
     if (!links) return fw_fail_memory(error, "the links");
     playback->links = (const int(*)[2])links;
     playback->link_count = (int)shape.extent[0];
@@ -246,19 +247,19 @@ fw_status fw_playback_open(fw_playback **playback, const char *path, fw_error *e
     char file[FW_PATH_SIZE];
     struct stat kind;
     bool folder = stat(path, &kind) == 0 && S_ISDIR(kind.st_mode);
-    int length = snprintf(file, sizeof file, folder ? "%s/" FW_TRAJECTORY_FILE : "%s", path);
     *playback = NULL;
-    if (length < 0 || length >= FW_PATH_SIZE)
-        return fw_fail(error, FW_BAD_INPUT, "the path of the results is longer than %d bytes",
-                       FW_PATH_SIZE);
-    if (folder) FW_TRY(check_torn(path, error));
+    if (folder) {
+        FW_TRY(fw_path_join(file, path, FW_TRAJECTORY_FILE, error));
+        FW_TRY(check_torn(path, error));
+    }
+    const char *const name = folder ? file : path;
     fw_playback *opened = calloc(1, sizeof *opened);
     if (opened) opened->file = calloc(1, sizeof *opened->file);
     if (!opened || !opened->file) {
         free(opened);
-        return fw_fail_memory(error, file);
+        return fw_fail_memory(error, name);
     }
-    fw_status status = fw_hdf5_open(&opened->file->hdf5, file, false, error);
+    fw_status status = fw_hdf5_open(&opened->file->hdf5, name, false, error);
     if (status == FW_OK) status = read_head(opened, error);
     if (status != FW_OK) {
         fw_playback_close(opened);
@@ -274,9 +275,9 @@ void fw_playback_close(fw_playback *playback)
     fw_error ignored;
     fw_hdf5_close(playback->file->hdf5, &ignored);
     free(playback->file->vectors);
+    free(playback->file->links);
     free(playback->file);
     free(playback->bodies);
-    free((void *)(uintptr_t)playback->links);
     free(playback->fields);
     free(playback->observables);
     free(playback->title);

@@ -13,6 +13,7 @@
 typedef struct fw_playback_file {
     fw_hdf5 *hdf5;
     double *vectors; /* one row of particles */
+    int (*links)[2]; /* those of the playback */
 } fw_playback_file;
 
 /* Lets the reading fail because of what is at `path`. */
