@@ -24,9 +24,7 @@ static particle_set particles_of(const fw_experiment *experiment, fw_subject sub
         return (particle_set){
             fw_experiment_solid(experiment, subject.body),
             fw_body_range_group(experiment->scene, &experiment->bodies[subject.body])};
-    int b = 0;
-    while (!fw_solid_is_particles(fw_experiment_solid(experiment, b))) ++b;
-    return (particle_set){fw_experiment_solid(experiment, b), -1};
+    return (particle_set){fw_experiment_particles(experiment), -1};
 }
 
 static bool is_point_masses(const fw_experiment *experiment, int body)

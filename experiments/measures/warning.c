@@ -2,8 +2,8 @@
 /* warning.c - warnings of a run. State: what was said already, and the lines. */
 #include "experiments/measures/warning.h"
 
-#include "core/boltzmann/lb_solid.h"
 #include "experiments/setup/overlap.h"
+#include "experiments/setup/solids.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -58,15 +58,16 @@ static void look_for_haste(fw_warning *warning, const fw_experiment *experiment)
     for (int b = 0; b < experiment->body_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(experiment, b);
         double spacing = experiment->scenario->bodies[b].lattice.spacing;
-        if (solid->model != &fw_lb_solid_model) continue;
+        const double fastest = fw_solid_kind_of(experiment->scenario, b)->fastest;
+        if (!(fastest > 0)) continue;
         fw_vec2 velocity =
             fw_sym2_apply(fw_sym2_invert(solid->model->mass(solid)), fw_solid_momentum(solid));
         double speed = hypot(velocity.x, velocity.y) / spacing;
-        if (speed <= FW_LB_FASTEST) continue;
+        if (speed <= fastest) continue;
         warn(warning,
              "body %s moves %g spacings in a step; above about %g an impact turns cells "
              "of an LB solid inside out",
-             experiment->bodies[b].name, speed, FW_LB_FASTEST);
+             experiment->bodies[b].name, speed, fastest);
         warning->hurried = true;
         return;
     }

@@ -270,10 +270,8 @@ static double stretch_of(const fw_plot_view *view, const fw_plot_result *result,
 static int take_links(const fw_plot_view *view, const fw_plot_result *result, int body, int *links)
 {
     const fw_scenario *scenario = result->scenario;
-    const fw_scenario_material *material = &scenario->materials[scenario->bodies[body].material];
-    double break_at = material->kind == FW_LATTICE_BOLTZMANN   ? material->boltzmann.break_at
-                      : material->kind == FW_ELASTIC_AUTOMATON ? material->automaton.break_at
-                                                               : 0;
+    const double break_at =
+        fw_material_break_at(&scenario->materials[scenario->bodies[body].material]);
     int first = result->playback->bodies[body].first, count = 0;
     for (int n = result->link_first[body]; n < result->link_first[body + 1]; ++n) {
         int one = result->links[2 * n], other = result->links[2 * n + 1];

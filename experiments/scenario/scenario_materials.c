@@ -12,7 +12,8 @@ static const fw_material_model models[] = {
                               .bodies = "lattice Boltzmann bodies",
                               .lattices = 1 << FW_SQUARE,
                               .why = "the lattice Boltzmann solid has four links per site",
-                              .body_keys = " rest-mass link-stiffness "},
+                              .body_keys = " rest-mass link-stiffness ",
+                              .break_at = offsetof(fw_scenario_material, boltzmann.break_at)},
     [FW_MOVABLE_PARTICLES] = {{"movable-particles", AT_OBJECT(fw_scenario_material, particles),
                                ALTERNATIVE, .subsection = &fw_movable_particles_section,
                                .meaning = "movable lattice particles"},
@@ -39,6 +40,7 @@ static const fw_material_model models[] = {
         .why = "the cells of an elastic automaton are black and white in turn",
         .body_keys = " displaced-as-given ",
         .has_modes = true,
+        .break_at = offsetof(fw_scenario_material, automaton.break_at),
         .read = fw_scenario_read_automaton,
         .check_body = fw_scenario_check_automaton,
         .check_bodies = fw_scenario_check_clock}};
@@ -53,6 +55,14 @@ const fw_section fw_material_section = {"`materials.NAME`", "a material",
 const fw_material_model *fw_material_model_of(fw_material_kind kind)
 {
     return &models[kind];
+}
+
+double fw_material_break_at(const fw_scenario_material *material)
+{
+    double stretch = 0;
+    const size_t offset = models[material->kind].break_at;
+    if (offset > 0) memcpy(&stretch, (const char *)material + offset, sizeof stretch);
+    return stretch;
 }
 
 const fw_material_model *fw_scenario_model(const fw_scenario *scenario, int body)

@@ -44,6 +44,7 @@ typedef struct fw_material_model {
     bool can_be_placed;    /* without a lattice, at random */
     bool has_modes;        /* displacements that are a mode of its endless lattice */
     bool has_dynamics;     /* moves by `dynamics` */
+    size_t break_at; /* offset in a material of the stretch that breaks its links; 0: none does */
     /* What belongs together in a material, from the mapping with its keys; NULL: nothing. */
     fw_status (*read)(const fw_scenario *scenario, const fw_node *node,
                       fw_scenario_material *material, fw_error *error);
@@ -56,6 +57,9 @@ typedef struct fw_material_model {
 
 /* The row of a kind. */
 const fw_material_model *fw_material_model_of(fw_material_kind kind);
+
+/* The stretch at which links of the material break; 0: they do not. */
+double fw_material_break_at(const fw_scenario_material *material);
 
 /* The model that a body of the scenario is of. */
 const fw_material_model *fw_scenario_model(const fw_scenario *scenario, int body);

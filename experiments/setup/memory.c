@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* memory.c - bytes per particle, and the places where a Linux system tells its limits. What a place
- * does not tell is taken as no limit. Keeps no state. Start reading at fw_memory_check(). */
+/* memory.c - what the bodies need, and the places where a Linux system has its limits. A place
+ * without a number is no limit. Keeps no state. Start reading at fw_memory_check(). */
 #include "experiments/setup/memory.h"
+
+#include "experiments/setup/solids.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -15,32 +17,13 @@
 /* The program and its libraries, measured: about 18 MB. */
 static const double PROGRAM = 18e6;
 
-/* Of one particle with its links and neighbours, its part of a frame and of a checkpoint; from the
- * largest resident size of runs with 40,000 and with 360,000 particles. */
-static double bytes_per_particle(fw_material_kind kind)
-{
-    switch (kind) {
-    case FW_LATTICE_BOLTZMANN:
-        return 375;
-    case FW_MOVABLE_PARTICLES:
-        return 470;
-    case FW_LINEAR_LATTICE:
-        return 486;
-    case FW_ELASTIC_AUTOMATON:
-        return 244;
-    }
-    return 500;
-}
-
 /* All but the program. */
 static double needed_by_bodies(const fw_scenario *scenario)
 {
     double bytes = 0;
-    for (int b = 0; b < scenario->body_count; ++b) {
-        const fw_scenario_body *body = &scenario->bodies[b];
-        const fw_material_kind kind = scenario->materials[body->material].kind;
-        bytes += (double)body->shape.count * bytes_per_particle(kind);
-    }
+    for (int b = 0; b < scenario->body_count; ++b)
+        bytes += (double)scenario->bodies[b].shape.count *
+                 fw_solid_kind_of(scenario, b)->bytes_per_particle;
     return bytes;
 }
 
