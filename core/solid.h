@@ -40,11 +40,11 @@ typedef struct fw_constraint {
     fw_vec2 force;
 } fw_constraint;
 
-/* A particle whose velocity is told at the end of a tick, in one component or both: what is held on
- * a path moves on with the path. `owner` is for whoever makes the list. */
+/* A particle whose velocity is prescribed at the end of a tick, in one component or both: what is
+ * held on a path moves on with the path. `owner` is for whoever makes the list. */
 typedef struct fw_carry {
     int particle, owner;
-    bool x, y; /* the components that are told */
+    bool x, y; /* the components that are prescribed */
     fw_vec2 velocity;
     fw_vec2 impulse; /* momentum that this takes, */
     double work;     /* and energy; both 0 when the list is handed over */

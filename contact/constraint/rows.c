@@ -31,7 +31,7 @@ static fw_vec2 midpoint_normal(const constrain_problem *p, const fw_candidate *c
                     fw_vec2_scale(0.5, fw_vec2_subtract(p->w, candidate->motion))));
 }
 
-/* A particle that rounding put a few last bits behind the surface is asked to come back to it. */
+/* A particle that rounding put a few last bits behind the surface is brought back to it. */
 static double bound_of(const constrain_problem *p, const constrain_row *r)
 {
     double bound = fw_vec2_dot(r->normal, r->candidate->motion);

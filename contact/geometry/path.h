@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* path.h - prescribed motion of a rigid thing, as a pure function of time: displacement from its
+/* path.h - prescribed rigid motion, as a pure function of time: displacement from its
  * place in the definition, velocity (t - from) for from <= t <= until, plus
  * amplitude sin(2 pi t / period + phase). */
 #ifndef FW_PATH_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wall_check.c - what a wall's definition must fulfil before anything is built from it: Box2D would
- * abort on some of it, and a facet without a direction could bar nothing. What a shape asks stands
- * in shape.c. Keeps no state. Start reading at fw_wall_def_check(). */
+ * abort on some of it, and a facet without a direction could bar nothing. The rules of each shape
+ * are in shape.c. Keeps no state. Start reading at fw_wall_def_check(). */
 #include "contact/geometry/shape.h"
 
 #include <math.h>

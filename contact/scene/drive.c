@@ -35,15 +35,17 @@ static fw_vec2 free_force(const fw_drive *d, double time)
 fw_vec2 fw_drive_solve(const fw_drive *d, fw_sym2 inertia, fw_vec2 push, fw_vec2 u, double time,
                        double tick)
 {
-    const fw_vec2 told = fw_vec2_subtract(fw_path_displacement(&d->path, time + tick),
-                                          fw_path_displacement(&d->path, time));
+    const fw_vec2 prescribed = fw_vec2_subtract(fw_path_displacement(&d->path, time + tick),
+                                                fw_path_displacement(&d->path, time));
     const fw_vec2 pull = {d->tether.x * u.x, d->tether.y * u.y};
     const fw_vec2 right = fw_vec2_add(push, fw_vec2_subtract(free_force(d, time), pull));
     const fw_sym2 left = {inertia.xx + 0.5 * d->tether.x, inertia.xy,
                           inertia.yy + 0.5 * d->tether.y};
-    if (d->prescribed_x && d->prescribed_y) return told;
-    if (d->prescribed_x) return (fw_vec2){told.x, (right.y - left.xy * told.x) / left.yy};
-    if (d->prescribed_y) return (fw_vec2){(right.x - left.xy * told.y) / left.xx, told.y};
+    if (d->prescribed_x && d->prescribed_y) return prescribed;
+    if (d->prescribed_x)
+        return (fw_vec2){prescribed.x, (right.y - left.xy * prescribed.x) / left.yy};
+    if (d->prescribed_y)
+        return (fw_vec2){(right.x - left.xy * prescribed.y) / left.xx, prescribed.y};
     return fw_sym2_apply(fw_sym2_invert(left), right);
 }
 

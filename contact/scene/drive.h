@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* drive.h - what moves a rigid thing, a grip or a piston, each component by itself: forces, or a
+/* drive.h - what moves a grip or a piston, each component by itself: forces, or a
  * prescribed path that is followed whatever force it takes.
  *
  * The tether acts at the middle of a step, D = force(t) - k (u + w/2): its energy k u^2/2 is then
@@ -14,7 +14,7 @@
 
 #include <stdbool.h>
 
-/* Forces are totals over the thing that is driven. */
+/* Forces are totals over what is driven. */
 typedef struct fw_drive {
     bool prescribed_x, prescribed_y; /* follows `path` instead of the forces */
     fw_path path;
@@ -30,7 +30,7 @@ typedef struct fw_drive {
 fw_status fw_drive_check(const fw_drive *drive, const char *kind, const char *name,
                          fw_error *error);
 
-/* The displacement w in the tick that begins at `time`, of a thing displaced by u so far:
+/* The displacement w in the tick that begins at `time`, of a body displaced by u so far:
  * prescribed where the drive says so, otherwise the solution of inertia w = push + D. */
 fw_vec2 fw_drive_solve(const fw_drive *drive, fw_sym2 inertia, fw_vec2 push, fw_vec2 u, double time,
                        double tick);

@@ -7,13 +7,13 @@
  *     sum_i A_i^-1 (w - w_i) = D,      F_i = A_i^-1 (w - w_i),
  *
  * which for the LB solid is F_i = 2 (M_i w/mu - Psi_i), w = mu (sum Psi + D/2)/sum M. A component
- * on a prescribed path moves as told, and D is what that takes. The forces F_i inside the block do
- * no work but D.w, and add up to D: energy and momentum are exact. A grip does not turn; the torque
- * that this takes is reported.
+ * on a prescribed path follows it, and D is the force that this takes. The forces F_i inside the
+ * block do no work but D.w, and add up to D: energy and momentum are exact. A grip does not turn;
+ * the torque that this takes is reported.
  *
  * Forces that are found so turn the momentum of a held particle over in each tick, p -> 2 M V - p.
  * On a path every particle gets the velocity of the path after the tick instead (fw_grip_carry):
- * let go, it goes on with that. What this takes is a part of D and of its work. */
+ * released, it keeps that velocity. What this takes is a part of D and of its work. */
 #ifndef FW_GRIP_H
 #define FW_GRIP_H
 
@@ -56,12 +56,13 @@ const fw_grip_ledger *fw_grip_observe_ledger(const fw_grip *grip);
 fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *error);
 
 /* One tick beginning at `time`: fills `constraints` (particle_count of them, ascending) from the
- * solid's predictions, and books the tick. */
+ * solid's predictions, and enters the tick in the ledger. */
 void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
                        fw_constraint *constraints);
 
 /* After the tick: adds the particles' velocities to the list, where the drive prescribes any,
- * marked with `owner`; returns how many it added. And what they took, once the solid has told. */
+ * marked with `owner`; returns how many it added. Afterwards enter in the ledger what
+ * they took, as the solid has reported it. */
 int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries);
 void fw_grip_book_carry(fw_grip *grip, const fw_carry *carry, double tick);
 

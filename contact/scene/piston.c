@@ -172,7 +172,7 @@ void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double w
     const fw_vec2 free = fw_drive_force(drive, ledger->displacement, motion, time);
     const fw_vec2 force = {drive->prescribed_x ? -push.x : free.x,
                            drive->prescribed_y ? -push.y : free.y};
-    /* w = dt (1 + c) u1 / 2 tells u1, and that the force on the piston: D + R, if all fits. */
+    /* w = dt (1 + c) u1 / 2 gives u1, and u1 the force on the piston: D + R, if all fits. */
     const fw_vec2 halfway = driven(ledger, fw_vec2_scale(2 / (tick * (1 + c)), motion));
     const fw_vec2 kick = driven(ledger, fw_vec2_subtract(halfway, ledger->velocity));
     const fw_vec2 felt = fw_vec2_subtract(fw_vec2_scale(2 * mass / tick, kick), force);

@@ -112,7 +112,7 @@ void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, dou
 /* Marks with 1, and leaves the others alone, the body's particles that a grip holds: they all move
  * as one, and have no temperature. */
 void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held);
-/* How often the broadphase was asked. */
+/* How many queries the broadphase has answered. */
 long fw_scene_query_count(const fw_scene *scene);
 
 /* The state, section by section: the scene's own, one per body, those of the grips and of the

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_carry.c - after a tick, what is held on a path gets the velocity of the path: the particles
- * of grips, and those that stick to walls that move as they are told. What that takes is booked
- * where the force of the tick was. (Forces alone would leave them with 0, 2V, 0, 2V, ...) On a wall
- * that never moves the hold rule stands as it is, p -> -p. State: none.
- * Start reading at scene_carry(). */
+ * of grips, and those that stick to walls on a prescribed path. What that takes enters the
+ * ledger where the force of the tick was. (Forces alone would leave them with 0, 2V, 0, 2V, ...) On
+ * a wall that never moves the hold rule stands as it is, p -> -p. State: none. Start reading at
+ * scene_carry(). */
 #include "scene_parts.h"
 
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 
 /* A colour of an automaton moves in every second tick only, and then for both: it meets the walls
  * where they were when it moved last. Otherwise a wall would run over a colour that rests. (Pistons
- * meet no automata; their motion is told by scene_pistons.c.) */
+ * meet no automata; scene_pistons.c finds their motion.) */
 void scene_follow_wall(fw_scene *scene, int w, int ticks)
 {
     const double now = fw_scene_time(scene);

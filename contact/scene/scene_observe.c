@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_observe.c - what can be asked of a scene. */
+/* scene_observe.c - what a scene reports. */
 #include "scene_parts.h"
 
 int64_t fw_scene_steps(const fw_scene *scene)
@@ -44,9 +44,9 @@ const fw_wall *fw_scene_wall(const fw_scene *scene, int wall)
 
 fw_vec2 fw_scene_wall_displacement(const fw_scene *scene, int wall)
 {
-    const scene_wall *asked = &scene->walls[wall];
-    if (asked->piston) return fw_piston_observe_ledger(asked->piston)->displacement;
-    return fw_wall_displacement(asked->wall, fw_scene_time(scene));
+    const scene_wall *found = &scene->walls[wall];
+    if (found->piston) return fw_piston_observe_ledger(found->piston)->displacement;
+    return fw_wall_displacement(found->wall, fw_scene_time(scene));
 }
 
 fw_piston *fw_scene_piston(fw_scene *scene, int wall)

@@ -110,7 +110,7 @@ struct fw_scene {
 void scene_note_work(fw_scene *scene);
 
 /* 3. and 4. of the time step for given motions of the walls: which facets are near which run of
- * boundary particles, and the forces that hold contact particles. Books nothing. */
+ * boundary particles, and the forces that hold contact particles. Enters nothing in the ledger. */
 fw_status scene_find_contacts(fw_scene *scene, fw_error *error);
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
 /* The same together with the motions of the pistons, which follow from those forces. */

@@ -4,7 +4,7 @@
  *
  * A piston's motion W and the push R(W) of the bodies are found together, W = W0 + A R(W), as for
  * two particles in contact: then energy and momentum of bodies and pistons are exact, while a
- * piston that moved first and was told of the push afterwards would gain energy in each impact.
+ * piston that moved first and got the push afterwards would gain energy in each impact.
  *
  * R falls with W, by straight lines between points where a row is activated or released,
  * and jumps where one more is reached. A particle that was reached stays a row of its problem for
@@ -25,7 +25,7 @@ enum { TRIES = 200 };
 static const double TOGETHER = 0.1;
 
 /* W - W0 - A R is left smaller than this part of the terms it is a difference of: at first a few
- * rounding errors; more where it turns out that R cannot be told as well as that. */
+ * rounding errors; more where R turns out to be less exact. */
 static double agreement(int tries)
 {
     return tries < 20 ? 1e-14 : tries < 40 ? 1e-13 : tries < 60 ? 1e-12 : 1e-11;
@@ -307,7 +307,7 @@ static bool improve(const fw_scene *scene, scene_wall *wall, double tolerance)
 
 /* --- all together --- */
 
-/* The last try stands even where it does not fit; the books say so. */
+/* The last try stands even where it does not fit; the ledger shows it. */
 static void note_failures(fw_scene *scene)
 {
     scene_look_for_overrun(scene);

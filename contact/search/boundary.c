@@ -232,9 +232,9 @@ static fw_status enlarge_lists(fw_boundary *boundary, int capacity, fw_error *er
     return FW_OK;
 }
 
-/* Makes `box` the fat box of the run and asks for its facets. */
-static fw_status ask(fw_boundary *boundary, const fw_broadphase *broadphase, int run, fw_box box,
-                     fw_error *error)
+/* Makes `box` the fat box of the run and finds its facets. */
+static fw_status query(fw_boundary *boundary, const fw_broadphase *broadphase, int run, fw_box box,
+                       fw_error *error)
 {
     boundary->facet_count[run] = 0;
     boundary->fat[run] = box;
@@ -262,14 +262,14 @@ fw_status fw_boundary_refresh(fw_boundary *boundary, const fw_solid *solid,
         const fw_box swept = boundary->swept[run];
         if (generation == boundary->generation && lies_within(swept, boundary->fat[run])) continue;
         double step = boundary->reach[run] + wall_sweep;
-        /* A quarter of the spacing at least, so that a body at rest is not asked about for its
-         * trembling: 32 particles in a row are 31 spacings long. */
+        /* A quarter of the spacing at least, so that the trembling of a body at rest needs no
+         * query: 32 particles in a row are 31 spacings long. */
         double spacing = (swept.high.x - swept.low.x + swept.high.y - swept.low.y) / RUN;
-        FW_TRY(ask(boundary, broadphase, run,
-                   grown(swept, fmax(steps_ahead_if_alone * step, spacing)), error));
+        FW_TRY(query(boundary, broadphase, run,
+                     grown(swept, fmax(steps_ahead_if_alone * step, spacing)), error));
         if (boundary->facet_count[run] > 0)
-            FW_TRY(ask(boundary, broadphase, run,
-                       grown(swept, fmax(steps_ahead * step, spacing / 4)), error));
+            FW_TRY(query(boundary, broadphase, run,
+                         grown(swept, fmax(steps_ahead * step, spacing / 4)), error));
     }
     boundary->generation = generation;
     return FW_OK;
@@ -283,5 +283,5 @@ fw_status fw_boundary_extend(fw_boundary *boundary, const fw_broadphase *broadph
     if (lies_within((fw_box){point, point}, *fat)) return FW_OK;
     fw_box wider = {{fmin(fat->low.x, point.x), fmin(fat->low.y, point.y)},
                     {fmax(fat->high.x, point.x), fmax(fat->high.y, point.y)}};
-    return ask(boundary, broadphase, run, wider, error);
+    return query(boundary, broadphase, run, wider, error);
 }

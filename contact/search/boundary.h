@@ -4,7 +4,7 @@
  * Skin particles are put in an order in which neighbours in space are neighbours in the list (a
  * Hilbert curve over the positions at creation) and cut into runs of 32. A run keeps a fat box and
  * the list of facets that can be passed in it; as long as the paths of the run stay inside and no
- * wall left its own margin, the tree is not asked. The lists are a superset of what is needed:
+ * wall left its own margin, the tree is not searched. The lists are a superset of what is needed:
  * what contact finds with them never depends on when they were made. */
 #ifndef FW_BOUNDARY_H
 #define FW_BOUNDARY_H
@@ -48,7 +48,7 @@ fw_boundary_run fw_boundary_observe_run(const fw_boundary *boundary, int run);
 fw_status fw_boundary_extend(fw_boundary *boundary, const fw_broadphase *broadphase, int run,
                              fw_vec2 point, fw_error *error);
 
-/* How often the tree was asked since creation, for benchmarks. */
+/* How often the tree was searched since creation, for benchmarks. */
 long fw_boundary_query_count(const fw_boundary *boundary);
 
 #endif

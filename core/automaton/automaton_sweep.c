@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* automaton_sweep.c - one half-step: the cells of one colour are reflected about the places that
- * the resting colour asks for. Start reading at fw_automaton_advance().
+/* automaton_sweep.c - one half-step: the cells of one colour are reflected about the means
+ * of their neighbours of the resting colour. Start reading at fw_automaton_advance().
  *
  * Cells gather and write only their own entry, so pieces can be shared among threads and the result
  * does not depend on how many there are; what pieces add to the ledger is added up in their

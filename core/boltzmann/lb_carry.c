@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lb_carry.c - particles whose velocity is told. Keeps no state.
+/* lb_carry.c - particles whose velocity is prescribed. Keeps no state.
  *
  * The momentum of an LB particle lies in its rest field and in the sums of the two fields of each
- * of its links. A displacement w that is told turns them over, f_0 -> M0 w - f_0 and
+ * of its links. A prescribed displacement w turns them over, f_0 -> M0 w - f_0 and
  * s -> (w_l + w_m)/2 - s with s half the sum: what starts at rest would have 0, 2V, 0, 2V, ...
  * Here they become what they are in a body that moves evenly, M0 V/2 and (V_l + V_m)/4. A link that
- * leads to a particle whose velocity is not told is left alone: half of its momentum is that one's.
+ * leads to a particle whose velocity is free stays as it is: half of its momentum is that one's.
  * Start reading at lb_carry(). */
 #include "lb_step.h"
 
@@ -23,9 +23,9 @@ static fw_carry *find(fw_carry *carries, int count, int particle)
     return low < count && carries[low].particle == particle ? &carries[low] : NULL;
 }
 
-/* The change of a velocity of which only some components are told, with the mass K: the momentum of
- * the others stays as it is. */
-static fw_vec2 told_change(const fw_carry *carry, fw_vec2 change, fw_sym2 mass)
+/* The change of a velocity of which only some components are prescribed, with the mass K: the
+ * momentum of the others stays as it is. */
+static fw_vec2 prescribed_change(const fw_carry *carry, fw_vec2 change, fw_sym2 mass)
 {
     if (carry->x && carry->y) return change;
     if (mass.xy == 0) return (fw_vec2){carry->x ? change.x : 0, carry->y ? change.y : 0};
@@ -53,7 +53,7 @@ static void carry_link(lb_solid *lb, int l, int direction, fw_carry *here, fw_ca
     if (!common.x && !common.y) return;
     const fw_vec2 wanted = fw_vec2_scale(0.25, fw_vec2_add(here->velocity, there->velocity));
     const fw_vec2 now = {0.5 * (*near.x + *far.x), 0.5 * (*near.y + *far.y)};
-    const fw_vec2 change = told_change(&common, fw_vec2_subtract(wanted, now), kappa);
+    const fw_vec2 change = prescribed_change(&common, fw_vec2_subtract(wanted, now), kappa);
     change_field(near, change, kappa, here);
     change_field(far, change, kappa, there);
 }
@@ -73,7 +73,7 @@ static void carry_rest(lb_solid *lb, fw_carry *carry)
         const fw_sym2 square = {m.xx * m.xx + m.xy * m.xy, m.xy * (m.xx + m.yy),
                                 m.yy * m.yy + m.xy * m.xy};
         const fw_vec2 now = fw_sym2_apply(fw_sym2_invert(m), before);
-        const fw_vec2 change = told_change(carry, fw_vec2_subtract(half, now), square);
+        const fw_vec2 change = prescribed_change(carry, fw_vec2_subtract(half, now), square);
         after = fw_vec2_add(before, fw_sym2_apply(m, change));
     }
     const fw_vec2 change = fw_vec2_subtract(after, before);

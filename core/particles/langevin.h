@@ -36,7 +36,7 @@ struct fw_langevin {
     double *velocity_x, *velocity_y;
     double *force_x, *force_y; /* the solid's own forces at its present positions */
     double *mass;              /* to be filled by the model before fw_langevin_start() */
-    /* Makes force_x/y for the positions of the head; the only thing that models differ in.
+    /* Makes force_x/y for the positions of the head; the only part in which models differ.
      * FW_SYSTEM_FAILED without memory. */
     fw_status (*find_forces)(fw_langevin *solid, fw_error *error);
     /* The largest temperature that steps of that length follow; NULL: any. */

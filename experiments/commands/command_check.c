@@ -113,7 +113,7 @@ typedef struct check_plan {
     double step_count; /* of all runs together */
 } check_plan;
 
-/* What a run would warn of at its start; a speed was told of in better words. */
+/* What a run would warn of at its start; the speed was reported in better words. */
 static fw_status warn_as_run(const fw_experiment *experiment, int *warnings, fw_error *error)
 {
     fw_warning warning = {.out = stdout, .hurried = *warnings > 0};

@@ -85,7 +85,7 @@ static fw_status choose(catalogue *c, const char *word, fw_error *error)
                    quote.text);
 }
 
-/* --- how they are told --- */
+/* --- how they are printed --- */
 
 /* "0.02 s", "2 min" */
 static void write_time(double seconds, char text[16])
@@ -135,7 +135,7 @@ static void print_one(const char *name, const fw_scenario *scenario)
     printf("\n`fretwork show %s` prints its scenario, `fretwork run %s` runs it.\n", name, name);
 }
 
-/* A list of {name, title, group, source, figure, takes, about}; null: not told. */
+/* A list of {name, title, group, source, figure, takes, about}; null: unknown. */
 static void write_json(const catalogue *c)
 {
     fw_json json = {.out = stdout};

@@ -56,7 +56,7 @@ static bool is_wanted(const char *word, const char *path, const fw_key *key)
     return same_path(named, word);
 }
 
-/* --- how they are told --- */
+/* --- how they are printed --- */
 
 typedef struct search {
     const char *word; /* NULL: all */

@@ -25,8 +25,8 @@ static void suggest_next(const fw_scenario *scenario, const char *directory)
 }
 
 /* What comes after the last step: pictures, the table, and where everything lies. */
-static fw_status tell(const fw_scenario *scenario, const fw_verdicts *verdicts,
-                      const char *warnings, const char *directory, bool no_plot, fw_error *error)
+static fw_status report(const fw_scenario *scenario, const fw_verdicts *verdicts,
+                        const char *warnings, const char *directory, bool no_plot, fw_error *error)
 {
     fw_text_print_line(stdout, scenario->title);
     printf("\n");
@@ -67,7 +67,7 @@ static fw_status finish(fw_study *study, const fw_scenario *scenario, const char
     FW_TRY(fw_study_to_end(study, error));
     FW_TRY(fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error));
     const fw_status status =
-        tell(scenario, &verdicts, fw_study_warnings(study), directory, no_plot, error);
+        report(scenario, &verdicts, fw_study_warnings(study), directory, no_plot, error);
     fw_verdicts_clear(&verdicts);
     return status;
 }
@@ -80,10 +80,11 @@ static fw_status finish_sweep(fw_sweep *sweep, const fw_scenario *scenario, cons
     /* Some cases have failed: the others have their verdicts and pictures all the same. */
     if (status != FW_DIVERGED) FW_TRY(status);
     fw_error own;
-    const fw_status told = tell(scenario, fw_sweep_verdicts(sweep), NULL, directory, no_plot, &own);
+    const fw_status reported =
+        report(scenario, fw_sweep_verdicts(sweep), NULL, directory, no_plot, &own);
     if (status != FW_OK) return status;
     *error = own;
-    return told;
+    return reported;
 }
 
 static fw_status run(const fw_scenario *scenario, const fw_run_options *options,

@@ -11,7 +11,7 @@
 #define FW_MM_PER_POINT (25.4 / 72)
 
 /* Cairo counts in 1/256 of a device unit in 32 bits; this is far outside of any page and inside of
- * that at any resolution one can ask for. */
+ * that at any resolution. */
 #define FW_CANVAS_FARTHEST 1e5
 
 typedef enum canvas_format { PNG, SVG, PDF } canvas_format;

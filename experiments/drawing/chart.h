@@ -35,7 +35,7 @@ typedef struct fw_chart {
     double height;  /* mm; 0: chosen */
 } fw_chart;
 
-/* Widen the ranges by the curves, errors included; by positive numbers only, if asked. */
+/* Widen the ranges by the curves, errors included; by positive numbers only, if wanted. */
 void fw_chart_include_x(fw_range *range, const fw_chart *chart, bool positive_only);
 void fw_chart_include_y(fw_range *range, const fw_chart *chart);
 

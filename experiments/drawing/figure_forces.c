@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* A body to draw, and what is asked of it again and again. */
+/* A body to draw, and what is needed of it again and again. */
 typedef struct forces_panel {
     fw_figure_forces_panel of;
     fw_view_bounds bounds; /* of its particles, original and present */

@@ -128,7 +128,7 @@ static fw_status draw_instants(const fw_figure_motion_plan *plan, const fw_panel
             const fw_view_body *body = &plan->views[k].bodies[b];
             if (is_lone(body) != lone) continue;
             double spacing = fw_view_spacing(body) * fw_panel_scale(panel);
-            /* Without links a body that lies on another one could not be told from it. */
+            /* Without links a body that lies on another one could not be distinguished from it. */
             if (body->link_count == 0 && !lone && plan->view_count > 1)
                 status = fw_view_draw_silhouette(body, panel, with_white(colour, .78, .7), error);
             fw_view_draw_links(

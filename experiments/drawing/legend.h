@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* legend.h - what the colours of things mean: rows above the panel, never on the data. */
+/* legend.h - what colours mean: rows above the panel, never on the data. */
 #ifndef FW_LEGEND_H
 #define FW_LEGEND_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* palette.h - the colours of all pictures: told apart by people who see fewer of them, and in order
+/* palette.h - the colours of all pictures: distinct to people who see fewer of them, and in order
  * of lightness where they stand for numbers. */
 #ifndef FW_PALETTE_H
 #define FW_PALETTE_H
@@ -27,7 +27,7 @@ static inline fw_colour fw_colour_fade(fw_colour colour, double alpha)
     return colour;
 }
 
-/* Distinct colours for kinds of things (Okabe & Ito 2008, black last), in order; they repeat after
+/* Distinct colours for kinds (Okabe & Ito 2008, black last), in order; they repeat after
  * FW_PALETTE_KINDS. */
 enum { FW_PALETTE_KINDS = 8 };
 fw_colour fw_palette_kind(int number);

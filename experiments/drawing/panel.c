@@ -161,7 +161,7 @@ static void draw_to(line_pen *pen, fw_vec2 point)
     pen->points[pen->count++] = point;
 }
 
-static const double hair = .08; /* mm: nothing narrower is told apart on paper */
+static const double hair = .08; /* mm: nothing narrower is resolved on paper */
 
 static bool is_crowded(const fw_panel *panel, const double *x, int count)
 {

@@ -120,7 +120,7 @@ static fw_status measure_widths(double *measures, const fw_observer *observer, f
     const size_t count = (size_t)fw_profile_bin_count(p);
     const double contact = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_RETURN_FORCE);
     const double far = fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_RETURN_FORCE);
-    /* Bodies that have parted have no layer whose width could be told. */
+    /* Bodies that have parted have no layer with a width. */
     const double density = fw_profile_value(p, FW_PROFILE_CONTACT, FW_PROFILE_DENSITY);
     if (!(density > .5 * fw_profile_value(p, FW_PROFILE_FAR, FW_PROFILE_DENSITY))) return FW_OK;
     double *places = fw_array_of_doubles(count), *values = fw_array_of_doubles(count);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* measurement_plan.h - the probes that a scenario asks for. */
+/* measurement_plan.h - the probes that a scenario wants. */
 #ifndef FW_MEASUREMENT_PLAN_H
 #define FW_MEASUREMENT_PLAN_H
 

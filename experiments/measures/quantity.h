@@ -67,7 +67,7 @@ extern const fw_quantity fw_grip_quantities[];
 extern const fw_quantity fw_piston_quantities[];
 extern const fw_quantity fw_layer_quantities[]; /* in the order of fw_layer_measure */
 
-/* A quantity that had another name: who writes the old one is told the new one. */
+/* A quantity that had another name: the refusal of the old one names the new one. */
 typedef struct fw_renamed_quantity {
     const char *old_name, *name; /* NULL ends the table */
 } fw_renamed_quantity;

@@ -3,7 +3,7 @@
  *
  * The wave of a body is the first mode or wave among its displacements. Its amplitude is looked for
  * among black and among white cells apart: at half a step between their moves they are two waves.
- * What is asked about the wave of a body that has none is not a number. */
+ * Of a body without a wave the quantities of waves are not a number. */
 #include "experiments/measures/quantity.h"
 
 #include "experiments/setup/build_automaton.h"
@@ -78,7 +78,7 @@ static carried carried_by_pattern(const fw_experiment *experiment, fw_subject su
     return c;
 }
 
-/* Where the wave and its opposite look the same on the cells of one colour, nothing tells them
+/* Where the wave and its opposite look the same on the cells of one colour, nothing sets them
  * apart: those with kx + ky and kx - ky multiples of pi. */
 static bool is_ambiguous(fw_vec2 wave)
 {

@@ -20,7 +20,7 @@ typedef struct draft {
     const fw_scenario_picture *own; /* the scenario's picture, or NULL */
     fw_plot_choice *choice;
     fw_plot_picture *picture; /* of the choice */
-    /* Steps that were asked for and could not be drawn as such. */
+    /* Wanted steps that could not be drawn as such. */
     char replaced[256], missing[256];
 } draft;
 

@@ -11,7 +11,7 @@
 fw_status fw_plot_bounds_find(fw_view_bounds *bounds, const fw_plot_result *result,
                               fw_error *error);
 
-/* The colours of the picture's field: from one end to the other that it asks for, else of all
+/* The colours of the picture's field: between the ends that it gives, else of all
  * values in the same frames but the 0.5 % at each end of each of them. */
 fw_status fw_plot_colours_find(fw_colouring *colouring, const fw_plot_result *result,
                                const fw_plot_picture *picture, fw_error *error);

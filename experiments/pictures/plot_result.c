@@ -133,7 +133,7 @@ static fw_status make_walls(fw_plot_result *result, fw_error *error)
     return FW_OK;
 }
 
-/* Where pistons were: they are measured, however little is asked for. */
+/* Where pistons were: they are always measured. */
 static fw_status read_piston(fw_plot_result *result, int wall, fw_error *error)
 {
     fw_playback *playback = result->playback;

@@ -2,7 +2,7 @@
 /* playback.c - reading a results file.
  * State: the open file and everything in it that does not grow with frames. Invariant: extents and
  * types of all elements were checked against the number of particles when the file was opened, and
- * no memory is asked for on the word of the file alone. Start reading at fw_playback_open();
+ * no memory is allocated on the word of the file alone. Start reading at fw_playback_open();
  * playback_frames.c reads the rest. */
 #include "experiments/storage/folder.h"
 #include "playback_parts.h"

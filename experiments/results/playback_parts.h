@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* playback_parts.h - the inside of a results file that is read: playback.c opens it and looks at
- * all that does not grow with frames, playback_frames.c reads what was asked for. */
+ * all that does not grow with frames, playback_frames.c reads the rest on demand. */
 #ifndef FW_PLAYBACK_PARTS_H
 #define FW_PLAYBACK_PARTS_H
 

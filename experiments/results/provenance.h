@@ -16,7 +16,7 @@ typedef struct fw_provenance {
     const char *flags;    /* what decides about numbers: the build type and its flags */
     char libraries[FW_PROVENANCE_SIZE];
     char host[FW_PROVENANCE_SIZE];  /* name, system and processor architecture */
-    char start[FW_PROVENANCE_SIZE]; /* when this was asked, as fw_provenance_time */
+    char start[FW_PROVENANCE_SIZE]; /* time of the run, as fw_provenance_time */
 } fw_provenance;
 
 /* Everything about this program, this machine and this moment. */

@@ -63,7 +63,7 @@ static bool begins_with(const char *path, const char *start)
     return same || empty;
 }
 
-/* A results file that can be opened tells who made it. One that cannot, as it was damaged or cut
+/* A results file that can be opened names its maker. One that cannot, as it was damaged or cut
  * when its run was killed, is known by what lies beside it. */
 static bool is_our_trajectory(const char *directory, const char *path)
 {

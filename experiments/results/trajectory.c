@@ -213,7 +213,7 @@ static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
                        "no room for %s/" FW_TRAJECTORY_FILE ", which takes %.3g MB: %.3g MB are "
                        "free",
                        def->directory, needed / 1e6, room / 1e6);
-    /* The size of the structure is a suggestion; HDF5 tells afterwards whether it was enough. */
+    /* The size of the structure is a suggestion; HDF5 reports afterwards whether it was enough. */
     bool cramped = true;
     for (size_t structure = fw_layout_structure(def); cramped; structure *= 2) {
         fw_error ignored;

@@ -123,7 +123,7 @@ fw_status fw_trajectory_mend(const char *directory, fw_error *error);
 fw_status fw_trajectory_reopen(fw_trajectory **trajectory, const fw_trajectory_def *def,
                                int64_t frames, int64_t samples, fw_error *error);
 
-/* One body in a frame, arrays of one number per particle. What the definition does not ask for may
+/* One body in a frame, arrays of one number per particle. What the definition leaves out may
  * be NULL. A body that does not have a field (NULL) gets NaN. */
 typedef struct fw_frame_body {
     const double *x, *y;

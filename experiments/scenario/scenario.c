@@ -212,7 +212,8 @@ static fw_status make(fw_scenario **scenario, fw_document *document, const char 
     return status;
 }
 
-/* The control must be a scenario as well: better told now than after the runs of the experiment. */
+/* The control must be a scenario as well: better refused now than after the runs of the experiment.
+ */
 static fw_status check_control(const fw_scenario *scenario, fw_error *error)
 {
     const fw_scenario_study *study = &scenario->study;

@@ -43,7 +43,7 @@ struct fw_scenario {
     const char *about;  /* NULL: none given */
     const char *figure; /* NULL: none given */
     fw_scenario_group group;
-    double takes; /* seconds that it was seen to run; 0: not told */
+    double takes; /* measured seconds of a run; 0: unknown */
     int material_count;
     fw_scenario_material *materials;
     int body_count;

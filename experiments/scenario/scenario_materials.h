@@ -33,7 +33,7 @@ typedef struct fw_scenario_material {
     };
 } fw_scenario_material;
 
-/* One model of a solid, as a scenario asks for it. What is built of it: experiments/setup/solids.h,
+/* One model of a solid, as a scenario has it. What is built of it: experiments/setup/solids.h,
  * which has a row for each row here. */
 typedef struct fw_material_model {
     fw_key key;            /* of a material; its subsection has the model's own keys */

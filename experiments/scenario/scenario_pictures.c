@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_pictures.c - the pictures that a scenario asks for. Keeps no state. Start reading at
+/* scenario_pictures.c - the pictures of a scenario. Keeps no state. Start reading at
  * fw_scenario_read_pictures(). */
 #include "scenario_parts.h"
 

@@ -15,7 +15,7 @@ typedef enum fw_outer_side {
 } fw_outer_side;
 
 /* Which sites of a body: those of the list, or those within the rows and columns, which say
- * already which `side` and how many `layers` were asked for. At least one is the body's. */
+ * already which `side` and how many `layers` are wanted. At least one is the body's. */
 typedef struct fw_selection {
     fw_place place;
     int first_row, last_row, first_column, last_column; /* inclusive */

@@ -181,7 +181,7 @@ static fw_status read_placed(const fw_scenario *scenario, const fw_node *node,
                             body->name, box[0], box[1], box[2], box[3]);
 }
 
-/* --- what else is asked of shapes --- */
+/* --- what else is checked of shapes --- */
 
 static fw_status make_frame(const fw_scenario_body *body, fw_sites *sites, fw_error *error)
 {

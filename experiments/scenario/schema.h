@@ -71,7 +71,7 @@ typedef struct fw_key {
     const char *default_meaning; /* what happens without the key, where that is not one value */
     const char *unit;
     const char *meaning;
-    const char *old_name; /* what it was called before: who writes that is told the new name */
+    const char *old_name; /* what it was called before: its refusal names the new one */
     size_t place;         /* in the section's object: 1 + offset, or FW_NOT_STORED; 0: forgotten */
     size_t size;          /* of what is stored there; 0: an object with the keys of `subsection` */
 } fw_key;

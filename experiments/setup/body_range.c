@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* body_range.c - asks the solid, or the group of movable particles that the body is. Keeps no
- * state. */
+/* body_range.c - computes from the solid, or from the group of movable particles that the body is.
+ * Keeps no state. */
 #include "experiments/setup/body_range.h"
 
 #include "core/particles/particle_groups.h"

@@ -123,7 +123,7 @@ static fw_status fill_start(const fw_scenario *scenario, int number, const fw_si
     return FW_OK;
 }
 
-/* White cells of a body that starts at rest lie where their black neighbours ask for: one that is
+/* White cells of a body that starts at rest lie at the mean of their black neighbours: one that is
  * displaced alone would lose its displacement. */
 static fw_status refuse_lone_white(const fw_scenario *scenario, int number, const fw_sites *sites,
                                    const fw_vec2 *displacement, fw_error *error)

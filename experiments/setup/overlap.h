@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overlap.h - do two bodies share a place, or is one in a wall? Bodies of different solids do not
- * see each other, so nothing but a look at their particles tells. */
+ * detect each other, so their particles have to be compared. */
 #ifndef FW_OVERLAP_H
 #define FW_OVERLAP_H
 

@@ -19,9 +19,9 @@ fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error
 fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error);
 /* A folder that is there, without holding it: for readers, and beside its holder. */
 fw_status fw_folder_visit(fw_folder **folder, const char *path, fw_error *error);
-/* Lets go of it. NULL is legal. */
+/* Releases it. NULL is legal. */
 void fw_folder_close(fw_folder *folder);
-/* Lets go of it, and removes it and those above it as far as fw_folder_create made them and they
+/* Releases it, and removes it and those above it as far as fw_folder_create made them and they
  * are empty. NULL is legal. */
 void fw_folder_abandon(fw_folder *folder);
 

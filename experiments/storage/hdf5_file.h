@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* hdf5_file.h - the door to HDF5: groups, attributes, arrays and rows of numbers in one file.
  *
- * The first failure of a file sticks: whatever is asked of it afterwards does nothing, and
- * fw_hdf5_check tells the sentence. So a layout of forty objects is written without forty checks.
+ * The first failure of a file sticks: every later call does nothing, and
+ * fw_hdf5_check reports the sentence. So a layout of forty objects is written without forty checks.
  *
  * A file made here never changes its own structure while rows are written: every chunk is allocated
  * when room is made for it, no fill values are written, nothing is cached. Together with the bounds
  * of format 1.8, whose superblock does not mark files that are open, a file whose writer was killed
- * opens and reads. Several threads may use it, each a file of its own: HDF5 can do one thing at a
+ * opens and reads. Several threads may use it, each a file of its own: HDF5 can do one call at a
  * time, and each function here waits for its turn. */
 #ifndef FW_HDF5_FILE_H
 #define FW_HDF5_FILE_H
@@ -82,7 +82,7 @@ fw_dataset fw_hdf5_make_rows(fw_hdf5 *file, const char *path, fw_element element
 /* A second name for an object of the file. */
 void fw_hdf5_link(fw_hdf5 *file, const char *existing, const char *path);
 
-/* Attributes. Texts are of fixed length, as H5MD asks. A count of 0 makes a single value. */
+/* Attributes. Texts are of fixed length, as H5MD requires. A count of 0 makes a single value. */
 void fw_hdf5_attach_text(fw_hdf5 *file, const char *path, const char *name, const char *text);
 void fw_hdf5_attach_texts(fw_hdf5 *file, const char *path, const char *name,
                           const char *const *texts, int count);
@@ -97,7 +97,7 @@ fw_dataset fw_hdf5_find(fw_hdf5 *file, const char *path); /* negative: there is 
 void fw_hdf5_release(fw_dataset dataset);
 /* False when it is neither a text nor an array of the project's elements. */
 bool fw_hdf5_shape(fw_hdf5 *file, fw_dataset dataset, fw_shape *shape);
-/* Whether the file has as many bytes for it as its extents claim; to be asked before memory is
+/* Whether the file has as many bytes for it as its extents claim; to be checked before memory is
  * allocated for it. */
 bool fw_hdf5_is_stored(fw_hdf5 *file, fw_dataset dataset);
 /* Names of the members of a group in the order of their making, each at most `size` - 1 bytes long;

@@ -26,7 +26,7 @@ typedef struct fw_sealed_file fw_sealed_file;
  * letters. The folder must stay open until the file is committed or abandoned. */
 fw_status fw_sealed_file_create(fw_sealed_file **file, const fw_folder *folder, const char *name,
                                 const char *kind, uint64_t size, fw_error *error);
-/* Appends to the payload. A failure is told by commit. */
+/* Appends to the payload. The commit reports a failure. */
 void fw_sealed_file_write(fw_sealed_file *file, const void *bytes, size_t count);
 /* Seals the file and puts it in the place of an earlier one; releases it in any case. On failure
  * the earlier one stays. */

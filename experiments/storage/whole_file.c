@@ -65,7 +65,7 @@ static void synchronise_folder(const char *name)
 }
 
 /* Whether nobody writes a temporary file any more: its lock is free, and the process that gave it
- * its number is gone. The one tells of writers on other machines, the other of one that has not
+ * its number is gone. The one detects writers on other machines, the other of one that has not
  * locked yet. */
 static bool is_abandoned(int folder, const char *temporary, const char *number)
 {

@@ -13,11 +13,12 @@ typedef struct fw_frame {
     const fw_trajectory_def *def;
     fw_body_arrays *bodies;
     fw_frame_body *content;
-    /* Arrays per solid of the scene: whole solids are asked, bodies are parts of them. */
+    /* Arrays per solid of the scene: fields are computed of whole solids, bodies are parts of them.
+     */
     double **solid_x, **solid_y;
 } fw_frame;
 
-/* Memory for one frame of what the definition asks for; to be cleared also after a failure. */
+/* Memory for one frame of what the definition wants; to be cleared also after a failure. */
 fw_status fw_frame_make(fw_frame *frame, const fw_experiment *experiment,
                         const fw_trajectory_def *def, fw_error *error);
 /* One that is all zero may be cleared. */

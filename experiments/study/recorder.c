@@ -119,13 +119,13 @@ static fw_status load(fw_recorder *r, fw_checkpoint_origin *origin, fw_error *er
     return fw_fail_within(error, "%s/%s", r->plan.directory, origin->name);
 }
 
-static void tell_fallback(const fw_checkpoint_origin *origin, char note[FW_SENTENCE_SIZE])
+static void note_fallback(const fw_checkpoint_origin *origin, char note[FW_SENTENCE_SIZE])
 {
-    fw_error told;
-    fw_fail(&told, FW_OK,
+    fw_error sentence;
+    fw_fail(&sentence, FW_OK,
             "going on from %s at step %lld, since the other checkpoint cannot be used: %s",
             origin->name, (long long)origin->step, origin->newer_error.sentence);
-    snprintf(note, FW_SENTENCE_SIZE, "%s", told.sentence);
+    snprintf(note, FW_SENTENCE_SIZE, "%s", sentence.sentence);
 }
 
 fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
@@ -144,7 +144,7 @@ fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,
     } else if (status == FW_OK) {
         status = load(r, &origin, error);
         *written = r->written;
-        if (status == FW_OK && origin.fallen_back) tell_fallback(&origin, note);
+        if (status == FW_OK && origin.fallen_back) note_fallback(&origin, note);
     }
     return give_up(recorder, status);
 }

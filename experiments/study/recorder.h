@@ -20,7 +20,7 @@ fw_status fw_recorder_create(fw_recorder **recorder, fw_observer *observer,
                              const fw_measurement *measurement, const char *directory,
                              bool overwrite, int threads, fw_error *error);
 
-/* First half of a resume: loads the newest checkpoint into the scene. *written tells of how much
+/* First half of a resume: loads the newest checkpoint into the scene. *written reports how much
  * it speaks, of no rows where there is none yet and the scene is at its start; *note what the user
  * should know, if not empty. FW_BAD_INPUT: it holds what this run cannot have written. */
 fw_status fw_recorder_reopen(fw_recorder **recorder, fw_observer *observer,

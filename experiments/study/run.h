@@ -28,7 +28,7 @@ typedef struct fw_run fw_run;
 fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
                        fw_error *error);
 /* From the newest checkpoint in options->directory. FW_BAD_INPUT: the run is finished, or there is
- * nothing to go on from. `scenario` is the one in the results file. *note, if not empty, tells what
+ * nothing to go on from. `scenario` is the one in the results file. *note, if not empty, says what
  * the user should know. */
 fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
                         char note[FW_SENTENCE_SIZE], fw_error *error);
@@ -68,8 +68,8 @@ const fw_measurement *fw_run_measurement(const fw_run *run);
 /* What the whole run will leave on disk, without making it. */
 fw_status fw_run_size(const fw_run *run, fw_results_size *size, fw_error *error);
 
-/* Steps and measures for about so many seconds, or to the end, and tells what a step takes. The run
- * should have no folder: it is of no further use. */
+/* Steps and measures for about so many seconds, or to the end, and reports what a step takes. The
+ * run should have no folder: it is of no further use. */
 fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step, fw_error *error);
 
 #endif

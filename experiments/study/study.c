@@ -367,7 +367,7 @@ fw_status fw_study_to_end(fw_study *study, fw_error *error)
 {
     const char *directory = study->replicas[0].options.directory;
     const fw_status status = run_all(study, error);
-    /* Of the experiment itself there are results, which tell that another run has failed. */
+    /* Of the experiment itself there are results, which say that another run has failed. */
     if (status == FW_DIVERGED && study->replicas[0].status == FW_OK)
         fw_run_fail(study->replicas[0].run, status, error->sentence);
     FW_TRY(status);

@@ -37,7 +37,7 @@ fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, 
 bool fw_sweep_table_fail(fw_sweep_table *table, int row, const char *reason);
 
 /* DIRECTORY/sweep.csv: two lines that begin with # (title and units), one of names, then one per
- * value. Where a case has failed a last column, `failure`, tells why. */
+ * value. Where a case has failed a last column, `failure`, says why. */
 fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title,
                                const char *directory, fw_error *error);
 /* FW_BAD_INPUT: there is no such file, or it is not as it was written. */

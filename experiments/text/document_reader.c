@@ -11,7 +11,7 @@
 #include <string.h>
 #include <yaml.h>
 
-/* What libyaml calls things, and what a person who writes a scenario would. */
+/* Libyaml's words, and those of a person who writes a scenario. */
 static const char *in_plain_words(const char *problem)
 {
     static const char *const words[][2] = {

@@ -17,7 +17,8 @@ static inline bool fw_range_is_empty(fw_range range)
     return !(range.low <= range.high);
 }
 
-/* Widens the range by the finite ones of `count` values (positive ones only, if asked). */
+/* Widens the range by the finite ones of `count` values (only positive ones, if `positive_only`).
+ */
 void fw_range_include(fw_range *range, const double *values, long count, bool positive_only);
 
 /* The interval [low, high] that leaves at most the part `trim` of the finite values beyond each

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* terminal.c - asks the system and the environment. Keeps no state. */
+/* terminal.c - reads the system and the environment. Keeps no state. */
 #include "experiments/text/terminal.h"
 
 #include <stdlib.h>
