@@ -11,9 +11,9 @@ fw_status fw_drive_check(const fw_drive *drive, const char *kind, const char *na
 {
     const fw_path *path = &drive->path;
     if (!is_finite(drive->force) || !is_finite(drive->amplitude) || !is_finite(drive->tether) ||
-        !isfinite(drive->period) || !isfinite(drive->phase) || !is_finite(path->velocity) ||
-        !is_finite(path->amplitude) || !isfinite(path->phase) || !isfinite(path->from) ||
-        isnan(path->until) || !isfinite(path->period))
+        !isfinite(drive->period) || !isfinite(drive->phase) || !isfinite(drive->origin) ||
+        !is_finite(path->velocity) || !is_finite(path->amplitude) || !isfinite(path->phase) ||
+        !isfinite(path->from) || isnan(path->until) || !isfinite(path->period))
         return fw_fail(error, FW_BAD_INPUT, "%s %s: the drive has a number that is not finite",
                        kind, name);
     if (drive->period < 0 || path->period < 0)
@@ -25,18 +25,30 @@ fw_status fw_drive_check(const fw_drive *drive, const char *kind, const char *na
     return FW_OK;
 }
 
+fw_vec2 fw_drive_oscillation(const fw_drive *d, double time)
+{
+    const double t = time - d->origin;
+    const double swing = d->period > 0 ? sin(FW_TWO_PI * t / d->period + d->phase) : 0;
+    return fw_vec2_scale(swing, d->amplitude);
+}
+
+fw_vec2 fw_drive_velocity(const fw_drive *d, double time, double tick)
+{
+    return fw_path_velocity(&d->path, time - d->origin, tick);
+}
+
 /* D without the tether. */
 static fw_vec2 free_force(const fw_drive *d, double time)
 {
-    const double swing = d->period > 0 ? sin(FW_TWO_PI * time / d->period + d->phase) : 0;
-    return fw_vec2_add(d->force, fw_vec2_scale(swing, d->amplitude));
+    return fw_vec2_add(d->force, fw_drive_oscillation(d, time));
 }
 
 fw_vec2 fw_drive_solve(const fw_drive *d, fw_sym2 inertia, fw_vec2 push, fw_vec2 u, double time,
                        double tick)
 {
-    const fw_vec2 prescribed = fw_vec2_subtract(fw_path_displacement(&d->path, time + tick),
-                                                fw_path_displacement(&d->path, time));
+    const fw_vec2 prescribed =
+        fw_vec2_subtract(fw_path_displacement(&d->path, time + tick - d->origin),
+                         fw_path_displacement(&d->path, time - d->origin));
     const fw_vec2 pull = {d->tether.x * u.x, d->tether.y * u.y};
     const fw_vec2 right = fw_vec2_add(push, fw_vec2_subtract(free_force(d, time), pull));
     const fw_sym2 left = {inertia.xx + 0.5 * d->tether.x, inertia.xy,

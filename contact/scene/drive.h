@@ -14,7 +14,8 @@
 
 #include <stdbool.h>
 
-/* Forces are totals over what is driven. */
+/* Forces are totals over what is driven. Time t of the oscillation and of `path` is what
+ * has passed since `origin`. */
 typedef struct fw_drive {
     bool prescribed_x, prescribed_y; /* follows `path` instead of the forces */
     fw_path path;
@@ -22,8 +23,14 @@ typedef struct fw_drive {
     fw_vec2 amplitude; /* times sin(2 pi t / period + phase) */
     double period;     /* 0: no oscillation */
     double phase;      /* radians */
+    double origin;     /* time of the scene at which t = 0 */
     fw_vec2 tether;    /* stiffness of a spring to where it began, >= 0 */
 } fw_drive;
+
+/* amplitude sin(2 pi t / period + phase) at the scene's `time`; zero without a period. */
+fw_vec2 fw_drive_oscillation(const fw_drive *drive, double time);
+/* Velocity of the path at the end of a tick, see fw_path_velocity. */
+fw_vec2 fw_drive_velocity(const fw_drive *drive, double time, double tick);
 
 /* FW_BAD_INPUT for numbers that are not finite, and for a period or tether < 0; `kind` and `name`
  * begin the sentence. */

@@ -141,7 +141,7 @@ int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_c
 {
     const fw_drive *drive = &grip->drive;
     if (!drive->prescribed_x && !drive->prescribed_y) return 0;
-    const fw_vec2 velocity = fw_path_velocity(&drive->path, time, tick);
+    const fw_vec2 velocity = fw_drive_velocity(drive, time, tick);
     for (int n = 0; n < grip->count; ++n)
         carries[n] = (fw_carry){.particle = grip->particles[n],
                                 .owner = owner,

@@ -42,48 +42,60 @@ extern const fw_section fw_analysis_section;
     WORDS({"all", 0}, {"left", 0}, {"right", 0}, {"bottom", 0}, {"top", 0}),                       \
     .subsection = &fw_selection_section
 
-/* The keys of what moves a grip or piston, whole: in itself and in each phase. `object` has a
+/* The keys of what moves a grip or piston: `needed` goes with those of an oscillation, WITHOUT
+ * makes of the default's meaning what a phase or the thing itself has. `object` has a
  * fw_scenario_drive called `motion`; what is read with them: fw_scenario_read_drive. */
-#define DRIVE_KEYS(object)                                                                         \
+#define ITSELF(meaning)       meaning
+#define AS_BY_ITSELF(meaning) "its own"
+#define DRIVE_KEYS(object, needed, WITHOUT)                                                        \
     {"force",                                                                                      \
      AT_VEC2(object, motion.drive.force),                                                          \
      .layout = "[x, y]",                                                                           \
      .default_value = "[0, 0]",                                                                    \
+     .default_meaning = WITHOUT(NULL),                                                             \
      .unit = "force",                                                                              \
      .meaning = "on the whole of it, constant"},                                                   \
         {"amplitude",                                                                              \
          AT_VEC2(object, motion.drive.amplitude),                                                  \
          .layout = "[x, y]",                                                                       \
-         .needs = "period",                                                                        \
+         .needs = needed,                                                                          \
          .default_value = "[0, 0]",                                                                \
+         .default_meaning = WITHOUT(NULL),                                                         \
          .unit = "force",                                                                          \
          .meaning = "on top of it, times sin(360 t / period + phase)"},                            \
         {"period",       AT_NUMBER(object, motion.drive.period),                                   \
-         ABOVE_ZERO,     .default_meaning = "no oscillation",                                      \
+         ABOVE_ZERO,     .default_meaning = WITHOUT("no oscillation"),                             \
          .unit = "time", .meaning = "of the oscillation"},                                         \
         {"phase",                                                                                  \
          AT_ANGLE(object, motion.drive.phase),                                                     \
-         .needs = "period",                                                                        \
+         .needs = needed,                                                                          \
          FROM_TO(-360, 360),                                                                       \
          .default_value = "0",                                                                     \
+         .default_meaning = WITHOUT(NULL),                                                         \
          .unit = "degrees",                                                                        \
-         .meaning = "of the oscillation at time 0 of the run"},                                    \
+         .meaning = "of the oscillation at its time 0"},                                           \
+        {"time-from", AT_NAME(object, motion.time_from), .default_meaning = WITHOUT("the run"),    \
+         .meaning = "phase whose beginning is time 0 of the oscillation and of `path`, however "   \
+                    "early or late"},                                                              \
         {"tether",                                                                                 \
          AT_VEC2(object, motion.drive.tether),                                                     \
          .layout = "[x, y]",                                                                       \
          AT_LEAST(0),                                                                              \
          .default_value = "[0, 0]",                                                                \
+         .default_meaning = WITHOUT(NULL),                                                         \
          .unit = "force/length",                                                                   \
          .meaning = "a spring to where it began, per component"},                                  \
-        {"hold", AT_WORD(object, motion.hold),                                                     \
+        {"hold",                                                                                   \
+         AT_WORD(object, motion.hold),                                                             \
          WORDS({"none", FW_HOLD_NONE}, {"x", FW_HOLD_X}, {"y", FW_HOLD_Y},                         \
                {"both", FW_HOLD_BOTH}),                                                            \
          .default_value = "none",                                                                  \
+         .default_meaning = WITHOUT(NULL),                                                         \
          .meaning = "components that follow the path whatever force it takes, or stay at rest "    \
                     "without one"},                                                                \
     {                                                                                              \
         "path", AT_OBJECT(object, motion.drive.path),                                              \
-            .subsection = &fw_path_section, .default_meaning = "at rest",                          \
+            .subsection = &fw_path_section, .default_meaning = WITHOUT("at rest"),                 \
             .meaning = "of the components that `hold` names"                                       \
     }
 
@@ -136,10 +148,12 @@ fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error);
 /* Shape of a body from the mapping under its key `shape`. */
 fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *node,
                                  fw_scenario_body *body, fw_error *error);
-/* A drive whose keys have been filled in: what `hold` and `path` mean together. `kind` is what is
- * driven, "grip". */
-fw_status fw_scenario_read_drive(const fw_scenario *scenario, const fw_node *node, const char *kind,
-                                 const char *name, fw_scenario_drive *motion, fw_error *error);
+/* A drive whose keys have been filled in: what they mean together. `written` has the keys that
+ * stand at this place, `whole` also those that it has from elsewhere: a sentence is about what is
+ * written. `kind` is what is driven, "grip". */
+fw_status fw_scenario_read_drive(const fw_scenario *scenario, const fw_node *written,
+                                 const fw_node *whole, const char *kind, const char *name,
+                                 fw_scenario_drive *motion, fw_error *error);
 /* Selection under the key `sites` of `owner`, or all sites where there is none. */
 fw_status fw_scenario_read_selection(const fw_scenario *scenario, const fw_node *owner,
                                      const fw_scenario_body *body, fw_selection *selection,

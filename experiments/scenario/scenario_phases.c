@@ -4,23 +4,27 @@
 
 #include <string.h>
 
-static const fw_key phase_grip_keys[] = {DRIVE_KEYS(fw_phase_drive), {.name = NULL}};
+static const fw_key phase_grip_keys[] = {DRIVE_KEYS(fw_phase_drive, NULL, AS_BY_ITSELF),
+                                         {.name = NULL}};
 
 static const fw_section fw_phase_grip_section = {
     "`phases.NAME.grips.NAME`", "the drive of a grip in a phase",
-    "Takes the place of the grip's own drive during the phase, as a whole.",
+    "Changes the grip's own drive during the phase. What is not written here is as in "
+    "`grips.NAME`, "
+    "not as in the phase before; `path` is changed as a whole.",
     .keys = phase_grip_keys};
 
 static const fw_key phase_piston_keys[] = {{"damping", AT_NUMBER(fw_phase_piston, damping),
                                             AT_LEAST(0), .default_meaning = "the piston's own",
                                             .unit = "1/time",
                                             .meaning = "rate at which its velocity decays"},
-                                           DRIVE_KEYS(fw_phase_piston),
+                                           DRIVE_KEYS(fw_phase_piston, NULL, AS_BY_ITSELF),
                                            {.name = NULL}};
 
 static const fw_section fw_phase_piston_section = {
     "`phases.NAME.pistons.NAME`", "the drive of a piston in a phase",
-    "Takes the place of the piston's own drive during the phase, as a whole.",
+    "Changes the piston's own drive during the phase. What is not written here is as in "
+    "`walls.NAME.piston`, not as in the phase before; `path` is changed as a whole.",
     .keys = phase_piston_keys};
 
 static const fw_key phase_keys[] = {
@@ -43,6 +47,25 @@ const fw_section fw_phase_section = {
     "ends with the run. What a phase does not say is as without phases.",
     .keys = phase_keys};
 
+/* What is written in a phase, and of `own` the keys of that section that are not. */
+static fw_status complete(const fw_scenario *scenario, const fw_node *written, const fw_node *own,
+                          const fw_section *section, fw_node *whole, fw_error *error)
+{
+    fw_node *copies;
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)(written->count + own->count), sizeof *copies,
+                                &copies, error));
+    *whole = (fw_node){.kind = FW_MAPPING, .key = written->key, .place = written->place};
+    const fw_node *const sources[] = {written, own};
+    for (int n = 0; n < 2; ++n)
+        for (const fw_node *node = sources[n]->first; node; node = node->next) {
+            if (fw_node_find(whole, node->key) || !fw_section_find(section, node->key)) continue;
+            *copies = *node;
+            copies->next = NULL;
+            fw_node_append(whole, copies++);
+        }
+    return FW_OK;
+}
+
 static fw_status read_drives(fw_scenario *scenario, const fw_node *named, fw_scenario_phase *phase,
                              fw_error *error)
 {
@@ -57,8 +80,12 @@ static fw_status read_drives(fw_scenario *scenario, const fw_node *named, fw_sce
             .text = node->key, .length = strlen(node->key), .place = node->key_place};
         drive->place = node->key_place;
         FW_TRY(fw_scenario_find(scenario, grips, "grip", &name, &drive->grip, error));
-        FW_TRY(fw_schema_fill(scenario->document, &fw_phase_grip_section, node, drive, error));
-        FW_TRY(fw_scenario_read_drive(scenario, node, "grip", node->key, &drive->motion, error));
+        fw_node whole;
+        FW_TRY(complete(scenario, node, fw_node_find(grips, node->key), &fw_phase_grip_section,
+                        &whole, error));
+        FW_TRY(fw_schema_fill(scenario->document, &fw_phase_grip_section, &whole, drive, error));
+        FW_TRY(fw_scenario_read_drive(scenario, node, &whole, "grip", node->key, &drive->motion,
+                                      error));
     }
     return FW_OK;
 }
@@ -81,8 +108,12 @@ static fw_status read_pistons(fw_scenario *scenario, const fw_node *named, fw_sc
             return fw_scenario_fail(scenario, node->key_place, error,
                                     "wall '%s' is no piston, expected one with the key 'piston'",
                                     node->key);
-        FW_TRY(fw_schema_fill(scenario->document, &fw_phase_piston_section, node, piston, error));
-        FW_TRY(fw_scenario_read_drive(scenario, node, "piston", node->key, &piston->motion, error));
+        const fw_node *own = fw_node_find(fw_node_find(walls, node->key), "piston");
+        fw_node whole;
+        FW_TRY(complete(scenario, node, own, &fw_phase_piston_section, &whole, error));
+        FW_TRY(fw_schema_fill(scenario->document, &fw_phase_piston_section, &whole, piston, error));
+        FW_TRY(fw_scenario_read_drive(scenario, node, &whole, "piston", node->key, &piston->motion,
+                                      error));
     }
     return FW_OK;
 }

@@ -5,14 +5,14 @@
 
 #include "experiments/scenario/scenario_grips.h"
 
-/* The whole drive of a grip during a phase. */
+/* The drive of a grip during a phase, with what it has from the grip's own. */
 typedef struct fw_phase_drive {
     fw_place place;
     int grip; /* index into the scenario's grips */
     fw_scenario_drive motion;
 } fw_phase_drive;
 
-/* The whole drive of a piston during a phase. */
+/* The drive of a piston during a phase, with what it has from the piston's own. */
 typedef struct fw_phase_piston {
     fw_place place;
     int wall;       /* index into the scenario's walls */

@@ -47,7 +47,7 @@ static const fw_key piston_keys[] = {
      .unit = "1/time", .meaning = "rate at which its velocity decays"},
     {"velocity", AT_VEC2(fw_scenario_piston, velocity), .layout = "[x, y]",
      .default_value = "[0, 0]", .unit = "length/time", .meaning = "at the start"},
-    DRIVE_KEYS(fw_scenario_piston),
+    DRIVE_KEYS(fw_scenario_piston, "period", ITSELF),
     {.name = NULL}};
 
 static const fw_section fw_piston_section = {
@@ -161,8 +161,8 @@ static fw_status read_piston(const fw_scenario *scenario, const fw_node *node,
             "walls.%s has both 'piston' and 'path'; a piston is moved by forces, "
             "or by a path within 'piston'",
             node->key);
-    FW_TRY(
-        fw_scenario_read_drive(scenario, piston, "piston", node->key, &wall->piston.motion, error));
+    FW_TRY(fw_scenario_read_drive(scenario, piston, piston, "piston", node->key,
+                                  &wall->piston.motion, error));
     const fw_node *velocity = fw_node_find(piston, "velocity");
     const fw_drive *drive = &wall->piston.motion.drive;
     if (velocity && ((drive->prescribed_x && wall->piston.velocity.x != 0) ||

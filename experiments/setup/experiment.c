@@ -7,9 +7,9 @@
 #include "experiments/setup/body_range.h"
 #include "experiments/setup/build.h"
 #include "experiments/setup/overlap.h"
+#include "experiments/setup/phase.h"
 #include "experiments/setup/solids.h"
 #include "period.h"
-#include "phase.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* phase.c - grips, and the phases that drive them and pistons. State: the phase that the scene has
  * the parameters of, kept by the caller. Start reading at fw_phase_enter(). */
-#include "phase.h"
+#include "experiments/setup/phase.h"
 
 #include "core/particles/langevin.h"
 #include "experiments/setup/solids.h"
@@ -135,33 +135,60 @@ static fw_status set_bath(const fw_scenario *scenario, fw_scene *scene, const fw
     return FW_OK;
 }
 
-/* The drive of a grip in a phase: the phase's, or its own. */
-static const fw_drive *drive_in(const fw_scenario *scenario, const fw_scenario_phase *phase,
-                                int grip)
+double fw_phase_time(const fw_scenario *scenario, const fw_scene *scene, int phase)
 {
-    for (int n = 0; n < phase->drive_count; ++n)
-        if (phase->drives[n].grip == grip) return &phase->drives[n].motion.drive;
-    return &scenario->grips[grip].motion.drive;
+    if (fw_scene_body_count(scene) == 0) return 0;
+    const fw_solid *solid = fw_scene_observe_body(scene, 0);
+    /* As the scene counts its time: their difference is 0 at the first step, not a rounding. */
+    return (double)(scenario->phases[phase].from * solid->model->ticks_per_step) * solid->tick;
 }
 
-static fw_status set_pistons(const fw_scenario *scenario, fw_scene *scene,
-                             const fw_scenario_phase *phase, fw_error *error)
+/* With its time 0, now that steps have a duration. */
+static fw_drive complete(const fw_scenario *scenario, const fw_scene *scene,
+                         const fw_scenario_drive *motion)
+{
+    fw_drive drive = motion->drive;
+    if (motion->origin >= 0) drive.origin = fw_phase_time(scenario, scene, motion->origin);
+    return drive;
+}
+
+fw_drive fw_phase_grip(const fw_scenario *scenario, const fw_scene *scene, int phase, int grip)
+{
+    const fw_scenario_phase *in = &scenario->phases[phase];
+    const fw_scenario_drive *motion = &scenario->grips[grip].motion;
+    for (int n = 0; n < in->drive_count; ++n)
+        if (in->drives[n].grip == grip) motion = &in->drives[n].motion;
+    return complete(scenario, scene, motion);
+}
+
+/* What the phase says of the piston, or NULL. */
+static const fw_phase_piston *find_piston(const fw_scenario *scenario, int phase, int wall)
+{
+    const fw_scenario_phase *in = &scenario->phases[phase];
+    for (int n = 0; n < in->piston_count; ++n)
+        if (in->pistons[n].wall == wall) return &in->pistons[n];
+    return NULL;
+}
+
+fw_drive fw_phase_piston_drive(const fw_scenario *scenario, const fw_scene *scene, int phase,
+                               int wall)
+{
+    const fw_phase_piston *other = find_piston(scenario, phase, wall);
+    return complete(scenario, scene, other ? &other->motion : &scenario->walls[wall].piston.motion);
+}
+
+static fw_status set_pistons(const fw_scenario *scenario, fw_scene *scene, int phase,
+                             fw_error *error)
 {
     for (int w = 0; w < scenario->wall_count; ++w) {
-        const fw_scenario_piston *own = &scenario->walls[w].piston;
-        const fw_drive *drive = &own->motion.drive;
-        double damping = own->damping;
-        fw_place place = scenario->walls[w].place;
         if (!scenario->walls[w].is_piston) continue;
-        for (int n = 0; n < phase->piston_count; ++n) {
-            const fw_phase_piston *other = &phase->pistons[n];
-            if (other->wall != w) continue;
-            drive = &other->motion.drive;
-            if (other->damping >= 0) damping = other->damping;
-            place = other->place;
-        }
+        const fw_phase_piston *other = find_piston(scenario, phase, w);
+        const fw_drive drive = fw_phase_piston_drive(scenario, scene, phase, w);
+        const double damping =
+            other && other->damping >= 0 ? other->damping : scenario->walls[w].piston.damping;
+        const fw_place place = other ? other->place : scenario->walls[w].place;
         const fw_status status =
-            fw_piston_set_drive(fw_scene_piston(scene, w), drive, damping, error);
+            fw_piston_set_drive(fw_scene_piston(scene, w), &drive, damping, error);
         FW_TRY(fw_scenario_fail_again(scenario, place, status, error));
     }
     return FW_OK;
@@ -175,11 +202,12 @@ fw_status fw_phase_enter(const fw_scenario *scenario, fw_scene *scene, const fw_
     int now = 0;
     while (now < scenario->phase_count - 1 && step >= scenario->phases[now].until) now += 1;
     if (now == *current) return FW_OK;
-    const fw_scenario_phase *phase = &scenario->phases[now];
-    FW_TRY(set_bath(scenario, scene, ranges, phase, error));
-    for (int n = 0; n < scenario->grip_count; ++n)
-        FW_TRY(fw_grip_set_drive(fw_scene_grip(scene, n), drive_in(scenario, phase, n), error));
-    FW_TRY(set_pistons(scenario, scene, phase, error));
+    FW_TRY(set_bath(scenario, scene, ranges, &scenario->phases[now], error));
+    for (int n = 0; n < scenario->grip_count; ++n) {
+        const fw_drive drive = fw_phase_grip(scenario, scene, now, n);
+        FW_TRY(fw_grip_set_drive(fw_scene_grip(scene, n), &drive, error));
+    }
+    FW_TRY(set_pistons(scenario, scene, now, error));
     *current = now;
     return FW_OK;
 }

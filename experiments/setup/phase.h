@@ -14,6 +14,14 @@ fw_status fw_grips_add(const fw_scenario *scenario, fw_scene *scene, const fw_bo
 
 /* FW_BAD_INPUT where a phase has a bath too hot for the time step. */
 fw_status fw_phases_check(const fw_scenario *scenario, const fw_scene *scene, fw_error *error);
+
+/* The time at which a phase begins. */
+double fw_phase_time(const fw_scenario *scenario, const fw_scene *scene, int phase);
+/* What drives a grip, or the wall that is a piston, in that phase: of its own, or the phase's. */
+fw_drive fw_phase_grip(const fw_scenario *scenario, const fw_scene *scene, int phase, int grip);
+fw_drive fw_phase_piston_drive(const fw_scenario *scenario, const fw_scene *scene, int phase,
+                               int wall);
+
 /* Gives the scene the parameters of the phase that the next step belongs to. *current: the one that
  * it has, -1: none yet. */
 fw_status fw_phase_enter(const fw_scenario *scenario, fw_scene *scene, const fw_body_range *ranges,

@@ -104,8 +104,9 @@ static const char phased[] =
     "phases:\n"
     "  settle: {until: 6, damping: 1}\n"
     "  drive: {until: 14, temperature: 0.2, grips: {left: {force: [9, 3], amplitude: [0, 9],"
-    " period: 0.05}}}\n"
-    "  sample: {until: 24, grips: {right: {hold: both, path: {velocity: [0, -0.5]}}}}\n"
+    " period: 0.05, time-from: drive}}}\n"
+    "  sample: {until: 24, grips: {left: {tether: [0, 1]}, right: {hold: both, time-from: sample,"
+    " path: {velocity: [0, -0.5], until: 0.06}}}}\n"
     "profile: {axis: x, phase: sample, every: 3, bin: 0.9, far: [2, 4]}\n"
     "measure: [energy, momentum, slip, grip-work, grip-path-length, thermostat-heat, "
     "contact-return-force]\n"
@@ -125,7 +126,7 @@ static const char pressed[] =
     "phases:\n"
     "  press: {until: 9}\n"
     "  swing: {until: 24, pistons: {left: {force: [20, 0], amplitude: [0, 30], period: 0.04,"
-    " damping: 0}, right: {hold: both, path: {velocity: [-0.5, 0.1]}}}}\n"
+    " time-from: swing, damping: 0}, right: {hold: both, path: {velocity: [-0.5, 0.1]}}}}\n"
     "measure: [energy, momentum, wall-work, friction-heat, wall-energy, piston-velocity, "
     "piston-work, piston-heat,"
     " piston-path-length, piston-torque, contacts-so-far]\n"
@@ -335,8 +336,8 @@ static void particles_in_a_heat_bath(void **state)
 static void phases_of_grips_and_their_profile(void **state)
 {
     (void)state;
-    static const char *const labels[] = {"grip-work.left", "grip-path-length.right", "thermostat-heat",
-                                         "contact-return-force", NULL};
+    static const char *const labels[] = {"grip-work.left", "grip-path-length.right",
+                                         "thermostat-heat", "contact-return-force", NULL};
     check_scenario(phased, labels, any_threads);
 }
 
