@@ -47,8 +47,8 @@ static char *read_text(fw_playback *playback, const char *path)
     return text;
 }
 
-/* Names go into sentences, tables and pictures: none with control characters, which a terminal
- * would obey. In UTF-8 those above 127 begin with 0xC2. */
+/* Names, units and meanings go into sentences, tables and pictures: none with control characters,
+ * which a terminal would obey. In UTF-8 those above 127 begin with 0xC2. */
 static bool is_plain(const char *name)
 {
     for (const unsigned char *c = (const unsigned char *)name; *c; ++c)
@@ -155,9 +155,10 @@ static fw_status read_fields(fw_playback *playback, fw_error *error)
         snprintf(path, sizeof path, FW_PARTICLES "/%s", names[i]);
         fw_hdf5_read_attribute(playback->file->hdf5, path, "meaning", field->meaning,
                                sizeof field->meaning);
+        if (!is_plain(field->meaning)) fw_hdf5_refuse(playback->file->hdf5, path);
     }
     free(names);
-    return FW_OK;
+    return fw_hdf5_check(playback->file->hdf5, error);
 }
 
 static fw_status read_observables(fw_playback *playback, fw_error *error)

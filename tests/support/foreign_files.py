@@ -65,8 +65,14 @@ def escape_in_body(file):
     file[f"{PARTICLES}/species"].attrs["bodies"] = np.array([b"one", b"t\x1b[31mwo"])
 
 
+def escape_in_meaning(file):
+    del file[f"{PARTICLES}/strain"].attrs["meaning"]
+    file[f"{PARTICLES}/strain"].attrs["meaning"] = np.bytes_("elongation\x1b[31m of the links")
+
+
 DAMAGES = {
     "escape-in-body": escape_in_body,
+    "escape-in-meaning": escape_in_meaning,
     "escape-in-observable": lambda file: file.move("parameters/series/energy",
                                                    "parameters/series/e\x1b[2J"),
     "no-metadata": without("h5md"),
