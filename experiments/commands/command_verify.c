@@ -35,7 +35,11 @@ static void write_verdict(fw_json *json, const fw_verdict *verdict)
     fw_json_number(json, "above", bounds && e->has_above ? e->above : NAN);
     fw_json_number(json, "below", bounds && e->has_below ? e->below : NAN);
     fw_json_number(json, "measured", verdict->measured);
-    if (isfinite(verdict->error)) fw_json_number(json, "error", verdict->error);
+    if (isfinite(verdict->error)) {
+        fw_json_number(json, "error", verdict->error);
+        fw_json_flag(json, "error-is-lower-bound", verdict->at_least);
+    }
+    if (verdict->why[0]) fw_json_text(json, "no-number-since", verdict->why);
     if (verdict->seeds > 1) fw_json_integer(json, "seeds", verdict->seeds);
     fw_json_flag(json, "holds", verdict->holds);
     fw_json_text(json, "source", e->source);

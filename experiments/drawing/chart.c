@@ -73,7 +73,7 @@ static void draw_markers(const fw_curve *curve, const fw_panel *panel, fw_colour
     double radius = curve->count > 100 ? .55 : .85;
     if (!has_markers(curve)) return;
     if (curve->error) {
-        fw_panel_bars(panel, curve->x, curve->y, curve->error, curve->count, colour);
+        fw_panel_bars(panel, curve->x, curve->y, curve->error, curve->open, curve->count, colour);
     }
     fw_panel_markers(panel, curve->x, curve->y, curve->count, radius, colour);
 }

@@ -21,6 +21,7 @@ typedef struct fw_curve {
     int count;
     const double *x, *y;
     const double *error; /* standard error of y: a band, or bars on markers; may be NULL */
+    const double *open;  /* not 0: that error is a lower bound, its bar dotted; NULL: none is */
     fw_curve_look look;
     int colour;
 } fw_curve;

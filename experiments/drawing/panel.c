@@ -252,9 +252,8 @@ static bool is_inside(const fw_panel *panel, double x, double y)
 }
 
 void fw_panel_bars(const fw_panel *panel, const double *x, const double *y, const double *error,
-                   int count, fw_colour colour)
+                   const double *open, int count, fw_colour colour)
 {
-    const fw_stroke line = {colour, .22, FW_DASH_NONE};
     const double half_cap = .7;
     for (int k = 0; k < count; ++k) {
         double lower, upper, place = fw_panel_x(panel, x[k]);
@@ -268,7 +267,9 @@ void fw_panel_bars(const fw_panel *panel, const double *x, const double *y, cons
                               {place + half_cap, lower},
                               {place - half_cap, upper},
                               {place + half_cap, upper}};
-        fw_canvas_segments(panel->canvas, strokes, 3, line);
+        const bool is_open = open && open[k] != 0;
+        const fw_stroke line = {colour, .22, is_open ? FW_DASH_DOTS : FW_DASH_NONE};
+        fw_canvas_segments(panel->canvas, strokes, is_open ? 1 : 3, line);
     }
 }
 

@@ -37,7 +37,7 @@ void fw_panel_band(const fw_panel *panel, const double *x, const double *y, cons
 /* Error bars. Bars and markers are drawn for the points inside the box, unclipped: one that lies on
  * the frame stays whole. */
 void fw_panel_bars(const fw_panel *panel, const double *x, const double *y, const double *error,
-                   int count, fw_colour colour);
+                   const double *open, int count, fw_colour colour);
 /* Small discs. */
 void fw_panel_markers(const fw_panel *panel, const double *x, const double *y, int count,
                       double radius, fw_colour colour);

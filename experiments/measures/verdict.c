@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* verdict.c - statistics of a series, and the table of expectations. Keeps no state. */
+/* verdict.c - statistics of a series, held against what is expected. Keeps no state. */
 #include "experiments/measures/verdict.h"
 
-#include "experiments/measures/layer.h"
-#include "experiments/text/terminal.h"
-#include "experiments/text/text.h"
-
 #include "core/averages.h"
+#include "experiments/measures/layer.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -246,7 +243,8 @@ static double error_in_time(const fw_measurement *m, const fw_expectation *e, in
     if (count < 2 || fw_average_of_series(&average, values, count, NULL) != FW_OK)
         average.error = NAN;
     free(values);
-    *at_least = average.error > 0 && !average.converged;
+    /* That a constant is known but to rounding says nothing. */
+    *at_least = average.error > FW_MEASURED * fabs(average.mean) && !average.converged;
     return average.error;
 }
 
@@ -290,8 +288,8 @@ static void write_found(fw_verdict *verdict)
         length = snprintf(end, room, "%#.*g +- %s%.2g", digits, verdict->measured,
                           verdict->at_least ? ">= " : "", verdict->error);
     } else if (!isfinite(verdict->measured)) {
-        length = snprintf(end, room, "no number%s%.150s", verdict->why ? ": " : "",
-                          verdict->why ? verdict->why : "");
+        length =
+            snprintf(end, room, "no number%s%.150s", verdict->why[0] ? ": " : "", verdict->why);
     } else {
         length = snprintf(end, room, "%.10g", verdict->measured);
     }
@@ -306,9 +304,10 @@ static void write_found(fw_verdict *verdict)
 static void count_seeds(fw_verdict *verdict, const fw_scenario *scenario,
                         const fw_measurement *measurement, int number)
 {
-    verdict->seeds = verdict->seeds_asked = (int)scenario->study.seeds;
     const char *absent = fw_layer_quantities[measurement->component[number]].absent;
-    verdict->why = absent ? absent : "no seed shows it";
+    if (!isfinite(verdict->measured))
+        snprintf(verdict->why, sizeof verdict->why, "%s", absent ? absent : "no seed shows it");
+    verdict->seeds = verdict->seeds_asked = (int)scenario->study.seeds;
     if (!measurement->outcome_of_seeds) return;
     verdict->seeds = 0;
     for (int n = 0; n < verdict->seeds_asked; ++n)
@@ -330,8 +329,10 @@ fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *meas
             verdict.measured = value_in(measurement, e, number);
             verdict.error = error_in_time(measurement, e, number, &verdict.at_least);
         }
-        verdict.why =
-            reason_of(measurement, e, probe, probe->first + measurement->component[number]);
+        if (!isfinite(verdict.measured))
+            snprintf(
+                verdict.why, sizeof verdict.why, "%s",
+                reason_of(measurement, e, probe, probe->first + measurement->component[number]));
         name_quantity(&verdict, probe, measurement->component[number]);
     }
     verdict.asked = fw_verdict_is_asked(scenario, e);
@@ -356,95 +357,4 @@ bool fw_verdict_is_asked(const fw_scenario *scenario, const fw_expectation *expe
     const fw_scenario_sweep *sweep = &scenario->study.sweep;
     if (fw_expectation_is_trend(expectation)) return false;
     return expectation->when < 0 || (sweep->is_case && expectation->when == sweep->number);
-}
-
-/* --- several --- */
-
-fw_status fw_verdicts_create(fw_verdicts *verdicts, const fw_scenario *scenario,
-                             const fw_measurement *measurement, fw_error *error)
-{
-    const int count = scenario->expectation_count;
-    verdicts->count = 0;
-    verdicts->item = calloc((size_t)count + 1, sizeof *verdicts->item);
-    if (!verdicts->item) return fw_fail_memory(error, "the verdicts");
-    for (int n = 0; n < count; ++n)
-        verdicts->item[verdicts->count++] = fw_verdict_of(scenario, measurement, n);
-    return FW_OK;
-}
-
-void fw_verdicts_clear(fw_verdicts *verdicts)
-{
-    free(verdicts->item);
-    *verdicts = (fw_verdicts){0};
-}
-
-int fw_verdicts_asked(const fw_verdicts *verdicts)
-{
-    int count = 0;
-    for (int n = 0; n < verdicts->count; ++n) count += verdicts->item[n].asked;
-    return count;
-}
-
-int fw_verdicts_failed(const fw_verdicts *verdicts)
-{
-    int count = 0;
-    for (int n = 0; n < verdicts->count; ++n)
-        count += verdicts->item[n].asked && !verdicts->item[n].holds;
-    return count;
-}
-
-static int longer(int width, const char *text)
-{
-    int length = (int)strlen(text);
-    return length > width ? length : width;
-}
-
-/* Widths of the columns; that of the cases is 0 where there are none. */
-typedef struct widths {
-    int in, quantity, expected, found, word;
-} widths;
-
-/* Green and red on a terminal that may have colours. */
-static void print_word(FILE *out, const widths *w, const fw_verdict *v)
-{
-    const bool colours = fw_terminal_colours(out);
-    if (colours) fputs(v->holds ? "\033[32m" : "\033[31m", out);
-    fprintf(out, "%-*s", w->word, fw_verdict_word(v));
-    if (colours) fputs("\033[0m", out);
-    fputs("  ", out);
-}
-
-static void print_row(FILE *out, const widths *w, const fw_verdict *v)
-{
-    const char *source = v->expectation->source;
-    if (w->in > 0) fprintf(out, "%-*s  ", w->in, v->in ? v->in : "");
-    fprintf(out, "%-*s  %-*s  %-*s  ", w->quantity, v->quantity, w->expected, v->expected, w->found,
-            v->found);
-    print_word(out, w, v);
-    if (source) fw_text_print_line(out, source);
-    fputc('\n', out);
-    if (!v->expectation->note) return;
-    fprintf(out, "%-*s  ", w->quantity + (w->in > 0 ? w->in + 2 : 0), "");
-    fw_text_print_line(out, v->expectation->note);
-    fputc('\n', out);
-}
-
-void fw_verdicts_print(FILE *out, const fw_verdicts *verdicts)
-{
-    widths w = {.quantity = 8, .expected = 8, .found = 16, .word = 7};
-    if (fw_verdicts_asked(verdicts) == 0) return;
-    for (int n = 0; n < verdicts->count; ++n) {
-        const fw_verdict *v = &verdicts->item[n];
-        if (!v->asked) continue;
-        if (v->in) w.in = longer(w.in > 4 ? w.in : 4, v->in);
-        w.quantity = longer(w.quantity, v->quantity);
-        w.expected = longer(w.expected, v->expected);
-        w.found = longer(w.found, v->found);
-        w.word = longer(w.word, fw_verdict_word(v));
-    }
-    if (w.in > 0) fprintf(out, "%-*s  ", w.in, "case");
-    fprintf(out, "%-*s  %-*s  %-*s  %-*s  %s\n", w.quantity, "quantity", w.expected, "expected",
-            w.found, "measured", w.word, "verdict", "source");
-    for (int n = 0; n < verdicts->count; ++n)
-        if (verdicts->item[n].asked) print_row(out, &w, &verdicts->item[n]);
 }

@@ -19,10 +19,10 @@ typedef struct fw_verdict {
     bool at_least;   /* the series is too short for its correlation: the error is a lower bound */
     int seeds;       /* that have a number ... */
     int seeds_asked; /* ... of so many; 0: not known */
-    const char *why; /* why there is no number, where there is none; NULL: not known */
     bool holds;      /* never, where the measured number is not finite */
     char quantity[FW_VERDICT_TEXT]; /* "elongation.chain x, maximum" */
     char expected[FW_VERDICT_TEXT]; /* "0.8 +- 1e-10", "< 1e-11" */
+    char why[FW_VERDICT_TEXT];      /* why there is no number, where there is none; "": not known */
     char found[FW_VERDICT_TEXT];    /* "0.7999", "1.0005 +- 0.0036 (4 seeds)" */
 } fw_verdict;
 

@@ -29,9 +29,9 @@ typedef struct sweep_result {
 /* Numbers of one panel in the order of the parameter. */
 typedef struct panel_data {
     char label[FW_SWEEP_NAME + 80];
-    const char *part;                         /* what of the quantity; "": there is only one part */
-    const fw_quantity *quantity;              /* of it; NULL: not known */
-    double *mean, *error, *expected, *within; /* one piece of memory */
+    const char *part;            /* what of the quantity; "": there is only one part */
+    const fw_quantity *quantity; /* of it; NULL: not known */
+    double *mean, *error, *open, *expected, *within; /* one piece of memory */
     fw_curve curves[2];
 } panel_data;
 
@@ -43,6 +43,7 @@ typedef struct drawing {
     panel_data panels[PANELS_MAX];
     fw_chart charts[PANELS_MAX];
     bool expected; /* any panel shows what was expected */
+    bool open;     /* any error is a lower bound */
 } drawing;
 
 /* --- the sweep --- */
@@ -174,15 +175,18 @@ static fw_status fill_panel(drawing *d, int number, const fw_sweep_column *colum
     panel_data *panel = &d->panels[number];
     const int count = d->result->table.value_count;
     bool expected = false;
-    panel->mean = fw_array_of_doubles(4 * (size_t)count);
+    panel->mean = fw_array_of_doubles(5 * (size_t)count);
     if (!panel->mean) return fw_fail_memory(error, "a picture of a sweep");
     panel->error = panel->mean + count;
-    panel->expected = panel->error + count;
+    panel->open = panel->error + count;
+    panel->expected = panel->open + count;
     panel->within = panel->expected + count;
     for (int k = 0; k < count; ++k) {
         const int row = d->order[k];
         panel->mean[k] = column->mean[row];
         panel->error[k] = isfinite(column->error[row]) ? column->error[row] : 0;
+        panel->open[k] = column->at_least[row];
+        d->open = d->open || panel->open[k] != 0;
         panel->expected[k] = column->expected[row];
         panel->within[k] = isfinite(column->within[row]) ? column->within[row] : 0;
         expected = expected || isfinite(panel->expected[k]);
@@ -197,6 +201,7 @@ static fw_status fill_panel(drawing *d, int number, const fw_sweep_column *colum
                                   .x = d->x,
                                   .y = panel->mean,
                                   .error = panel->error,
+                                  .open = panel->open,
                                   .look = FW_CURVE_LINE_AND_MARKERS,
                                   .colour = 1};
     panel->curves[1] = (fw_curve){.label = "expected",
@@ -253,8 +258,11 @@ static fw_status draw_panels(const drawing *d, const char *file, const char *tit
     fw_label_print(label, sizeof label, table->parameter, table->unit);
     for (int p = 0; p < d->count; ++p) explain(d->panels[p].quantity, caption, sizeof caption);
     const size_t used = strlen(caption);
-    snprintf(caption + used, sizeof caption - used, "%s%sReduced units.",
+    snprintf(caption + used, sizeof caption - used, "%s%s%sReduced units.",
              seeds > 1 ? "Means over the seeds, with standard errors as bars. " : "",
+             d->open ? "Dotted bars: the series is too short for its correlation, the error is a "
+                       "lower bound. "
+                     : "",
              d->expected ? "Grey: what is expected, with its tolerance as a bar. " : "");
     page.title = title;
     page.caption = caption;

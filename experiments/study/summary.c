@@ -24,7 +24,9 @@ static void write_row(FILE *out, const summary *s, int number)
     fw_csv_write_number(out, verdict.measured);
     fputc(',', out);
     fw_csv_write_number(out, verdict.error);
-    fprintf(out, ",%s", !verdict.asked ? "not asked" : fw_verdict_word(&verdict));
+    fprintf(out, ",%s,%d,", !verdict.asked ? "not asked" : fw_verdict_word(&verdict),
+            verdict.at_least);
+    fw_csv_write_text(out, verdict.why);
     for (int n = 0; n < s->scenario->study.seeds; ++n) {
         fputc(',', out);
         fw_csv_write_number(out, fw_verdict_of_seed(s->scenario, s->measurement, number, n));
@@ -35,7 +37,8 @@ static void write_row(FILE *out, const summary *s, int number)
 static void write(FILE *out, const void *object)
 {
     const summary *s = object;
-    fputs("quantity,expected,mean,standard error,verdict", out);
+    fputs("quantity,expected,mean,standard error,verdict,error is lower bound,no number since",
+          out);
     for (int n = 0; n < s->scenario->study.seeds; ++n)
         fprintf(out, ",seed %lld", (long long)(s->scenario->run.seed + n));
     fputc('\n', out);
@@ -52,14 +55,17 @@ fw_status fw_summary_write(const char *directory, const fw_scenario *scenario,
 
 static bool read_row(char *line, fw_verdict *verdict)
 {
-    char *cell[4];
-    for (int n = 0; n < 4; ++n) {
+    enum { QUANTITY, EXPECTED, MEAN, ERROR, VERDICT, AT_LEAST, WHY, CELLS };
+    char *cell[CELLS];
+    for (int n = 0; n < CELLS; ++n) {
         if (!line) return false;
         line = fw_csv_cut(line, &cell[n]);
     }
-    snprintf(verdict->quantity, sizeof verdict->quantity, "%s", cell[0]);
-    verdict->measured = fw_csv_read_number(cell[2]);
-    verdict->error = fw_csv_read_number(cell[3]);
+    snprintf(verdict->quantity, sizeof verdict->quantity, "%s", cell[QUANTITY]);
+    verdict->measured = fw_csv_read_number(cell[MEAN]);
+    verdict->error = fw_csv_read_number(cell[ERROR]);
+    verdict->at_least = strcmp(cell[AT_LEAST], "1") == 0;
+    snprintf(verdict->why, sizeof verdict->why, "%s", cell[WHY]);
     return true;
 }
 

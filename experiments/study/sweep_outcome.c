@@ -34,6 +34,7 @@ static bool add_verdict(fw_sweep_table *table, int row, const fw_verdict *verdic
     if (!column) return false;
     column->mean[row] = verdict->measured;
     column->error[row] = verdict->error;
+    column->at_least[row] = verdict->at_least;
     const bool valued = e->kind == FW_VERDICT_VALUE || e->kind == FW_VERDICT_RELATIVE;
     if (!verdict->asked || !valued || !isnan(column->expected[row])) return true;
     column->expected[row] = e->value;
@@ -110,6 +111,7 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
         worst = margin;
         verdict.measured = change;
         verdict.error = unsure;
+        verdict.at_least = low->at_least || high->at_least;
         verdict.in = cases[next].name;
         snprintf(verdict.quantity, sizeof verdict.quantity, "%.100s, least %s (from %.100s)",
                  low->quantity, sign > 0 ? "rise" : "fall", cases[n].name);

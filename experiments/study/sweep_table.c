@@ -15,8 +15,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PARTS = 4 };
-static const char *const part_names[PARTS] = {"", " error", " expected", " within"};
+enum { MEAN, ERROR, AT_LEAST, EXPECTED, WITHIN, PARTS };
+static const char *const part_names[PARTS] = {"", " error", " error is lower bound", " expected",
+                                              " within"};
 
 fw_status fw_sweep_table_create(fw_sweep_table *table, const char *parameter, const char *unit,
                                 const double *values, int value_count, fw_error *error)
@@ -63,10 +64,12 @@ fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, 
     double *numbers = fw_array_of_doubles(cells);
     if (!numbers) return NULL;
     for (size_t n = 0; n < cells; ++n) numbers[n] = NAN;
+    for (int v = 0; v < table->value_count; ++v) numbers[AT_LEAST * table->value_count + v] = 0;
     *made = (fw_sweep_column){.mean = numbers,
                               .error = numbers + table->value_count,
-                              .expected = numbers + 2 * table->value_count,
-                              .within = numbers + 3 * table->value_count};
+                              .at_least = numbers + AT_LEAST * table->value_count,
+                              .expected = numbers + EXPECTED * table->value_count,
+                              .within = numbers + WITHIN * table->value_count};
     snprintf(made->name, sizeof made->name, "%s", name);
     snprintf(made->unit, sizeof made->unit, "%s", unit);
     table->column_count += 1;
@@ -96,12 +99,14 @@ typedef struct titled {
     const char *title;
 } titled;
 
-/* What was expected is written of those columns alone of which something was. */
-static int parts_of(const fw_sweep_table *table, int column)
+/* Lower bounds, and what was expected, are written of those columns alone of which they are. */
+static bool has_part(const fw_sweep_table *table, int column, int part)
 {
+    const fw_sweep_column *c = &table->columns[column];
+    if (part <= ERROR) return true;
     for (int v = 0; v < table->value_count; ++v)
-        if (!isnan(table->columns[column].expected[v])) return PARTS;
-    return 2;
+        if (part == AT_LEAST ? c->at_least[v] != 0 : !isnan(c->expected[v])) return true;
+    return false;
 }
 
 static void write_head(FILE *out, const fw_sweep_table *table, const char *title)
@@ -112,14 +117,16 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
     fputs("\n# units: ", out);
     fw_csv_write_text(out, table->unit);
     for (int c = 0; c < table->column_count; ++c)
-        for (int p = 0; p < parts_of(table, c); ++p) {
+        for (int p = 0; p < PARTS; ++p) {
+            if (!has_part(table, c, p)) continue;
             fputc(',', out);
             fw_csv_write_text(out, table->columns[c].unit);
         }
     if (has_failures(table)) fputc(',', out);
     fprintf(out, "\n%s", table->parameter);
     for (int c = 0; c < table->column_count; ++c)
-        for (int p = 0; p < parts_of(table, c); ++p) {
+        for (int p = 0; p < PARTS; ++p) {
+            if (!has_part(table, c, p)) continue;
             snprintf(name, sizeof name, "%s%s", table->columns[c].name, part_names[p]);
             fputc(',', out);
             fw_csv_write_text(out, name);
@@ -138,7 +145,8 @@ static void write(FILE *out, const void *object)
         fw_number_write(value, table->values[v]);
         fputs(value, out);
         for (int c = 0; c < table->column_count; ++c)
-            for (int p = 0; p < parts_of(table, c); ++p) {
+            for (int p = 0; p < PARTS; ++p) {
+                if (!has_part(table, c, p)) continue;
                 fputc(',', out);
                 fw_csv_write_number(out, part_of(table, c, p)[v]);
             }

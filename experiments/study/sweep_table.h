@@ -12,6 +12,7 @@ enum { FW_SWEEP_NAME = FW_VERDICT_TEXT + FW_NAME_BYTES + 64 };
 typedef struct fw_sweep_column {
     char name[FW_SWEEP_NAME], unit[64];
     double *mean, *error;
+    double *at_least; /* 1: the series was too short, and the error is a lower bound; else 0 */
     double *expected, *within;
 } fw_sweep_column;
 
