@@ -154,9 +154,9 @@ static void momentum_ratio(const fw_experiment *experiment, fw_subject subject, 
     fw_vec2 now = momentum_of(experiment, subject);
     fw_vec2 start = subject.body < 0 ? fw_scene_ledger(experiment->scene).momentum_at_start
                                      : experiment->momentum_at_start[subject.body];
-    const double size = sqrt(fw_vec2_dot(start, start));
-    const bool moves = size > FW_MEASURED * momentum_scale(experiment, subject);
-    out[0] = moves ? sqrt(fw_vec2_dot(now, now)) / size : NAN;
+    const double square = fw_vec2_dot(start, start);
+    const bool moves = sqrt(square) > FW_MEASURED * momentum_scale(experiment, subject);
+    out[0] = moves ? sqrt(fw_vec2_dot(now, now) / square) : NAN;
 }
 
 /* (sum Psi)^2 / (2 sum M) / E: the part of the energy that the motion of the whole body holds. */
