@@ -89,7 +89,7 @@ static void a_seed_makes_one_run_of_a_study(void **state)
     expect_end(&seen, 0, "");
     assert_null(strstr(seen.out, "seeds)"));
     shell(folder, "test ! -e one/summary.csv");
-    shell(folder, "grep -q '^[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,'\"$(" FW_PROGRAM
+    shell(folder, "grep -q '^[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,[^,]*,'\"$(" FW_PROGRAM
                   " table one --observable kinetic-energy | tail -1 | cut -d, -f3)"
                   "\", all/summary.csv");
     seen = run_program(folder, "check gas.yaml --seed 2");
