@@ -8,6 +8,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+void fw_solid_ledger_add(fw_solid_ledger *ledger, const fw_solid_ledger *part)
+{
+    ledger->work += part->work;
+    ledger->dissipated += part->dissipated;
+    ledger->heat += part->heat;
+    ledger->fracture += part->fracture;
+    ledger->impulse = fw_vec2_add(ledger->impulse, part->impulse);
+    ledger->drag = fw_vec2_add(ledger->drag, part->drag);
+}
+
 void fw_solid_head_begin(fw_solid *solid, const fw_solid_model *model, int count)
 {
     const size_t size = (size_t)count;

@@ -66,6 +66,9 @@ typedef struct fw_solid_ledger {
     fw_vec2 drag;      /* momentum added by damping and noise */
 } fw_solid_ledger;
 
+/* Adds what passed in a part of a step to the ledger. */
+void fw_solid_ledger_add(fw_solid_ledger *ledger, const fw_solid_ledger *part);
+
 /* A quantity per particle, for pictures and files. */
 typedef struct fw_field {
     const char *name; /* NULL ends a table */

@@ -153,10 +153,11 @@ static void move_rim(const half_step *step, int block, fw_automaton_share *share
 
 static void add_share(fw_solid_ledger *ledger, const fw_automaton_share *share)
 {
-    ledger->work += share->work;
-    ledger->dissipated += share->dissipated;
-    ledger->impulse = fw_vec2_add(ledger->impulse, share->impulse);
-    ledger->drag = fw_vec2_add(ledger->drag, share->drag);
+    const fw_solid_ledger part = {.work = share->work,
+                                  .dissipated = share->dissipated,
+                                  .impulse = share->impulse,
+                                  .drag = share->drag};
+    fw_solid_ledger_add(ledger, &part);
 }
 
 /* Moves whole quanta of displacement into the drift, for all cells alike, once the first cell has

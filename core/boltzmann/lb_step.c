@@ -237,13 +237,8 @@ fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int cons
 #pragma omp parallel for schedule(static) if (lb->chunk_count > 4)
     for (int chunk = 0; chunk < lb->chunk_count; ++chunk)
         relax_chunk(lb, chunk, constraints, constraint_count);
-    for (int chunk = 0; chunk < lb->chunk_count; ++chunk) {
-        const fw_solid_ledger *part = &lb->chunk_ledger[chunk];
-        solid->ledger.work += part->work;
-        solid->ledger.dissipated += part->dissipated;
-        solid->ledger.impulse = fw_vec2_add(solid->ledger.impulse, part->impulse);
-        solid->ledger.drag = fw_vec2_add(solid->ledger.drag, part->drag);
-    }
+    for (int chunk = 0; chunk < lb->chunk_count; ++chunk)
+        fw_solid_ledger_add(&solid->ledger, &lb->chunk_ledger[chunk]);
     lb->parity = !lb->parity;
     solid->ticks += 1;
     if (lb->break_at < HUGE_VAL) lb_break_links(lb);

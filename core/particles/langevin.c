@@ -292,15 +292,15 @@ static void kick_block(fw_langevin *solid, const fw_baoab *baoab, bool held, int
 
 static void add_to_ledger(fw_langevin *solid, int blocks)
 {
-    fw_solid_ledger *ledger = &solid->head.ledger;
     const double dt = solid->controls.time_step;
     for (int b = 0; b < blocks; ++b) {
         const fw_langevin_sums *sums = &solid->sums[b];
-        ledger->work += sums->work;
-        ledger->dissipated += sums->dissipated;
-        ledger->heat += sums->heat;
-        ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(dt, sums->external));
-        ledger->drag = fw_vec2_add(ledger->drag, sums->drag);
+        const fw_solid_ledger part = {.work = sums->work,
+                                      .dissipated = sums->dissipated,
+                                      .heat = sums->heat,
+                                      .impulse = fw_vec2_scale(dt, sums->external),
+                                      .drag = sums->drag};
+        fw_solid_ledger_add(&solid->head.ledger, &part);
     }
 }
 
