@@ -37,7 +37,13 @@ static void everything_is_in_its_place(void **state)
         shell(folder, line);
     }
     shell(folder, "cd share/doc/fretwork && test -s README.md -a -s LICENSE -a -s CITATION.cff -a "
-                  "-s CHANGELOG.md -a -s scenario-reference.md -a -s commands.md");
+                  "-s CHANGELOG.md -a -s manual/README.md -a -s manual/commands.md");
+    shell(folder,
+          "cd share/doc/fretwork && cmp -s README.md manual/README.md && exit 1; "
+          "for page in README.md manual/*.md; do "
+          "for link in $(grep -o '](manual/[^)#]*\\|](\\.\\./[^)#]*\\|]([A-Z][^):#]*' $page | "
+          "cut -c3-); do test -e $(dirname $page)/$link || { echo $page: $link; exit 1; }; "
+          "done; done");
     /* A scenario of the catalogue runs from where it lies. */
     shell(folder, "bin/fretwork check share/fretwork/catalogue/free-particle.yaml > /dev/null");
     /* The version is the same everywhere. */
