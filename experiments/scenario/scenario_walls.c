@@ -14,7 +14,10 @@ static const fw_key surface_keys[] = {
 
 static const fw_section fw_surface_section = {
     "`walls.NAME.surface`", "a surface",
-    "`frictionless`, `stick` (a particle that touches is held), `componentwise` (of an elastic "
+    "`frictionless`, `stick` (a particle that touches is held; a wall at rest reflects it, one "
+    "with a path takes it "
+    "along, and what it had besides the path's velocity becomes heat), `componentwise` (of an "
+    "elastic "
     "automaton: what would pass is frozen, the rest of the motion left alone, which does not "
     "conserve energy), or a mapping:",
     .keys = surface_keys};
