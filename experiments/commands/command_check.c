@@ -99,7 +99,8 @@ static fw_status check_limits(const fw_experiment *experiment, int *warnings, fw
                                 .range = &experiment->bodies[b],
                                 .meets = fw_scene_wall_count(experiment->scene) > 0 ||
                                          experiment->body_count > 1};
-        FW_TRY(fw_solid_kind_of(scenario, b)->print_limits(stdout, &start, warnings, error));
+        const fw_solid_kind *kind = fw_solid_kind_of(scenario, b);
+        if (kind->print_limits) FW_TRY(kind->print_limits(stdout, &start, warnings, error));
     }
     return FW_OK;
 }

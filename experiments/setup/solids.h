@@ -31,7 +31,8 @@ typedef struct fw_solid_kind {
                                 fw_solid **solid, fw_error *error);
     /* Gives a solid the heat bath of a phase; NULL: it has none. */
     fw_status (*set_bath)(fw_solid *solid, double damping, double temperature, fw_error *error);
-    /* Says how near a body is to what the solid can do. *warnings counts the warnings among it. */
+    /* Says how near a body is to what the solid can do. *warnings counts the warnings among it.
+     * NULL: it has no limits. */
     fw_status (*print_limits)(FILE *out, const fw_start *start, int *warnings, fw_error *error);
 } fw_solid_kind;
 
