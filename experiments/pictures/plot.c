@@ -10,21 +10,11 @@
 
 #include <stdlib.h>
 
-/* What draws each kind; a sweep is drawn in its own folder, see plot_sweep.h. */
+/* What draws each kind: a row of picture_kind.h without its function does not compile. */
 typedef fw_status (*draw_function)(const fw_plot_result *result, const fw_plot_picture *picture,
                                    fw_error *error);
-static const draw_function draws[] = {
-    [FW_PICTURE_MOTION] = fw_plot_draw_motion,
-    [FW_PICTURE_FORCES] = fw_plot_draw_forces,
-    [FW_PICTURE_FIELD] = fw_plot_draw_field,
-    [FW_PICTURE_STRIP] = fw_plot_draw_strip,
-    [FW_PICTURE_SERIES] = fw_plot_draw_series,
-    [FW_PICTURE_PROFILE] = fw_plot_draw_profile,
-    [FW_PICTURE_LOOP] = fw_plot_draw_loop,
-    [FW_PICTURE_ANALYSIS] = fw_plot_draw_analysis,
-    [FW_PICTURE_SWEEP] = NULL,
-};
-_Static_assert(sizeof draws / sizeof draws[0] == FW_PICTURE_KINDS, "each kind has its function");
+#define DRAW_FUNCTION(id, draw, name, meaning, keys, needs, frames, field) fw_plot_draw_##draw,
+static const draw_function draws[FW_PICTURE_KINDS] = {FW_PICTURE_ROWS(DRAW_FUNCTION)};
 
 static fw_status draw_picture(const fw_plot_result *result, const fw_plot_wish *wish, FILE *out,
                               fw_error *error)

@@ -382,3 +382,13 @@ fw_status fw_plot_sweep_all(const char *directory, FILE *out, fw_error *error)
     close_sweep(&result);
     return status;
 }
+
+fw_status fw_plot_draw_sweep(const fw_plot_result *result, const fw_plot_picture *picture,
+                             fw_error *error)
+{
+    (void)picture;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s holds a single run, and pictures of kind sweep are drawn in the folder of a "
+                   "sweep",
+                   result->directory);
+}

@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-#define TABLE_ROW(id, name, meaning, keys, needs, frames, field)                                   \
+#define TABLE_ROW(id, draw, name, meaning, keys, needs, frames, field)                             \
     {name, meaning, keys, needs, frames, field},
 const fw_picture_row fw_picture_rows[FW_PICTURE_KINDS] = {FW_PICTURE_ROWS(TABLE_ROW)};
 

@@ -3,8 +3,8 @@
  * and what it needs. The words of the schema, the help and the refusals follow from the rows; the
  * functions that draw them are in the wing of pictures.
  *
- * To add a kind: a row here, and its function in the table of plot.c, which does not compile
- * without. */
+ * To add a kind: a row here, and its function fw_plot_draw_DRAW in the wing of pictures, without
+ * which that does not compile. */
 #ifndef FW_PICTURE_KIND_H
 #define FW_PICTURE_KIND_H
 
@@ -23,29 +23,33 @@ typedef enum fw_picture_need {
 /* The solid's first field, where a row names none that is shown by default. */
 #define FW_PICTURE_FIRST_FIELD ""
 
-/* Columns: name in the enum; name; what it shows; keys that it reads beside `kind` and `title`;
- * needs; how many frames are chosen where none are named; field shown where none is named. */
+/* Columns: name in the enum; name of its function, after fw_plot_draw_; name; what it shows; keys
+ * that it reads beside `kind` and `title`; needs; how many frames are chosen where none are named;
+ * field shown where none is named. */
 #define FW_PICTURE_ROWS(ROW)                                                                       \
-    ROW(MOTION, "motion", "the bodies at several instants with the path of the centre of mass",    \
-        "instants", FW_PICTURE_NEEDS_NOTHING, 5, NULL)                                             \
-    ROW(FORCES, "forces", "forces as arrows", "instants", FW_PICTURE_NEEDS_NOTHING, 1, NULL)       \
-    ROW(FIELD, "field", "a field as colour on the particles, several instants side by side",       \
+    ROW(MOTION, motion, "motion",                                                                  \
+        "the bodies at several instants with the path of the centre of mass", "instants",          \
+        FW_PICTURE_NEEDS_NOTHING, 5, NULL)                                                         \
+    ROW(FORCES, forces, "forces", "forces as arrows", "instants", FW_PICTURE_NEEDS_NOTHING, 1,     \
+        NULL)                                                                                      \
+    ROW(FIELD, field, "field",                                                                     \
+        "a field as colour on the particles, several instants side by side",                       \
         "field range instants", FW_PICTURE_NEEDS_NOTHING, 1, FW_PICTURE_FIRST_FIELD)               \
-    ROW(STRIP, "strip", "a field at six instants, or those that are named, side by side",          \
+    ROW(STRIP, strip, "strip", "a field at six instants, or those that are named, side by side",   \
         "field range instants", FW_PICTURE_NEEDS_NOTHING, 6, FW_PICTURE_FIRST_FIELD)               \
-    ROW(SERIES, "series", "observables over time", "observables from until logarithmic",           \
+    ROW(SERIES, series, "series", "observables over time", "observables from until logarithmic",   \
         FW_PICTURE_NEEDS_NOTHING, 0, NULL)                                                         \
-    ROW(PROFILE, "profile",                                                                        \
+    ROW(PROFILE, profile, "profile",                                                               \
         "the bodies, coloured by a field, above their profile, the control beside them",           \
         "field range", FW_PICTURE_NEEDS_PROFILE, 1, "return-force")                                \
-    ROW(LOOP, "loop", "force along the interface against slip", "",                                \
+    ROW(LOOP, loop, "loop", "force along the interface against slip", "",                          \
         FW_PICTURE_NEEDS_PROFILE | FW_PICTURE_NEEDS_TWO_GRIPS, 0, NULL)                            \
-    ROW(ANALYSIS, "analysis", "a map or curves of one of `analysis`", "analysis",                  \
+    ROW(ANALYSIS, analysis, "analysis", "a map or curves of one of `analysis`", "analysis",        \
         FW_PICTURE_NEEDS_ANALYSIS, 0, NULL)                                                        \
-    ROW(SWEEP, "sweep", "quantities against the parameter of a sweep", "observables logarithmic",  \
-        FW_PICTURE_NEEDS_SWEEP, 0, NULL)
+    ROW(SWEEP, sweep, "sweep", "quantities against the parameter of a sweep",                      \
+        "observables logarithmic", FW_PICTURE_NEEDS_SWEEP, 0, NULL)
 
-#define FW_PICTURE_ENUM(id, name, meaning, keys, needs, frames, field) FW_PICTURE_##id,
+#define FW_PICTURE_ENUM(id, draw, name, meaning, keys, needs, frames, field) FW_PICTURE_##id,
 typedef enum fw_picture_kind { FW_PICTURE_ROWS(FW_PICTURE_ENUM) FW_PICTURE_KINDS } fw_picture_kind;
 
 typedef struct fw_picture_row {
@@ -57,10 +61,11 @@ typedef struct fw_picture_row {
 extern const fw_picture_row fw_picture_rows[FW_PICTURE_KINDS];
 
 /* "motion: the bodies ...; forces: ..." and "motion, forces, ...". */
-#define FW_PICTURE_MEANING(id, name, meaning, keys, needs, frames, field) "; " name ": " meaning
-#define FW_PICTURE_NAME(id, name, meaning, keys, needs, frames, field)    ", " name
-#define FW_PICTURE_MEANINGS                                               (&(FW_PICTURE_ROWS(FW_PICTURE_MEANING))[2])
-#define FW_PICTURE_NAMES                                                  (&(FW_PICTURE_ROWS(FW_PICTURE_NAME))[2])
+#define FW_PICTURE_MEANING(id, draw, name, meaning, keys, needs, frames, field)                    \
+    "; " name ": " meaning
+#define FW_PICTURE_NAME(id, draw, name, meaning, keys, needs, frames, field) ", " name
+#define FW_PICTURE_MEANINGS                                                  (&(FW_PICTURE_ROWS(FW_PICTURE_MEANING))[2])
+#define FW_PICTURE_NAMES                                                     (&(FW_PICTURE_ROWS(FW_PICTURE_NAME))[2])
 
 /* Does a picture of this kind read this key? `kind` and `title` are read by all. */
 bool fw_picture_reads(fw_picture_kind kind, const char *key);

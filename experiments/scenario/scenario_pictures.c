@@ -3,7 +3,7 @@
  * fw_scenario_read_pictures(). */
 #include "scenario_parts.h"
 
-#define PICTURE_WORD(id, name, meaning, keys, needs, frames, field) {name, FW_PICTURE_##id},
+#define PICTURE_WORD(id, draw, name, meaning, keys, needs, frames, field) {name, FW_PICTURE_##id},
 static const fw_key picture_keys[] = {
     {"kind", AT_WORD(fw_scenario_picture, kind), REQUIRED,
      .words = (const fw_word[]){FW_PICTURE_ROWS(PICTURE_WORD){NULL, 0}},
