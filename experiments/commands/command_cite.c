@@ -3,6 +3,7 @@
 #include "citation.h"
 #include "experiments/commands/command.h"
 #include "experiments/results/playback.h"
+#include "experiments/scenario/catalogue.h"
 #include "experiments/study/sweep.h"
 
 #include <string.h>
@@ -26,14 +27,19 @@ static fw_status load_result(fw_scenario **scenario, const char *directory, fw_e
     return status;
 }
 
-/* A name of the catalogue comes before a folder that happens to be called the same. */
+/* A result comes before an experiment of the catalogue that is called the same. */
 fw_status fw_command_cite(const fw_arguments *arguments, fw_error *error)
 {
-    fw_scenario *scenario;
+    fw_scenario *scenario = NULL;
     char name[FW_NAME_BYTES + 1];
     const char *word = arguments->words[0];
-    fw_status status = fw_command_load(&scenario, word, arguments, name, error);
-    if (status == FW_BAD_INPUT && is_folder(word)) status = load_result(&scenario, word, error);
+    const bool folder = is_folder(word);
+    fw_status status = folder ? load_result(&scenario, word, error) : FW_BAD_INPUT;
+    /* A folder that holds no result: its name may still be an experiment's. */
+    const fw_catalogue_entry *entry;
+    fw_error own;
+    if (status == FW_BAD_INPUT && (!folder || fw_catalogue_find(&entry, word, &own) == FW_OK))
+        status = fw_command_load(&scenario, word, arguments, name, error);
     if (status == FW_OK) fw_citation_print(stdout, scenario);
     fw_scenario_destroy(scenario);
     return status;

@@ -82,6 +82,12 @@ static void a_result_is_cited_as_its_scenario(void **state)
     outcome result = run_program(folder, "cite it"), scenario = run_program(folder, "cite bounce");
     expect_end(&result, 0, "");
     assert_string_equal(result.out, scenario.out);
+    /* Also where the catalogue has an experiment of that name. */
+    seen = run_program(folder, "run bounce -q --no-plot -o press");
+    expect_end(&seen, 0, "");
+    seen = run_program(folder, "cite press");
+    expect_end(&seen, 0, "");
+    assert_string_equal(seen.out, scenario.out);
     /* Braces close. */
     int depth = 0;
     for (const char *c = result.out; *c; ++c) depth += (*c == '{') - (*c == '}');
