@@ -109,6 +109,22 @@ static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *op
     return status;
 }
 
+/* A run that was interrupted can go on: that is said before it is replaced. */
+static fw_status refuse_unfinished(const char *directory, fw_error *error)
+{
+    fw_playback *playback;
+    fw_error own;
+    if (fw_sweep_is_in(directory) || fw_playback_open(&playback, directory, &own) != FW_OK)
+        return FW_OK;
+    const bool interrupted = strncmp(playback->exit_reason, "interrupted", 11) == 0;
+    fw_playback_close(playback);
+    if (!interrupted) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s holds a run that is not finished; `fretwork resume %s` goes on with it, "
+                   "--overwrite replaces it",
+                   directory, directory);
+}
+
 fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
 {
     fw_scenario *scenario;
@@ -125,8 +141,12 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
                                     .progress = &progress,
                                     .warnings = stderr};
     fw_leftovers *leftovers;
-    fw_status status =
-        fw_leftovers_find(&leftovers, directory, scenario, arguments->overwrite, error);
+    fw_status status = arguments->overwrite ? FW_OK : refuse_unfinished(directory, error);
+    if (status != FW_OK) {
+        fw_scenario_destroy(scenario);
+        return status;
+    }
+    status = fw_leftovers_find(&leftovers, directory, scenario, arguments->overwrite, error);
     if (status == FW_OK)
         status = (fw_scenario_is_sweep(scenario) ? run_sweep : run)(scenario, &options, leftovers,
                                                                     arguments->no_plot, error);

@@ -32,6 +32,8 @@ static void interrupt_twice(const char *folder, int signal_number, int code)
     outcome seen = await_program(run);
     expect_end(&seen, code, "of 24000 steps; `fretwork resume part` goes on from here");
     check_exit_reason(folder, "part", "interrupted after");
+    seen = run_program(folder, BOUNCE "part");
+    expect_end(&seen, 2, "part holds a run that is not finished; `fretwork resume part` goes on");
     ino_t before = inode_of(folder, "part/checkpoint-B");
     run = start_program(folder, "resume part --quiet --no-plot");
     await_replacement(folder, "part/checkpoint-B", before);
