@@ -244,18 +244,24 @@ static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, f
     for (int w = 0; w < scene->wall_count; ++w) {
         const fw_wall *wall = scene->walls[w].wall;
         fw_vec2 place = fw_wall_displacement(wall, 0);
+        int deepest = -1;
+        double most = 0;
         for (int i = 0; i < body->solid->count; ++i) {
-            fw_vec2 at = fw_solid_position(body->solid, i);
-            double depth = fw_wall_depth(wall, at, place);
-            if (depth > ON_SURFACE * (1 + fabs(at.x) + fabs(at.y)))
-                return fw_fail(error, FW_BAD_INPUT,
-                               "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
-                               "its surface, expected all particles on the free side%s",
-                               body->name, fw_wall_name(wall), i, at.x, at.y, depth,
-                               fw_shape_of(fw_wall_definition(wall))->sided
-                                   ? ""
-                                   : ", which is to the left of the way along a chain");
+            const fw_vec2 at = fw_solid_position(body->solid, i);
+            const double depth = fw_wall_depth(wall, at, place);
+            if (depth <= ON_SURFACE * (1 + fabs(at.x) + fabs(at.y)) || depth <= most) continue;
+            most = depth;
+            deepest = i;
         }
+        if (deepest < 0) continue;
+        const fw_vec2 at = fw_solid_position(body->solid, deepest);
+        return fw_fail(error, FW_BAD_INPUT,
+                       "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
+                       "its surface, expected all particles on the free side%s",
+                       body->name, fw_wall_name(wall), deepest, at.x, at.y, most,
+                       fw_shape_of(fw_wall_definition(wall))->sided
+                           ? ""
+                           : ", which is to the left of the way along a chain");
     }
     return FW_OK;
 }

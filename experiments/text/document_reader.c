@@ -34,9 +34,11 @@ static const char *in_plain_words(const char *problem)
                                                 "like the others?"},
         {"did not find expected node content", "a value is missing"},
         {"did not find expected <document start>", "more follows after the end of the scenario"},
-        {"could not find expected ':'", "a ':' is missing after the key"},
+        {"could not find expected ':'", "a ':' with a blank behind it is missing after the key"},
         {"mapping values are not allowed in this context",
-         "a ':' cannot stand here; a text with ': ' in it needs quotes"},
+         "a ':' cannot stand here; a text with ': ' in it needs quotes, and lines of one mapping "
+         "begin "
+         "in one column: look at the line before too"},
         {"block sequence entries are not allowed in this context", "a '-' cannot stand here"},
         {"found unexpected end of stream", "the file ends before the closing quote"},
         {"found unexpected document indicator", "the text ends before the closing quote"},

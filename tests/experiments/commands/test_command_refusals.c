@@ -101,7 +101,7 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set bodies.sheet.lattice=hexagonal", 2, "--set bodies.sheet.lattice=hexagonal: bodies.sheet.lattice is 'hexagonal', expected 'square': the lattice Boltzmann solid has four links per site"},
     {"run bounce.yaml --set bodies.sheet.material=felt", 2, "--set bodies.sheet.material=felt: there is no material 'felt', expected one that the scenario names, such as 'rubber'"},
     /* what does not fit together */
-    {"run bounce.yaml --set bodies.sheet.origin=[16.2,3]", 2, "bounce.yaml:9:3: body sheet starts in wall container: particle 4 at (20.2, 3) lies 0.2 behind its surface, expected all particles on the free side"},
+    {"run bounce.yaml --set bodies.sheet.origin=[16.2,3]", 2, "bounce.yaml:9:3: body sheet starts in wall container: particle 5 at (21.2, 3) lies 1.2 behind its surface, expected all particles on the free side"},
     {"run bounce.yaml --set bodies.speck.origin=[2.4,2.7]", 2, "bounce.yaml:7:3: body speck starts in body sheet: both have a particle near (2.*"},
     {"run bounce.yaml --set 'walls.flat={polygon: [[0,0],[1,0],[2,0]]}'", 2, "--set walls.flat={polygon: [[0,0],[1,0],[2,0]]}: wall 'flat': the polygon of 3 corners has an area of 0 at a circumference of 4, expected corners that do not lie on a line"},
     {"run bounce.yaml --set 'walls.bent={polygon: [[0,0],[10,0],[5,1],[5,10]]}'", 2, "--set walls.bent={polygon: [[0,0],[10,0],[5,1],[5,10]]}: wall 'bent': the polygon is not convex at corner 3, [5, 1]; a closed chain can have any corners"},
@@ -116,7 +116,7 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set expect.0.quantity=colour", 2, "--set expect.0.quantity=colour: quantity colour is not known, expected one of `fretwork quantities`"},
     {"run bounce.yaml --set 'expect.1={quantity: energy, at: 31, above: 0}' --set run.measure-every=2", 2, "--set expect.1={quantity: energy, at: 31, above: 0}: the expectation of 'energy' is at step 31, but the run ends at 60 and measures at multiples of 2"},
     {"run bounce.yaml --set 'expect.1={quantity: energy, at: 61, above: 0}'", 2, "--set expect.1={quantity: energy, at: 61, above: 0}: the expectation of 'energy' is at step 61, but the run ends at 60 and measures at multiples of 1"},
-    {"check bounce.yaml --set bodies.sheet.origin=[16.2,3]", 2, "bounce.yaml:9:3: body sheet starts in wall container: particle 4 at (20.2, 3) lies 0.2 behind its surface, expected all particles on the free side"},
+    {"check bounce.yaml --set bodies.sheet.origin=[16.2,3]", 2, "bounce.yaml:9:3: body sheet starts in wall container: particle 5 at (21.2, 3) lies 1.2 behind its surface, expected all particles on the free side"},
     {"verify bounce.yaml --set measure=[enrgy]", 2, "--set measure=[enrgy]: quantity enrgy is not known; did you mean energy?"},
     /* scenario files */
     {"run nothing.yaml", 2, "nothing.yaml: cannot be opened: No such file or directory"},
@@ -129,7 +129,7 @@ static const refusal refusals[] = {
     {"run quote.yaml", 2, "quote.yaml:2:1: the file ends before the closing quote (in the quoted text that begins in line 1)"},
     {"run anchor.yaml", 2, "anchor.yaml:1:8: an anchor '&x'; a scenario is written out in full, without anchors and aliases"},
     {"run twice.yaml", 2, "twice.yaml:2:1: 'title' is given a second time, after line 1"},
-    {"run indent.yaml", 2, "indent.yaml:2:8: a ':' cannot stand here; a text with ': ' in it needs quotes"},
+    {"run indent.yaml", 2, "indent.yaml:2:8: a ':' cannot stand here; a text with ': ' in it needs quotes, and lines of one mapping begin in one column: look at the line before too"},
     {"run two.yaml", 2, "two.yaml:2:1: a second document begins, expected one scenario in a file"},
     {"run deep.yaml", 2, "deep.yaml:1:27: lists and mappings within each other more than 24 deep"},
     {"run link.yaml", 2, "link.yaml: cannot be opened: No such file or directory"},

@@ -165,8 +165,8 @@ static const struct {
      "7:3: the case v=0.1: --set run.steps=0.1: run.steps is '0.1', expected a whole number of at "
      "least 1, written without point, exponent or leading zeros"},
     {"bodies.sheet.velocity=[-v, 0.5*v]", "bodies.sheet.origin=[100*v, 5]",
-     "7:3: the case v=0.2: flights.yaml:4:9: body sheet starts in wall box: particle 1 at (21, 5) "
-     "lies 1 behind its surface, expected all particles on the free side"},
+     "7:3: the case v=0.2: flights.yaml:4:9: body sheet starts in wall box: particle 3 at (23, 5) "
+     "lies 3 behind its surface, expected all particles on the free side"},
     {"bodies.sheet.velocity=[-v, 0.5*v]", "expect.3={quantity: energy, above: v}",
      "7:3: the case v=0.1: it has 4 expectations, expected the 3 of the sweep"},
     {"kind: sweep", "kind: sweep, observables: [momentum]",

@@ -116,9 +116,9 @@ static const struct {
                          "begins in line 1)"},
     {"a: \"open\nb: 1\n", "3:1: the file ends before the closing quote (in the quoted text that "
                           "begins in line 1)"},
-    {"a: 1\n  b: 2\n", "2:4: a ':' cannot stand here; a text with ': ' in it needs quotes"},
-    {"a: 1\nb\nc: 2\n", "3:1: a ':' is missing after the key (in the key that begins in line 2)"},
-    {"a: one: two\n", "1:7: a ':' cannot stand here; a text with ': ' in it needs quotes"},
+    {"a: 1\n  b: 2\n", "2:4: a ':' cannot stand here; a text with ': ' in it needs quotes, and lines of one mapping begin in one column: look at the line before too"},
+    {"a: 1\nb\nc: 2\n", "3:1: a ':' with a blank behind it is missing after the key (in the key that begins in line 2)"},
+    {"a: one: two\n", "1:7: a ':' cannot stand here; a text with ': ' in it needs quotes, and lines of one mapping begin in one column: look at the line before too"},
     {"a: 1\n\tb: 2\n",
      "2:1: a tab where blanks are needed to indent (in the text that begins in line 1)"},
     {"a: @b\n", "1:4: a value cannot begin with this character; use blanks, not tabs, to indent"},
