@@ -95,6 +95,7 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
                           .measured = NAN,
                           .error = NAN};
     double worst = INFINITY;
+    bool has_error = false;
     snprintf(verdict.quantity, sizeof verdict.quantity, "%s", e->quantity.text);
     for (int n = 0; n < plan->value_count; ++n) {
         const int next = case_after(plan, cases, n);
@@ -111,12 +112,18 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
         worst = margin;
         verdict.measured = change;
         verdict.error = unsure;
+        has_error = isfinite(scatter);
         verdict.at_least = low->at_least || high->at_least;
         verdict.in = cases[next].name;
         snprintf(verdict.quantity, sizeof verdict.quantity, "%.100s, least %s (from %.100s)",
                  low->quantity, sign > 0 ? "rise" : "fall", cases[n].name);
     }
     fw_verdict_judge(&verdict);
+    if (!has_error && isfinite(verdict.measured)) {
+        /* Rounding is no error of the number: one seed has none. */
+        verdict.error = NAN;
+        snprintf(verdict.found, sizeof verdict.found, "%.10g", verdict.measured);
+    }
     return verdict;
 }
 
