@@ -144,6 +144,19 @@ fw_status fw_profile_table_write(const fw_profile_table *table, const char *dire
 
 /* --- for people --- */
 
+/* To the second digit of the error: "976 +- 50", "1.573 +- 0.018". */
+static void write_with_error(char *text, size_t size, double mean, double error)
+{
+    const double largest = fmax(fabs(mean), error);
+    if (!(error > 0) || largest < 1e-4 || largest >= 1e7) {
+        snprintf(text, size, "%.4g +- %.2g", mean, error);
+        return;
+    }
+    const int places = 1 - (int)floor(log10(error));
+    const int shown = places < 0 ? 0 : places > 9 ? 9 : places;
+    snprintf(text, size, "%.*f +- %.*f", shown, mean, shown, error);
+}
+
 static void print_number(FILE *out, double mean, double error)
 {
     char text[40];
@@ -152,7 +165,7 @@ static void print_number(FILE *out, double mean, double error)
     else if (isnan(error) || isinf(error))
         snprintf(text, sizeof text, "%.4g", mean);
     else
-        snprintf(text, sizeof text, "%.4g +- %.1g", mean, error);
+        write_with_error(text, sizeof text, mean, error);
     fprintf(out, "  %-20s", text);
 }
 
@@ -194,11 +207,11 @@ void fw_profile_table_print(const fw_profile_table *table, fw_profile_column col
         print_all(table, out);
     else
         print_column(table, column, out);
-    fprintf(out, "\n%-28s  %-20s  %-20s  %-12s  %s\n", "layer", "experiment", "control", "unit",
+    fprintf(out, "\n%-36s  %-20s  %-20s  %-12s  %s\n", "layer", "experiment", "control", "unit",
             "meaning");
     for (int n = 0; n < FW_LAYER_MEASURES; ++n) {
         const fw_quantity *quantity = &fw_layer_quantities[n];
-        fprintf(out, "%-28s", quantity->name);
+        fprintf(out, "%-36s", quantity->name);
         print_number(out, table->layer[n].mean, table->layer[n].error);
         print_number(out, table->layer[n].control, table->layer[n].control_error);
         fprintf(out, "  %-12s  %s\n", quantity->unit, quantity->meaning);
