@@ -48,8 +48,9 @@ int main(int count, char **words)
         fw_command_print_help(stderr);
         return FW_BAD_INPUT;
     }
+    const bool asks_help = strcmp(words[1], "help") == 0;
     if (strcmp(words[1], "--help") == 0 || strcmp(words[1], "-h") == 0 ||
-        strcmp(words[1], "help") == 0) {
+        (asks_help && count < 3)) {
         fw_command_print_help(stdout);
         return close_output(FW_OK);
     }
@@ -58,12 +59,16 @@ int main(int count, char **words)
         printf("%s %s (%s, %s)\n", about.program, about.version, about.revision, about.compiler);
         return close_output(FW_OK);
     }
-    const fw_command *command = fw_command_find(words[1]);
-    if (!command) return refuse_command(words[1]);
+    const fw_command *command = fw_command_find(words[asks_help ? 2 : 1]);
+    /* `help run` is `run --help`. */
+    static char *help[] = {"--help"};
+    if (!command) return refuse_command(words[asks_help ? 2 : 1]);
     fw_arguments *arguments = malloc(sizeof *arguments);
     fw_error error = {.status = FW_SYSTEM_FAILED, .sentence = "not enough memory"};
     fw_status status = FW_SYSTEM_FAILED;
-    if (arguments) status = fw_arguments_read(arguments, command, count - 2, words + 2, &error);
+    if (arguments)
+        status = fw_arguments_read(arguments, command, asks_help ? 1 : count - 2,
+                                   asks_help ? help : words + 2, &error);
     if (status == FW_OK && arguments->help) {
         printf("fretwork %s\n  %s\n\n", command->usage, command->summary);
         fw_option_print(stdout, command);
