@@ -7,6 +7,7 @@
 #include "trajectory_parts.h"
 
 #include "experiments/results/result_files.h"
+#include "experiments/storage/manifest.h"
 #include "experiments/storage/sealed_file.h"
 #include "trajectory_head.h"
 #include "trajectory_layout.h"
@@ -177,13 +178,15 @@ fw_status fw_trajectory_refuse(const char *directory, fw_error *error)
                    directory);
 }
 
-/* What belongs to an earlier result: beside a new one it would make no sense. */
+/* What belongs to an earlier result: beside a new one it would make no sense. The manifest stays,
+ * so that tables and pictures that are still there are known as ours whenever the run is killed. */
 static fw_status forget(const fw_folder *folder, fw_error *error)
 {
     for (int n = 0; fw_result_file(n); ++n) {
         const char *name = fw_result_file(n);
-        const bool results = strcmp(name, FW_TRAJECTORY_FILE) == 0 || strcmp(name, FRESH_FILE) == 0;
-        if (!results) FW_TRY(fw_folder_remove(folder, name, error));
+        const bool stays = strcmp(name, FW_TRAJECTORY_FILE) == 0 ||
+                           strcmp(name, FRESH_FILE) == 0 || strcmp(name, FW_MANIFEST_FILE) == 0;
+        if (!stays) FW_TRY(fw_folder_remove(folder, name, error));
     }
     return fw_head_remove(folder, error);
 }
