@@ -12,14 +12,14 @@
 /* --- grips --- */
 
 /* How far out a place lies on that side. */
-static double outward(const fw_solid *solid, int particle, int side)
+static double outward(const fw_solid *solid, int particle, fw_outer_side side)
 {
     switch (side) {
-    case 0:
+    case FW_SIDE_LEFT:
         return -solid->x[particle];
-    case 1:
+    case FW_SIDE_RIGHT:
         return solid->x[particle];
-    case 2:
+    case FW_SIDE_BOTTOM:
         return -solid->y[particle];
     default:
         return solid->y[particle];
