@@ -6,10 +6,17 @@
 
 #include <string.h>
 
-static bool has_material(const fw_scenario *scenario, fw_material_kind kind)
+static const fw_material_model *model_of(const fw_scenario *scenario, int material)
 {
-    for (int n = 0; n < scenario->material_count; ++n)
-        if (scenario->materials[n].kind == kind) return true;
+    return fw_material_model_of(scenario->materials[material].kind);
+}
+
+static bool has_material_of(const fw_scenario *scenario, const char *citation)
+{
+    for (int n = 0; n < scenario->material_count; ++n) {
+        const char *own = model_of(scenario, n)->citation;
+        if (own && strcmp(own, citation) == 0) return true;
+    }
     return false;
 }
 
@@ -27,24 +34,24 @@ static bool has_reference_solid(const fw_scenario *scenario)
 
 static bool rests_on_chopard(const fw_scenario *scenario)
 {
-    return has_material(scenario, FW_LATTICE_BOLTZMANN) || has_reference_solid(scenario) ||
-           names_source(scenario, "Chopard & Marconi");
+    return has_reference_solid(scenario) || names_source(scenario, "Chopard & Marconi");
 }
 
 static bool moves_particles(const fw_scenario *scenario)
 {
-    return has_material(scenario, FW_MOVABLE_PARTICLES) ||
-           has_material(scenario, FW_LINEAR_LATTICE);
+    for (int n = 0; n < scenario->material_count; ++n)
+        if (model_of(scenario, n)->has_dynamics) return true;
+    return false;
 }
 
 static bool rests_on_popov(const fw_scenario *scenario)
 {
-    return moves_particles(scenario) || names_source(scenario, "Popov & Filippov");
+    return names_source(scenario, "Popov & Filippov");
 }
 
 static bool rests_on_dong(const fw_scenario *scenario)
 {
-    return has_material(scenario, FW_ELASTIC_AUTOMATON) || names_source(scenario, "Dong et al.");
+    return names_source(scenario, "Dong et al.");
 }
 
 /* Particles are moved by BAOAB in phases with damping, by velocity Verlet in those without. */
@@ -206,5 +213,6 @@ void fw_citation_print(FILE *out, const fw_scenario *scenario)
             "}\n",
             now.version, now.revision);
     for (const fw_citation *c = fw_citations; c->key; ++c)
-        if (c->needed(scenario)) fprintf(out, "\n%s", c->entry);
+        if (has_material_of(scenario, c->key) || c->needed(scenario))
+            fprintf(out, "\n%s", c->entry);
 }

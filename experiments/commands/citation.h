@@ -10,7 +10,7 @@
 typedef struct fw_citation {
     const char *key; /* of the BibTeX entry; NULL ends the table */
     const char *entry;
-    /* Does the scenario rest on it? */
+    /* Does the scenario rest on it, beside by its materials? */
     bool (*needed)(const fw_scenario *scenario);
 } fw_citation;
 

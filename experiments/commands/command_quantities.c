@@ -3,20 +3,12 @@
  * Start reading at fw_command_quantities(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/quantity.h"
+#include "experiments/setup/solids.h"
 #include "experiments/text/json.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
 
-#include "core/automaton/elastic_automaton.h"
-#include "core/boltzmann/lb_solid.h"
-#include "core/particles/linear_lattice.h"
-#include "core/particles/particles.h"
-
 #include <string.h>
-
-static const fw_solid_model *const models[] = {&fw_lb_solid_model, &fw_particles_model,
-                                               &fw_linear_lattice_model,
-                                               &fw_elastic_automaton_model, NULL};
 
 static const char *const scopes[] = {
     [FW_SCOPE_SCENE] = "scene",       [FW_SCOPE_BODIES] = "body or scene",
@@ -25,6 +17,11 @@ static const char *const scopes[] = {
     [FW_SCOPE_GRIP] = "grip",         [FW_SCOPE_STUDY] = "study",
     [FW_SCOPE_ANALYSIS] = "analysis",
 };
+
+static const fw_solid_model *model_at(int kind)
+{
+    return fw_solid_kind_at((fw_material_kind)kind)->model;
+}
 
 /* NULL: all of them. */
 static bool is_wanted(const char *name, const char *word)
@@ -40,8 +37,8 @@ static fw_status check_word(const char *word, fw_error *error)
         if (strcmp(q->name, word) == 0) return FW_OK;
         fw_suggestion_offer(&suggestion, q->name);
     }
-    for (int m = 0; models[m]; ++m)
-        for (const fw_field *field = models[m]->fields; field->name; ++field) {
+    for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
+        for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
             if (strcmp(field->name, word) == 0) return FW_OK;
             fw_suggestion_offer(&suggestion, field->name);
         }
@@ -81,12 +78,12 @@ static void write_json(const char *word)
     }
     fw_json_end(&json, ']');
     fw_json_begin(&json, "fields", '[');
-    for (int m = 0; models[m]; ++m)
-        for (const fw_field *field = models[m]->fields; field->name; ++field) {
+    for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
+        for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
             if (!is_wanted(field->name, word)) continue;
             fw_json_begin(&json, NULL, '{');
             fw_json_text(&json, "name", field->name);
-            fw_json_text(&json, "model", models[m]->name);
+            fw_json_text(&json, "model", model_at(m)->name);
             fw_json_text(&json, "meaning", field->meaning);
             fw_json_end(&json, '}');
         }
@@ -103,10 +100,10 @@ static void print_one(const char *word)
                "components", q->components[0] ? q->components : "-", "unit", q->unit);
         if (q->model) printf("  %-12s %s\n", "models", q->model);
     }
-    for (int m = 0; models[m]; ++m)
-        for (const fw_field *field = models[m]->fields; field->name; ++field)
+    for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
+        for (const fw_field *field = model_at(m)->fields; field->name; ++field)
             if (strcmp(field->name, word) == 0)
-                printf("%s, a field of a %s solid: %s\n", word, models[m]->name, field->meaning);
+                printf("%s, a field of a %s solid: %s\n", word, model_at(m)->name, field->meaning);
 }
 
 static void print_all(void)
@@ -117,9 +114,9 @@ static void print_all(void)
     for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q))
         printf("  %-20s %-14s %-12s %-16s %s\n", q->name, scopes[q->scope],
                q->components[0] ? q->components : "-", q->unit, q->meaning);
-    for (int m = 0; models[m]; ++m) {
-        printf("\nFields of a %s solid (record.fields, plot --field):\n", models[m]->name);
-        for (const fw_field *field = models[m]->fields; field->name; ++field)
+    for (int m = 0; m < FW_MATERIAL_KINDS; ++m) {
+        printf("\nFields of a %s solid (record.fields, plot --field):\n", model_at(m)->name);
+        for (const fw_field *field = model_at(m)->fields; field->name; ++field)
             printf("  %-20s %s\n", field->name, field->meaning);
     }
 }

@@ -11,15 +11,23 @@
 typedef struct fw_scenario fw_scenario;
 typedef struct fw_scenario_body fw_scenario_body;
 
-/* A row of the table of models. */
-typedef enum fw_material_kind {
-    FW_LATTICE_BOLTZMANN,
-    FW_MOVABLE_PARTICLES,
-    FW_LINEAR_LATTICE,
-    FW_ELASTIC_AUTOMATON
-} fw_material_kind;
+/* All materials. Columns: name in the enum; member of fw_scenario_material, and name of the rows
+ * here and in experiments/setup/solids.c, without which it does not compile; section of its keys;
+ * key; meaning. */
+#define FW_MATERIAL_ROWS(ROW)                                                                      \
+    ROW(LATTICE_BOLTZMANN, boltzmann, fw_lattice_boltzmann_section, "lattice-boltzmann",           \
+        "the lattice Boltzmann solid")                                                             \
+    ROW(MOVABLE_PARTICLES, particles, fw_movable_particles_section, "movable-particles",           \
+        "movable lattice particles")                                                               \
+    ROW(LINEAR_LATTICE, linear, fw_linear_lattice_section, "linear-lattice", "the linear lattice") \
+    ROW(ELASTIC_AUTOMATON, automaton, fw_elastic_automaton_section, "elastic-automaton",           \
+        "the elastic automaton")
 
-enum { FW_MATERIAL_KINDS = FW_ELASTIC_AUTOMATON + 1 };
+#define FW_MATERIAL_ENUM(id, member, section, word, meaning) FW_##id,
+#define FW_MATERIAL_ONE(id, member, section, word, meaning)  +1
+typedef enum fw_material_kind { FW_MATERIAL_ROWS(FW_MATERIAL_ENUM) } fw_material_kind;
+
+enum { FW_MATERIAL_KINDS = 0 FW_MATERIAL_ROWS(FW_MATERIAL_ONE) };
 
 typedef struct fw_scenario_material {
     const char *name;
@@ -36,7 +44,6 @@ typedef struct fw_scenario_material {
 /* One model of a solid, as a scenario has it. What is built of it: experiments/setup/solids.h,
  * which has a row for each row here. */
 typedef struct fw_material_model {
-    fw_key key;            /* of a material; its subsection has the model's own keys */
     const char *bodies;    /* "elastic automata" */
     unsigned lattices;     /* bits 1 << FW_SQUARE, 1 << FW_HEXAGONAL */
     const char *why;       /* no other lattice will do */
@@ -44,6 +51,7 @@ typedef struct fw_material_model {
     bool can_be_placed;    /* without a lattice, at random */
     bool has_modes;        /* displacements that are a mode of its endless lattice */
     bool has_dynamics;     /* moves by `dynamics` */
+    const char *citation;  /* key of the paper that it rests on; NULL: none */
     size_t break_at; /* offset in a material of the stretch that breaks its links; 0: none does */
     /* What belongs together in a material, from the mapping with its keys; NULL: nothing. */
     fw_status (*read)(const fw_scenario *scenario, const fw_node *node,

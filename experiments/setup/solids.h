@@ -19,6 +19,7 @@ typedef struct fw_start {
 } fw_start;
 
 typedef struct fw_solid_kind {
+    const fw_solid_model *model;
     /* Memory of one particle with its links and neighbours, its part of a frame and of a
      * checkpoint: from the largest resident size of runs with 40,000 and 360,000 particles. */
     double bytes_per_particle;
@@ -35,6 +36,9 @@ typedef struct fw_solid_kind {
      * NULL: it has no limits. */
     fw_status (*print_limits)(FILE *out, const fw_start *start, int *warnings, fw_error *error);
 } fw_solid_kind;
+
+/* The row of a kind of material. */
+const fw_solid_kind *fw_solid_kind_at(fw_material_kind kind);
 
 /* The row of a body's material. */
 const fw_solid_kind *fw_solid_kind_of(const fw_scenario *scenario, int body);
