@@ -91,7 +91,7 @@ static void block_goes_on_as_it_was_carried(void **state)
     for (int kind = 0; kind < SOLIDS; ++kind)
         for (int steps = 200; steps <= 201; ++steps) {
             fw_scene *scene = empty_scene(1e6);
-            add_block(scene, kind, 0, 0);
+            add_block(scene, (solid_kind)kind, 0, 0);
             add_grip(scene, 0, COUNT,
                      (fw_drive){.prescribed_x = true,
                                 .prescribed_y = true,
@@ -127,7 +127,7 @@ static void held_component_follows_an_oscillation(void **state)
     for (int kind = 0; kind < SOLIDS; ++kind)
         for (int both = 0; both < 2; ++both) {
             fw_scene *scene = empty_scene(1e6);
-            add_block(scene, kind, 0.5, 0.3);
+            add_block(scene, (solid_kind)kind, 0.5, 0.3);
             const fw_path path = {.velocity = {0.05, 0.01},
                                   .until = INFINITY,
                                   .amplitude = {0.02, 0.03},
@@ -187,7 +187,7 @@ static void sticking_floor_carries_and_stops(void **state)
     for (int kind = 0; kind < SOLIDS; ++kind)
         for (int piston = 0; piston < 2; ++piston) {
             fw_scene *scene = empty_scene(1e6);
-            add_block(scene, kind, 0, 0);
+            add_block(scene, (solid_kind)kind, 0, 0);
             const fw_vec2 corners[] = {{-20, -5}, {30, 0}};
             const double tick = fw_scene_observe_body(scene, 0)->tick, until = 300 * tick;
             const fw_path path = {.velocity = {v, 0}, .until = until};
