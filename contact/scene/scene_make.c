@@ -52,6 +52,7 @@ void fw_scene_destroy(fw_scene *scene)
     free(scene->loads);
     free(scene->candidates);
     free(scene->near);
+    free(scene->passable);
     free(scene);
 }
 
@@ -190,8 +191,9 @@ static fw_status build_broadphase(fw_scene *scene, fw_error *error)
     scene->facet_count = fw_broadphase_facet_count(scene->broadphase);
     scene->candidates = calloc((size_t)scene->facet_count + 1, sizeof *scene->candidates);
     scene->near = calloc((size_t)scene->facet_count + 1, sizeof *scene->near);
+    scene->passable = calloc((size_t)scene->facet_count + 1, sizeof *scene->passable);
     scene->ledgers = calloc((size_t)scene->wall_count + 1, sizeof *scene->ledgers);
-    if (!scene->candidates || !scene->near || !scene->ledgers)
+    if (!scene->candidates || !scene->near || !scene->passable || !scene->ledgers)
         return fw_fail_memory(error, "the facets of all walls");
     for (int f = 0; f < scene->facet_count; ++f) {
         const fw_facet *facet = fw_broadphase_facet(scene->broadphase, f);

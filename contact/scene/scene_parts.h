@@ -101,6 +101,8 @@ struct fw_scene {
     fw_candidate *candidates; /* of all facets, in the broadphase's order */
     fw_candidate *near;       /* candidates of one run that are hard; room for all facets */
     int near_count;
+    int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
+    int passable_count;
     double energy_at_start;
     fw_vec2 momentum_at_start;
     double energy_scale; /* the largest energy or work so far */
