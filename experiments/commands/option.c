@@ -10,6 +10,7 @@
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
 
+#include <assert.h>
 #include <string.h>
 
 const fw_option fw_option_folder = {"--output",      "-o",
@@ -171,6 +172,7 @@ static fw_status read_option(fw_arguments *arguments, const fw_command *command,
         return fw_fail(error, FW_BAD_INPUT, "%s comes last, expected %s behind it", o->name,
                        o->value);
     /* Of two folders or seeds one would be lost without a word. */
+    assert(number < FW_OPTIONS_MAX);
     if (o->form != FW_OPTION_LIST && arguments->given[number])
         return fw_fail(error, FW_BAD_INPUT, "%s is given a second time, as %s", o->name,
                        fw_text_quote(value, strlen(value)).text);

@@ -4,6 +4,7 @@
 
 #include "measurement_plan.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -57,17 +58,17 @@ void fw_measurement_destroy(fw_measurement *measurement)
 
 bool fw_measurement_is_due(const fw_scenario *scenario, int64_t step)
 {
-    return step % scenario->run.measure_every == 0 || step == scenario->run.steps;
+    return fw_scenario_count_samples(scenario, step, step) > 0;
 }
 
 int64_t fw_measurement_row_count(const fw_scenario *scenario)
 {
-    int64_t whole = scenario->run.steps / scenario->run.measure_every;
-    return whole + 1 + (scenario->run.steps % scenario->run.measure_every != 0);
+    return fw_scenario_count_samples(scenario, 0, scenario->run.steps);
 }
 
 const double *fw_measurement_take(fw_measurement *measurement, const fw_experiment *experiment)
 {
+    assert(measurement->count < measurement->capacity);
     double *row = measurement->values + measurement->count * measurement->width;
     measurement->steps[measurement->count] = fw_scene_steps(experiment->scene);
     measurement->times[measurement->count] = fw_scene_time(experiment->scene);
@@ -85,6 +86,7 @@ const double *fw_measurement_take(fw_measurement *measurement, const fw_experime
 void fw_measurement_restore(fw_measurement *measurement, int64_t step, double time,
                             const double *row)
 {
+    assert(measurement->count < measurement->capacity);
     measurement->steps[measurement->count] = step;
     measurement->times[measurement->count] = time;
     memcpy(measurement->values + measurement->count * measurement->width, row,

@@ -111,4 +111,8 @@ fw_status fw_scenario_fail_within(const fw_scenario *scenario, fw_place place, f
 /* The scenario as run, as a text that reads back to the same scenario: *text is malloc'ed. */
 fw_status fw_scenario_print(const fw_scenario *scenario, char **text, fw_error *error);
 
+/* How many values of the observables are measured in the steps from <= step <= until. One is due at
+ * multiples of run.measure-every, and at the end. */
+int64_t fw_scenario_count_samples(const fw_scenario *scenario, int64_t from, int64_t until);
+
 #endif

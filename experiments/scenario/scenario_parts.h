@@ -129,8 +129,6 @@ fw_status fw_scenario_check_particles(const fw_scenario *scenario, fw_error *err
 fw_status fw_scenario_check_materials(const fw_scenario *scenario, fw_error *error);
 /* The run, its defaults filled in. */
 fw_status fw_scenario_complete_run(fw_scenario *scenario, fw_error *error);
-/* How many values of the observables are measured in the steps from <= step <= until. */
-int64_t fw_scenario_count_samples(const fw_scenario *scenario, int64_t from, int64_t until);
 /* That there are bodies which `dynamics` moves, and phases change only theirs. */
 fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_analyses(fw_scenario *scenario, fw_error *error);

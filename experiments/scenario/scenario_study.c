@@ -30,7 +30,7 @@ const fw_section fw_profile_section = {
     .keys = profile_keys};
 
 static const fw_key study_keys[] = {
-    {"seeds", AT_INTEGER(fw_scenario_study, seeds), FROM_TO(1, 1024), .default_value = "1",
+    {"seeds", AT_INTEGER(fw_scenario_study, seeds), FROM_TO(1, FW_SEEDS_MAX), .default_value = "1",
      .meaning = "how many runs, with `run.seed` and the numbers after it"},
     {"control", FW_FORM_LIST, .items = FW_FORM_TEXT, .least = 1, .most = 64, NOT_STORED,
      .default_meaning = "none",

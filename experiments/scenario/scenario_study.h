@@ -5,6 +5,8 @@
 
 #include "experiments/scenario/schema.h"
 
+enum { FW_SEEDS_MAX = 1024 };
+
 /* What is averaged across the scene; no `every`: nothing is. */
 typedef struct fw_scenario_profile {
     fw_place place;

@@ -3,6 +3,8 @@
 #include "contact/geometry/shape.h"
 #include "scenario_parts.h"
 
+#include <assert.h>
+
 static const fw_key surface_keys[] = {
     {"coulomb", FW_FORM_NUMBER, ALTERNATIVE, FROM_TO(0, 1000), NOT_STORED,
      .meaning = "friction coefficient: the tangential force is at most this times the reaction"},
@@ -129,6 +131,7 @@ static fw_status read_geometry(const fw_scenario *scenario, const fw_node *node,
     const fw_shape *shape = fw_shape_of(def);
     double values[2 * FW_SHAPE_CORNERS];
     fw_vec2 *points;
+    assert(shape->numbers <= 2 * FW_SHAPE_CORNERS);
     if (shape->numbers == 0) return read_points(scenario, given, def, error);
     fw_node_numbers(given, values);
     def->point_count = shape->numbers / 2;

@@ -4,6 +4,7 @@
 #include "experiments/setup/memory.h"
 
 #include "experiments/setup/solids.h"
+#include "experiments/text/number.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -42,8 +43,8 @@ static double read_number(const char *path, const char *word)
     double value = INFINITY;
     while (in && fgets(line, sizeof line, in)) {
         if (strncmp(line, word, strlen(word)) != 0) continue;
-        char *end;
-        const double found = strtod(line + strlen(word), &end);
+        const char *end;
+        const double found = fw_number_scan(line + strlen(word), &end);
         if (end != line + strlen(word)) value = found;
         break;
     }

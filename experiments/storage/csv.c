@@ -4,6 +4,7 @@
 
 #include "experiments/storage/manifest.h"
 #include "experiments/storage/whole_file.h"
+#include "experiments/text/number.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -31,7 +32,7 @@ void fw_csv_write_number(FILE *out, double value)
 
 double fw_csv_read_number(const char *text)
 {
-    return text[0] ? strtod(text, NULL) : NAN;
+    return text[0] ? fw_number_scan(text, NULL) : NAN;
 }
 
 char *fw_csv_cut(char *line, char **value)

@@ -82,7 +82,7 @@ static fw_status add_entry(const manifest *m, const entry *added, fw_error *erro
     FW_TRY(fw_sealed_file_create(&file, m->folder, FW_MANIFEST_FILE, FW_MANIFEST_KIND,
                                  (kept + 1) * sizeof(entry), error));
     /* The oldest go first. */
-    fw_sealed_file_write(file, m->item + (m->count - kept), kept * sizeof(entry));
+    if (kept > 0) fw_sealed_file_write(file, &m->item[m->count - kept], kept * sizeof(entry));
     fw_sealed_file_write(file, added, sizeof *added);
     return fw_sealed_file_commit(file, error);
 }

@@ -8,16 +8,19 @@
 #include <stddef.h>
 #include <time.h>
 
-/* Seconds within which another signal counts as the same. */
-static const double INSTANT = 0.5;
+/* Nanoseconds within which another signal counts as the same. */
+static const long long INSTANT = 500000000;
+
+_Static_assert(ATOMIC_INT_LOCK_FREE == 2 && ATOMIC_LLONG_LOCK_FREE == 2,
+               "a signal handler may touch atomic numbers only where they take no lock");
 
 static const int watched[] = {SIGINT, SIGTERM, SIGHUP};
 enum { WATCHED = sizeof watched / sizeof *watched };
 
-static volatile sig_atomic_t seen;
-static struct timespec seen_at;
-static atomic_int held; /* how many checkpoints are being written */
-static atomic_int last; /* the signal that will end the process, or 0 */
+static atomic_int seen;
+static atomic_llong seen_at; /* nanoseconds */
+static atomic_int held;      /* how many checkpoints are being written */
+static atomic_int last;      /* the signal that will end the process, or 0 */
 static struct sigaction before[WATCHED];
 
 /* As if it had never been watched. */
@@ -34,16 +37,16 @@ static void end_by(int signal_number)
 
 static void note(int signal_number)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    if (!seen) {
-        seen_at = now;
-        seen = signal_number;
-        return;
-    }
-    const double apart =
-        (double)(now.tv_sec - seen_at.tv_sec) + 1e-9 * (double)(now.tv_nsec - seen_at.tv_nsec);
-    if (apart < INSTANT) return;
+    struct timespec time;
+    clock_gettime(CLOCK_MONOTONIC, &time);
+    const long long now = time.tv_sec * 1000000000LL + time.tv_nsec;
+    int nothing = 0;
+    /* Before `seen`: whoever finds a first signal finds its time, too. Several threads may come
+     * here at once; only one of them is the first. */
+    long long never = 0;
+    atomic_compare_exchange_strong(&seen_at, &never, now);
+    if (atomic_compare_exchange_strong(&seen, &nothing, signal_number)) return;
+    if (now - atomic_load(&seen_at) < INSTANT) return;
     atomic_store(&last, signal_number);
     if (atomic_load(&held) == 0) end_by(signal_number);
 }
@@ -53,7 +56,8 @@ void fw_interrupt_watch(void)
     struct sigaction action = {.sa_handler = note, .sa_flags = SA_RESTART};
     sigemptyset(&action.sa_mask);
     for (int n = 0; n < WATCHED; ++n) sigaddset(&action.sa_mask, watched[n]);
-    seen = 0;
+    atomic_store(&seen, 0);
+    atomic_store(&seen_at, 0);
     atomic_store(&last, 0);
     for (int n = 0; n < WATCHED; ++n) {
         struct sigaction now;
@@ -80,9 +84,10 @@ void fw_interrupt_release(void)
 
 fw_status fw_interrupt_seen(void)
 {
-    if (seen == SIGINT) return FW_INTERRUPTED;
-    if (seen == SIGTERM) return FW_TERMINATED;
-    if (seen == SIGHUP) return FW_HUNG_UP;
+    const int number = atomic_load(&seen);
+    if (number == SIGINT) return FW_INTERRUPTED;
+    if (number == SIGTERM) return FW_TERMINATED;
+    if (number == SIGHUP) return FW_HUNG_UP;
     return FW_OK;
 }
 

@@ -10,6 +10,7 @@
 #include "experiments/storage/folder.h"
 #include "summary.h"
 
+#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -244,8 +245,9 @@ static const fw_observer *observer_of(const fw_study *study, int number)
 /* Over the seeds that have a value. */
 static void average(const double *values, int count, double *mean, double *error)
 {
-    double known[1024];
+    double known[FW_SEEDS_MAX];
     size_t found = 0;
+    assert(count <= FW_SEEDS_MAX);
     for (int n = 0; n < count; ++n)
         if (isfinite(values[n])) known[found++] = values[n];
     *mean = *error = NAN;

@@ -211,7 +211,7 @@ static bool read_values(fw_sweep_table *table, const layout *cells, char *line, 
 {
     char *cell;
     line = fw_csv_cut(line, &cell);
-    table->values[row] = strtod(cell, NULL);
+    table->values[row] = fw_number_scan(cell, NULL);
     for (int n = 0; n < cells->count; ++n) {
         if (!line) return false;
         line = fw_csv_cut(line, &cell);

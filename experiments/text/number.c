@@ -65,6 +65,21 @@ static bool has_nonzero_digit(const char *text)
     return false;
 }
 
+double fw_number_scan(const char *text, const char **end)
+{
+    /* strtod follows the thread's locale, in which 0.5 may read as 0. */
+    locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    locale_t before = plain ? uselocale(plain) : (locale_t)0;
+    char *behind;
+    const double value = strtod(text, &behind);
+    if (plain) {
+        uselocale(before);
+        freelocale(plain);
+    }
+    if (end) *end = behind;
+    return value;
+}
+
 fw_number_fault fw_number_read(const char *text, size_t length, double *value)
 {
     if (is_not_finite(text, length)) return FW_NUMBER_NOT_FINITE;
@@ -72,15 +87,7 @@ fw_number_fault fw_number_read(const char *text, size_t length, double *value)
     char copy[LONGEST];
     memcpy(copy, text, length);
     copy[length] = '\0';
-
-    /* strtod follows the thread's locale, in which 0.5 may read as 0. */
-    locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    locale_t before = plain ? uselocale(plain) : (locale_t)0;
-    double read = strtod(copy, NULL);
-    if (plain) {
-        uselocale(before);
-        freelocale(plain);
-    }
+    const double read = fw_number_scan(copy, NULL);
     if (!isfinite(read)) return FW_NUMBER_TOO_LARGE;
     if (read == 0 && has_nonzero_digit(copy)) return FW_NUMBER_TOO_SMALL;
     *value = read;
@@ -116,6 +123,6 @@ void fw_number_write(char text[FW_NUMBER_TEXT], double value)
     }
     for (int digits = 1; digits <= 17; ++digits) {
         snprintf(text, FW_NUMBER_TEXT, "%.*g", digits, value);
-        if (strtod(text, NULL) == value) return;
+        if (fw_number_scan(text, NULL) == value) return;
     }
 }

@@ -22,6 +22,10 @@ fw_number_fault fw_number_read(const char *text, size_t length, double *value);
 /* 0, 12, -7: whole numbers, without point, exponent or leading zeros. */
 fw_number_fault fw_integer_read(const char *text, size_t length, int64_t *value);
 
+/* The number at the beginning of a text that the program has written itself, with nan and inf; 0
+ * where there is none. *end, unless `end` is NULL, is what follows it. */
+double fw_number_scan(const char *text, const char **end);
+
 /* The shortest text that reads back to the same number; whole numbers without an exponent, so that
  * they read as whole ones. */
 enum { FW_NUMBER_TEXT = 32 };
