@@ -70,9 +70,10 @@ struct fw_scenario {
     fw_scenario_analysis *analyses;
 };
 
-/* Reads a scenario; `file` is what sentences call it. `settings` are the arguments of the --set
- * options in order. On failure *scenario is NULL: FW_BAD_INPUT with one sentence that begins with
- * "FILE:LINE:COLUMN: " or "--set OPTION: ", or FW_SYSTEM_FAILED without memory. */
+/* Reads a scenario; `file` is what sentences call it, NULL: nobody wrote it (document.h).
+ * `settings` are the arguments of the --set options in order. On failure *scenario is NULL:
+ * FW_BAD_INPUT with one sentence that begins with "FILE:LINE:COLUMN: " or "--set OPTION: ", or
+ * FW_SYSTEM_FAILED without memory. */
 fw_status fw_scenario_read(fw_scenario **scenario, const char *file, const char *text,
                            size_t length, const char *const *settings, int setting_count,
                            fw_error *error);

@@ -40,20 +40,9 @@ struct fw_study {
 
 /* --- making --- */
 
-/* Takes the place in the text that a replica is read from, which nobody has written, off a
- * sentence: "control:5:9: ". */
-static void strip_place(fw_error *error)
-{
-    int length = 0;
-    sscanf(error->sentence, "control:%*d:%*d: %n", &length);
-    if (length == 0) sscanf(error->sentence, "replica:%*d:%*d: %n", &length);
-    memmove(error->sentence, error->sentence + length, strlen(error->sentence + length) + 1);
-}
-
 static fw_status fail_replica(const fw_study *study, int number, fw_status status, fw_error *error)
 {
     if (status != FW_BAD_INPUT) return status;
-    strip_place(error);
     if (number >= study->seed_count)
         return fw_scenario_fail_within(study->scenario, study->scenario->study.control_place,
                                        status, error, "control");
@@ -73,10 +62,9 @@ static fw_status make_scenario(const fw_scenario *scenario, bool control, int64_
     for (int n = 0; control && n < scenario->study.control_count; ++n)
         settings[count++] = scenario->study.control[n];
     FW_TRY(fw_scenario_print(scenario, &text, error));
-    fw_status status = fw_scenario_read(made, control ? "control" : "replica", text, strlen(text),
-                                        settings, count, error);
+    /* Nobody has written that text: its lines would say nothing to anybody. */
+    fw_status status = fw_scenario_read(made, NULL, text, strlen(text), settings, count, error);
     free(text);
-    if (status != FW_OK) strip_place(error);
     return control ? fw_scenario_fail_within(scenario, scenario->study.control_place, status, error,
                                              "control")
                    : status;

@@ -82,6 +82,9 @@ void fw_document_destroy(fw_document *document)
 
 /* --- sentences --- */
 
+/* What sentences call a text without a file. */
+static const char UNWRITTEN[] = "a scenario";
+
 fw_status fw_document_fail(const fw_document *document, fw_place place, fw_error *error,
                            const char *format, ...)
 {
@@ -92,6 +95,7 @@ fw_status fw_document_fail(const fw_document *document, fw_place place, fw_error
     vsnprintf(error->sentence, sizeof error->sentence, format, arguments);
     va_end(arguments);
     error->status = FW_BAD_INPUT;
+    if (place.setting == 0 && !document->file) return error->status;
     if (place.setting == 0)
         return fw_fail_within(error, "%s:%d:%d", document->file, place.line, place.column);
     const option *given = document->options;
@@ -102,7 +106,8 @@ fw_status fw_document_fail(const fw_document *document, fw_place place, fw_error
 
 fw_status fw_document_fail_memory(const fw_document *document, fw_error *error)
 {
-    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory to read %s", document->file);
+    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory to read %s",
+                   fw_document_file(document));
 }
 
 /* --- whole documents --- */
@@ -110,11 +115,12 @@ fw_status fw_document_fail_memory(const fw_document *document, fw_error *error)
 static fw_status create_empty(fw_document **document, const char *file, fw_error *error)
 {
     *document = calloc(1, sizeof **document);
-    if (*document) (*document)->file = fw_document_copy(*document, file, strlen(file));
-    if (*document && (*document)->file) return FW_OK;
+    if (*document && file) (*document)->file = fw_document_copy(*document, file, strlen(file));
+    if (*document && (!file || (*document)->file)) return FW_OK;
     fw_document_destroy(*document);
     *document = NULL;
-    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory to read %s", file);
+    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory to read %s",
+                   file ? file : UNWRITTEN);
 }
 
 fw_status fw_document_parse(fw_document **document, const char *file, const char *text,
@@ -222,7 +228,7 @@ fw_node *fw_document_root(const fw_document *document)
 
 const char *fw_document_file(const fw_document *document)
 {
-    return document->file;
+    return document->file ? document->file : UNWRITTEN;
 }
 
 fw_node *fw_node_find(const fw_node *mapping, const char *key)

@@ -48,8 +48,9 @@ struct fw_node {
 
 typedef struct fw_document fw_document;
 
-/* Reads `length` bytes. `file` is what sentences call it; copied. On failure *document is NULL:
- * FW_BAD_INPUT with "FILE:LINE:COLUMN: ..." */
+/* Reads `length` bytes. `file` is what sentences call it; copied. NULL: nobody wrote the text, and
+ * sentences about it name no place but --set options. On failure *document is NULL: FW_BAD_INPUT
+ * with "FILE:LINE:COLUMN: ..." */
 fw_status fw_document_parse(fw_document **document, const char *file, const char *text,
                             size_t length, fw_error *error);
 /* The same for a file on disk. FW_BAD_INPUT also where it cannot be read. */
@@ -86,7 +87,7 @@ fw_status fw_document_fail_memory(const fw_document *document, fw_error *error);
 fw_status fw_document_print(const fw_document *document, FILE *out, fw_error *error);
 
 /* FW_BAD_INPUT with "FILE:LINE:COLUMN: sentence", or "--set OPTION: sentence" for what a --set
- * option wrote. */
+ * option wrote; the sentence alone where the text has no file. */
 fw_status fw_document_fail(const fw_document *document, fw_place place, fw_error *error,
                            const char *format, ...) __attribute__((format(printf, 4, 5)));
 
