@@ -6,6 +6,7 @@
 
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #define OPTIONS(...)                                                                               \
     .options = (const fw_option *const[])                                                          \
@@ -110,6 +111,14 @@ static fw_status load(fw_scenario **scenario, const char *word, const fw_option_
                             ? (size_t)(strrchr(base, '.') - base)
                             : strlen(base);
         snprintf(name, FW_NAME_BYTES + 1, "%.*s", (int)(length < 64 ? length : 64), base);
+        const fw_catalogue_entry *entry;
+        fw_error own;
+        if (access(word, F_OK) != 0 && fw_catalogue_find(&entry, name, &own) == FW_OK &&
+            strcmp(entry->name, name) == 0)
+            return fw_fail(error, FW_BAD_INPUT,
+                           "there is no file %s; the experiment %s is called without .yaml, "
+                           "`fretwork show %s > %s` makes the file",
+                           word, name, name, word);
         return fw_scenario_load(scenario, word, settings->item, settings->count, error);
     }
     const fw_catalogue_entry *entry;

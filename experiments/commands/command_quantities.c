@@ -32,10 +32,12 @@ static bool is_wanted(const char *name, const char *word)
 static fw_status check_word(const char *word, fw_error *error)
 {
     if (!word) return FW_OK;
+    const char *first = NULL; /* that has the word in its name or meaning */
     fw_suggestion suggestion = fw_suggestion_begin(word);
     for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q)) {
         if (strcmp(q->name, word) == 0) return FW_OK;
         fw_suggestion_offer(&suggestion, q->name);
+        if (!first && (strstr(q->name, word) || strstr(q->meaning, word))) first = q->name;
     }
     for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
         for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
@@ -43,6 +45,11 @@ static fw_status check_word(const char *word, fw_error *error)
             fw_suggestion_offer(&suggestion, field->name);
         }
     const fw_quote quote = fw_text_quote(word, strlen(word));
+    if (!suggestion.best && first && word[0])
+        return fw_fail(error, FW_BAD_INPUT,
+                       "there is no quantity and no field '%s'; %s is one that speaks of it, "
+                       "`fretwork quantities | grep %s` shows all",
+                       quote.text, first, quote.text);
     if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT,
                        "there is no quantity and no field '%s'; did you mean '%s'?", quote.text,

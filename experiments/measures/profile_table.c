@@ -207,11 +207,11 @@ void fw_profile_table_print(const fw_profile_table *table, fw_profile_column col
         print_all(table, out);
     else
         print_column(table, column, out);
-    fprintf(out, "\n%-36s  %-20s  %-20s  %-12s  %s\n", "layer", "experiment", "control", "unit",
+    fprintf(out, "\n%-40s  %-20s  %-20s  %-12s  %s\n", "layer", "experiment", "control", "unit",
             "meaning");
     for (int n = 0; n < FW_LAYER_MEASURES; ++n) {
         const fw_quantity *quantity = &fw_layer_quantities[n];
-        fprintf(out, "%-36s", quantity->name);
+        fprintf(out, "%-40s", quantity->name);
         print_number(out, table->layer[n].mean, table->layer[n].error);
         print_number(out, table->layer[n].control, table->layer[n].control_error);
         fprintf(out, "  %-12s  %s\n", quantity->unit, quantity->meaning);

@@ -66,6 +66,8 @@ static const refusal refusals[] = {
     {"list --json xylophone", 2, "no experiment speaks of 'xylophone', expected a word of those that `fretwork list` shows"},
     {"quantities energi", 2, "there is no quantity and no field 'energi'; did you mean 'energy'?"},
     {"quantities xylophone --json", 2, "there is no quantity and no field 'xylophone', expected one of `fretwork quantities`"},
+    {"quantities heat", 2, "there is no quantity and no field 'heat'; energy-error is one that speaks of it, `fretwork quantities | grep heat` shows all"},
+    {"run friction.yaml", 2, "there is no file friction.yaml; the experiment friction is called without .yaml, `fretwork show friction > friction.yaml` makes the file"},
     {"reference run.step", 2, "no key is called 'run.step'; did you mean 'steps'?"},
     {"reference walls.floor.pth --json", 2, "no key is called 'walls.floor.pth'; did you mean 'path'?"},
     {"reference ''", 2, "no key is called '', expected the name or path of one that `fretwork reference` lists"},
