@@ -62,6 +62,32 @@ static int drop_all(fw_drop_grid *grid, fw_vec2 *positions, int count, fw_vec2 s
     return placed;
 }
 
+/* More than there is room for, before a single drop? No arrangement of centres in a rectangle of
+ * area A and perimeter P has more than 2 A/(3^(1/2) d^2) + P/(2 d) + 1 of them (Oler 1961). Many
+ * that are dropped at random jam where their discs cover .547 of the rectangle that holds them
+ * (Feder 1980); a few of them can be luckier. */
+static fw_status refuse_crowds(int count, fw_vec2 size, double distance, fw_error *error)
+{
+    enum { MANY = 1000, WIDE = 20 };
+    const double jam = 0.547, certainly = 0.57;
+    const double most =
+        2 * size.x * size.y / (sqrt(3) * distance * distance) + (size.x + size.y) / distance + 1;
+    if (count > most)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%d particles at least %g from each other are to be placed in %g x %g, "
+                       "expected at most %.0f: more do not fit however they lie",
+                       count, distance, size.x, size.y, floor(most));
+    const double around = (size.x + distance) * (size.y + distance);
+    const double covered = count * FW_PI * distance * distance / (4 * around);
+    if (count >= MANY && fmin(size.x, size.y) > WIDE * distance && covered > certainly)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%d particles at least %g from each other are to be dropped into %g x %g, "
+                       "where they would cover %.3f, expected well below %g, where random "
+                       "placement jams",
+                       count, distance, size.x, size.y, covered, jam);
+    return FW_OK;
+}
+
 fw_status fw_placement_random(fw_vec2 *positions, int count, fw_vec2 low, fw_vec2 high,
                               double distance, uint64_t seed, fw_error *error)
 {
@@ -77,6 +103,7 @@ fw_status fw_placement_random(fw_vec2 *positions, int count, fw_vec2 low, fw_vec
     if (count < 1)
         return fw_fail(error, FW_BAD_INPUT, "%d particles are to be placed, expected at least one",
                        count);
+    if (distance > 0) FW_TRY(refuse_crowds(count, size, distance, error));
     /* About one particle per cell, but none narrower than the distance, so that the eight cells
      * around one hold everybody who may be too near; and not more than SIDE_MAX a side. */
     double cell = fmax(distance, sqrt(size.x / count * size.y));

@@ -10,9 +10,9 @@
 #include <stdint.h>
 
 /* Writes `count` positions in [low, high), no two closer than `distance` >= 0. The same seed gives
- * the same places. FW_BAD_INPUT with a sentence for an empty rectangle, and when after 1000 drops
- * per particle not all have found a place (at a coverage count pi distance^2/(4 area) of .547 that
- * is certain); FW_SYSTEM_FAILED without memory. */
+ * the same places. FW_BAD_INPUT with a sentence for an empty rectangle, at once where so many cannot
+ * lie or would jam, and when after 1000 drops per particle not all have found a place;
+ * FW_SYSTEM_FAILED without memory. */
 fw_status fw_placement_random(fw_vec2 *positions, int count, fw_vec2 low, fw_vec2 high,
                               double distance, uint64_t seed, fw_error *error);
 

@@ -52,11 +52,32 @@ static void what_has_no_room_is_refused(void **state)
     assert_int_equal(fw_placement_random(at, COUNT, low, (fw_vec2){1e6, 1}, 0.8, 1, &error), FW_OK);
 }
 
+/* Without a drop: a thousand million of them would take minutes. */
+static void crowds_are_refused_at_once(void **state)
+{
+    (void)state;
+    fw_error error;
+    const fw_vec2 low = {0, 0}, high = {1000, 1000};
+    assert_int_equal(fw_placement_random(NULL, 2000000, low, high, 0.8, 1, &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "expected at most 1806720"));
+    assert_int_equal(fw_placement_random(NULL, 1200000, low, high, 0.8, 1, &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "they would cover 0.602, expected well below 0.547"));
+    /* Two on a line find the ends, whatever they would cover. */
+    fw_vec2 pair[2];
+    assert_int_equal(fw_placement_random(pair, 2, low, (fw_vec2){1, 1e-3}, 0.5, 3, &error), FW_OK);
+    /* Just what fits is not refused at once, and not found by chance. */
+    fw_vec2 row[4];
+    assert_int_equal(fw_placement_random(row, 4, low, (fw_vec2){3, 1e-9}, 1, 1, &error),
+                     FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "of 4 particles found a place"));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(places_keep_their_distance),
         cmocka_unit_test(what_has_no_room_is_refused),
+        cmocka_unit_test(crowds_are_refused_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
