@@ -3,6 +3,7 @@
 #include "tests/support/laws.h"
 
 #include "experiments/scenario/scenario.h"
+#include "tests/support/both_commands.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -345,7 +346,6 @@ static void a_right_scenario_is_read(void **state)
 {
     (void)state;
     fw_scenario *scenario;
-    fw_error error;
     fw_status status =
         fw_scenario_read(&scenario, "scenario.yaml", right, strlen(right), NULL, 0, &error);
     if (status != FW_OK) fail_msg("%s", error.sentence);
@@ -361,7 +361,7 @@ static void every_mistake_gets_its_sentence(void **state)
         char expected[FW_SENTENCE_SIZE];
         snprintf(expected, sizeof expected, "scenario.yaml:%s", mistakes[n].sentence);
         fw_scenario *scenario;
-        fw_error error = {FW_OK, "accepted"};
+        error = (fw_error){FW_OK, "accepted"};
         fw_status status =
             fw_scenario_read(&scenario, "scenario.yaml", text, strlen(text), NULL, 0, &error);
         if (status != FW_BAD_INPUT || strcmp(error.sentence, expected) != 0) {
@@ -376,6 +376,21 @@ static void every_mistake_gets_its_sentence(void **state)
     assert_int_equal(wrong, 0);
 }
 
+static void check_refuses_what_run_refuses(void **state)
+{
+    (void)state;
+    char folder[64];
+    int wrong = 0;
+    make_quick_folder(folder, sizeof folder);
+    for (size_t n = 0; n < sizeof mistakes / sizeof mistakes[0]; ++n) {
+        char *text = change(mistakes[n].written, mistakes[n].instead);
+        wrong += both_refuse(folder, text, mistakes[n].sentence);
+        free(text);
+    }
+    remove_folder(folder);
+    assert_int_equal(wrong, 0);
+}
+
 static void every_wrong_setting_names_its_option(void **state)
 {
     (void)state;
@@ -384,7 +399,7 @@ static void every_wrong_setting_names_its_option(void **state)
         char expected[FW_SENTENCE_SIZE];
         snprintf(expected, sizeof expected, "--set %s", wrong_settings[n].sentence);
         fw_scenario *scenario;
-        fw_error error = {FW_OK, "accepted"};
+        error = (fw_error){FW_OK, "accepted"};
         fw_status status = fw_scenario_read(&scenario, "scenario.yaml", right, strlen(right),
                                             &wrong_settings[n].setting, 1, &error);
         if (status != FW_BAD_INPUT || strcmp(error.sentence, expected) != 0) {
@@ -402,7 +417,7 @@ static void a_file_cut_anywhere_is_refused_or_whole(void **state)
     (void)state;
     for (size_t length = 0; length < strlen(right); ++length) {
         fw_scenario *scenario;
-        fw_error error = {FW_OK, ""};
+        error = (fw_error){FW_OK, ""};
         fw_status status =
             fw_scenario_read(&scenario, "scenario.yaml", right, length, NULL, 0, &error);
         if (status == FW_OK) {
@@ -421,6 +436,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_right_scenario_is_read),
         cmocka_unit_test(every_mistake_gets_its_sentence),
+        cmocka_unit_test(check_refuses_what_run_refuses),
         cmocka_unit_test(every_wrong_setting_names_its_option),
         cmocka_unit_test(a_file_cut_anywhere_is_refused_or_whole),
     };

@@ -4,6 +4,7 @@
 #include "tests/support/laws.h"
 
 #include "experiments/study/run.h"
+#include "tests/support/both_commands.h"
 #include "tests/support/scenarios.h"
 
 #define HEAD "title: t\nmaterials:\n  m: {elastic-automaton: "
@@ -143,10 +144,27 @@ static void mistakes_get_their_sentences(void **state)
     assert_int_equal(wrong, 0);
 }
 
+static void check_refuses_what_run_refuses(void **state)
+{
+    (void)state;
+    char folder[64];
+    int wrong = 0;
+    make_quick_folder(folder, sizeof folder);
+    for (size_t n = 0; n < sizeof mistakes / sizeof *mistakes; ++n) {
+        /* The place is that of another file's name here. */
+        const char *sentence = mistakes[n].sentence;
+        if (strncmp(sentence, "t.yaml", 6) == 0) sentence += 6;
+        wrong += both_refuse(folder, mistakes[n].text, sentence);
+    }
+    remove_folder(folder);
+    assert_int_equal(wrong, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mistakes_get_their_sentences),
+        cmocka_unit_test(check_refuses_what_run_refuses),
     };
     return cmocka_run_group_tests_name("automaton refusals", tests, NULL, NULL);
 }

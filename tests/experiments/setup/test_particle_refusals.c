@@ -4,6 +4,7 @@
 #include "tests/support/laws.h"
 
 #include "experiments/measures/verdict.h"
+#include "tests/support/both_commands.h"
 #include "tests/support/scenarios.h"
 
 #define PLAIN      "movable-particles: {}"
@@ -76,7 +77,7 @@ static const struct {
      "corner first and the upper right one next"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 99, "
      "box: [0, 0, 5, 5]}}}}\n" TAIL,
-     "t.yaml:3:10: body b: only "},
+     "t.yaml:3:10: body b: 99 particles at least 0.75 from each other are to be placed"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 5, "
      "box: [0, 0, 9, 9]}}, velocities: [{gradient: [0, 1, 0, 0]}]}}\n" TAIL,
      "t.yaml:3:89: 'gradient' in body 'b', which is placed at random, expected 'by' or 'random': "
@@ -116,10 +117,27 @@ static void mistakes_get_their_sentences(void **state)
     }
 }
 
+static void check_refuses_what_run_refuses(void **state)
+{
+    (void)state;
+    char folder[64];
+    int wrong = 0;
+    make_quick_folder(folder, sizeof folder);
+    for (size_t n = 0; n < sizeof refusals / sizeof *refusals; ++n) {
+        /* The place is that of another file's name here. */
+        const char *sentence = refusals[n].sentence;
+        if (strncmp(sentence, "t.yaml", 6) == 0) sentence += 6;
+        wrong += both_refuse(folder, refusals[n].text, sentence);
+    }
+    remove_folder(folder);
+    assert_int_equal(wrong, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(mistakes_get_their_sentences),
+        cmocka_unit_test(check_refuses_what_run_refuses),
     };
     return cmocka_run_group_tests_name("particle refusals", tests, NULL, NULL);
 }
