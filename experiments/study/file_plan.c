@@ -170,7 +170,7 @@ fw_status fw_file_plan_make(fw_file_plan *plan, const fw_observer *observer,
         fw_trajectory_array *arrays;
         FW_TRY(fw_profile_table_arrays(&arrays, &plan->def.array_count,
                                        fw_profile_bin_count(observer->profile), error));
-        plan->def.arrays = arrays;
+        plan->def.arrays = plan->arrays = arrays;
     }
     FW_TRY(describe_analyses(plan, error));
     return describe_observables(plan, error);

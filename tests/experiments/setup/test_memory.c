@@ -8,6 +8,15 @@
 
 #include <sys/resource.h>
 
+/* gcc and clang each say it in a way of their own. */
+#if defined(__SANITIZE_ADDRESS__)
+#define UNDER_ADDRESS_SANITIZER
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define UNDER_ADDRESS_SANITIZER
+#endif
+#endif
+
 /* A square of n x n particles of some material. */
 static void write_square(const char *folder, const char *name, const char *material, int n,
                          const char *more)
@@ -51,7 +60,7 @@ static void what_is_needed_is_what_a_run_takes(void **state)
 {
     char folder[64], path[128];
     (void)state;
-#ifdef __SANITIZE_ADDRESS__
+#ifdef UNDER_ADDRESS_SANITIZER
     skip(); /* every allocation takes more */
 #endif
     make_quick_folder(folder, sizeof folder);
@@ -75,7 +84,7 @@ static void too_little_memory_gets_a_sentence(void **state)
                                            "verify huge.yaml -q", "run seeds.yaml -q -o it"};
     char folder[64], line[512];
     (void)state;
-#ifdef __SANITIZE_ADDRESS__
+#ifdef UNDER_ADDRESS_SANITIZER
     skip(); /* the sanitizer takes the address space for itself */
 #endif
     make_quick_folder(folder, sizeof folder);
