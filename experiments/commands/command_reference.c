@@ -116,7 +116,7 @@ static void write_key(void *object, const char *path, const fw_key *key)
     fw_json_flag(&s->json, "required", key->required);
     fw_json_flag(&s->json, "alternative", key->alternative);
     fw_json_text(&s->json, "default", key->default_value);
-    fw_json_text(&s->json, "otherwise", key->default_meaning);
+    fw_json_text(&s->json, "default-meaning", key->default_meaning);
     fw_json_text(&s->json, "needs", key->needs);
     fw_json_text(&s->json, "meaning", key->meaning);
     fw_json_end(&s->json, '}');

@@ -57,6 +57,13 @@ typedef struct fw_quantity {
     fw_needs needs;
 } fw_quantity;
 
+/* The two components of a vector, as a quantity's numbers. */
+static inline void fw_quantity_put(double *out, fw_vec2 v)
+{
+    out[0] = v.x;
+    out[1] = v.y;
+}
+
 /* The tables, each in the file of its name. */
 extern const fw_quantity fw_common_quantities[];
 extern const fw_quantity fw_boltzmann_quantities[];

@@ -279,9 +279,7 @@ static void phase_speed(const fw_experiment *experiment, fw_subject subject, dou
 
 static void put_polarisation(fw_subject subject, int mode, double *out)
 {
-    const fw_vec2 direction = subject.analysis->mode.polarisation[mode];
-    out[0] = direction.x;
-    out[1] = direction.y;
+    fw_quantity_put(out, subject.analysis->mode.polarisation[mode]);
 }
 
 static void slow_polarisation(const fw_experiment *experiment, fw_subject subject, double *out)

@@ -9,12 +9,6 @@
 
 #define LB "lattice-boltzmann"
 
-static void put(double *out, fw_vec2 v)
-{
-    out[0] = v.x;
-    out[1] = v.y;
-}
-
 static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subject)
 {
     return fw_experiment_solid(experiment, subject.body);
@@ -72,12 +66,14 @@ static void radius_error(const fw_experiment *experiment, fw_subject subject, do
 
 static void deformation_east(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_lb_solid_deformation(body_of(experiment, subject), subject.particle, FW_EAST));
+    fw_quantity_put(
+        out, fw_lb_solid_deformation(body_of(experiment, subject), subject.particle, FW_EAST));
 }
 
 static void deformation_north(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_lb_solid_deformation(body_of(experiment, subject), subject.particle, FW_NORTH));
+    fw_quantity_put(
+        out, fw_lb_solid_deformation(body_of(experiment, subject), subject.particle, FW_NORTH));
 }
 
 /* e_{i alpha} of Section 9.2: mean deformation of all links along i; order xx xy yx yy. */
@@ -92,7 +88,7 @@ static void strain(const fw_experiment *experiment, fw_subject subject, double *
             sum = fw_vec2_add(sum, fw_lb_solid_deformation(solid, l, d));
             count += 1;
         }
-        put(out + 2 * d, fw_vec2_scale(count > 0 ? 1.0 / count : 0, sum));
+        fw_quantity_put(out + 2 * d, fw_vec2_scale(count > 0 ? 1.0 / count : 0, sum));
     }
 }
 

@@ -7,12 +7,6 @@
 
 #include <math.h>
 
-static void put(double *out, fw_vec2 v)
-{
-    out[0] = v.x;
-    out[1] = v.y;
-}
-
 static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subject)
 {
     return fw_experiment_solid(experiment, subject.body);
@@ -106,7 +100,7 @@ static void body_energy_error(const fw_experiment *experiment, fw_subject subjec
 
 static void momentum(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, momentum_of(experiment, subject));
+    fw_quantity_put(out, momentum_of(experiment, subject));
 }
 
 static void momentum_error(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -124,7 +118,7 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
             if (goes_with(experiment, subject.body, b))
                 booked = fw_vec2_add(booked, experiment->momentum_at_start[b]);
     }
-    put(out, fw_vec2_subtract(now, booked));
+    fw_quantity_put(out, fw_vec2_subtract(now, booked));
 }
 
 static void angular_momentum(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -171,10 +165,10 @@ static void kinetic_fraction(const fw_experiment *experiment, fw_subject subject
 
 static void mean_velocity(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_sym2_apply(
-                 fw_sym2_invert(
-                     fw_body_range_mass(experiment->scene, &experiment->bodies[subject.body])),
-                 fw_body_range_momentum(experiment->scene, &experiment->bodies[subject.body])));
+    fw_quantity_put(out, fw_sym2_apply(fw_sym2_invert(fw_body_range_mass(
+                                           experiment->scene, &experiment->bodies[subject.body])),
+                                       fw_body_range_momentum(experiment->scene,
+                                                              &experiment->bodies[subject.body])));
 }
 
 /* --- the ledger --- */
@@ -224,13 +218,14 @@ static void fracture_energy(const fw_experiment *experiment, fw_subject subject,
 
 static void centre_of_mass(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_body_range_centre_of_mass(experiment->scene, &experiment->bodies[subject.body]));
+    fw_quantity_put(
+        out, fw_body_range_centre_of_mass(experiment->scene, &experiment->bodies[subject.body]));
 }
 
 static void position(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     int particle = experiment->bodies[subject.body].first + subject.particle;
-    put(out, fw_solid_position(body_of(experiment, subject), particle));
+    fw_quantity_put(out, fw_solid_position(body_of(experiment, subject), particle));
 }
 
 static fw_vec2 displacement_of(const fw_experiment *experiment, int body, int particle)
@@ -246,14 +241,14 @@ static fw_vec2 displacement_of(const fw_experiment *experiment, int body, int pa
 
 static void displacement(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, displacement_of(experiment, subject.body, subject.particle));
+    fw_quantity_put(out, displacement_of(experiment, subject.body, subject.particle));
 }
 
 static void elongation(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     int last = experiment->bodies[subject.body].count - 1;
-    put(out, fw_vec2_subtract(displacement_of(experiment, subject.body, last),
-                              displacement_of(experiment, subject.body, 0)));
+    fw_quantity_put(out, fw_vec2_subtract(displacement_of(experiment, subject.body, last),
+                                          displacement_of(experiment, subject.body, 0)));
 }
 
 /* Largest distance of any particle from where it started, in x or y. */
@@ -326,12 +321,12 @@ static const fw_wall_ledger *ledger_of(const fw_experiment *experiment, fw_subje
 
 static void reaction(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, ledger_of(experiment, subject)->reaction);
+    fw_quantity_put(out, ledger_of(experiment, subject)->reaction);
 }
 
 static void wall_impulse(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, ledger_of(experiment, subject)->impulse);
+    fw_quantity_put(out, ledger_of(experiment, subject)->impulse);
 }
 
 /* Along the tangent over along the normal, of the wall's first facet. */

@@ -5,12 +5,6 @@
 
 #include <math.h>
 
-static void put(double *out, fw_vec2 v)
-{
-    out[0] = v.x;
-    out[1] = v.y;
-}
-
 /* --- what grips and pistons have in common --- */
 
 typedef struct driven {
@@ -32,22 +26,22 @@ static driven driven_of(const fw_experiment *experiment, fw_subject subject)
 
 static void displacement(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, driven_of(experiment, subject).displacement);
+    fw_quantity_put(out, driven_of(experiment, subject).displacement);
 }
 
 static void force(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, driven_of(experiment, subject).reaction);
+    fw_quantity_put(out, driven_of(experiment, subject).reaction);
 }
 
 static void impulse(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, driven_of(experiment, subject).impulse);
+    fw_quantity_put(out, driven_of(experiment, subject).impulse);
 }
 
 static void path_length(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, driven_of(experiment, subject).path_length);
+    fw_quantity_put(out, driven_of(experiment, subject).path_length);
 }
 
 static void torque(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -74,7 +68,7 @@ static const fw_piston_ledger *ledger_of(const fw_experiment *experiment, fw_sub
 
 static void velocity(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, ledger_of(experiment, subject)->velocity);
+    fw_quantity_put(out, ledger_of(experiment, subject)->velocity);
 }
 
 static void heat(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -94,7 +88,7 @@ static void energy_error(const fw_experiment *experiment, fw_subject subject, do
 
 static void momentum_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    put(out, fw_piston_momentum_error(piston_of(experiment, subject)));
+    fw_quantity_put(out, fw_piston_momentum_error(piston_of(experiment, subject)));
 }
 
 static void unresolved(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -112,13 +106,13 @@ static void unmatched(const fw_experiment *experiment, fw_subject subject, doubl
 static void slip(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
-    put(out, fw_rubbing_slip(experiment));
+    fw_quantity_put(out, fw_rubbing_slip(experiment));
 }
 
 static void interface_force(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
-    put(out, fw_rubbing_force(experiment));
+    fw_quantity_put(out, fw_rubbing_force(experiment));
 }
 
 static void contact_return_force(const fw_experiment *experiment, fw_subject subject, double *out)

@@ -6,10 +6,10 @@
 
 #include "experiments/drawing/label.h"
 #include "experiments/text/spelling.h"
+#include "experiments/text/text.h"
 
 #include "core/array.h"
 
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -25,18 +25,6 @@ typedef struct draft {
 } draft;
 
 /* --- words --- */
-
-static void append(char *text, size_t size, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void append(char *text, size_t size, const char *format, ...)
-{
-    size_t used = strlen(text);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + used, size - used, format, arguments);
-    va_end(arguments);
-}
 
 static fw_status refuse_name(const char *directory, const char *what, const char *name,
                              fw_suggestion suggestion, const char *known, fw_error *error)
@@ -74,7 +62,7 @@ static fw_status find_picture(draft *d, const char *name, fw_error *error)
         if (!fw_plot_is_of_case(d->own)) continue;
         if (strcmp(d->own->name, name) == 0) return FW_OK;
         fw_suggestion_offer(&suggestion, d->own->name);
-        append(known, sizeof known, "%s%s", known[0] ? ", " : "", d->own->name);
+        fw_text_append(known, sizeof known, "%s%s", known[0] ? ", " : "", d->own->name);
     }
     return refuse_name(d->result->directory, "picture", name, suggestion, known, error);
 }
@@ -91,8 +79,8 @@ static fw_status find_kind(const char *name, fw_picture_kind *kind, fw_error *er
             return FW_OK;
         }
         if (of_case) fw_suggestion_offer(&suggestion, word);
-        append(of_case ? known : of_sweeps, of_case ? sizeof known : sizeof of_sweeps, "%s%s",
-               (of_case ? known : of_sweeps)[0] ? ", " : "", word);
+        fw_text_append(of_case ? known : of_sweeps, of_case ? sizeof known : sizeof of_sweeps,
+                       "%s%s", (of_case ? known : of_sweeps)[0] ? ", " : "", word);
     }
     if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "no pictures of kind %s; did you mean %s?", name,
@@ -113,7 +101,7 @@ static fw_status find_field(draft *d, const char *name, fw_error *error)
             return FW_OK;
         }
         fw_suggestion_offer(&suggestion, playback->fields[n].name);
-        append(known, sizeof known, "%s%s", n > 0 ? ", " : "", playback->fields[n].name);
+        fw_text_append(known, sizeof known, "%s%s", n > 0 ? ", " : "", playback->fields[n].name);
     }
     if (suggestion.best)
         return refuse_name(d->result->directory, "field", name, suggestion, known, error);
@@ -164,13 +152,15 @@ static fw_status take_step(draft *d, int64_t step, fw_error *error)
     const fw_plot_result *result = d->result;
     if (!holds_step(d, step)) {
         if (d->wish->step_count > 0) return refuse_step(d, step, error);
-        append(d->missing, sizeof d->missing, "%s%lld", d->missing[0] ? ", " : "", (long long)step);
+        fw_text_append(d->missing, sizeof d->missing, "%s%lld", d->missing[0] ? ", " : "",
+                       (long long)step);
         return FW_OK;
     }
     int64_t frame = fw_plot_nearest_frame(result, step);
     if (result->steps[frame] != step)
-        append(d->replaced, sizeof d->replaced, "%s%lld for %lld", d->replaced[0] ? ", " : "",
-               (long long)result->steps[frame], (long long)step);
+        fw_text_append(d->replaced, sizeof d->replaced, "%s%lld for %lld",
+                       d->replaced[0] ? ", " : "", (long long)result->steps[frame],
+                       (long long)step);
     d->picture->frames[d->picture->frame_count++] = frame;
     return FW_OK;
 }
@@ -179,12 +169,13 @@ static void note_steps(draft *d)
 {
     const fw_plot_result *result = d->result;
     if (d->replaced[0])
-        append(d->choice->notes, sizeof d->choice->notes, "Nearest recorded steps: %s.",
-               d->replaced);
+        fw_text_append(d->choice->notes, sizeof d->choice->notes, "Nearest recorded steps: %s.",
+                       d->replaced);
     if (d->missing[0])
-        append(d->choice->notes, sizeof d->choice->notes,
-               "%sMissing, as the results end at step %lld: %s.", d->choice->notes[0] ? " " : "",
-               (long long)result->steps[result->playback->frame_count - 1], d->missing);
+        fw_text_append(d->choice->notes, sizeof d->choice->notes,
+                       "%sMissing, as the results end at step %lld: %s.",
+                       d->choice->notes[0] ? " " : "",
+                       (long long)result->steps[result->playback->frame_count - 1], d->missing);
 }
 
 static fw_status take_frames(draft *d, fw_error *error)
@@ -347,10 +338,10 @@ static fw_status choose_page(draft *d, fw_error *error)
     const bool of_paper = kind == FW_PICTURE_MOTION || kind == FW_PICTURE_FORCES ||
                           needs(kind) & FW_PICTURE_NEEDS_PROFILE;
     if (d->own && of_paper && scenario->figure && scenario->source)
-        append(choice->caption, sizeof choice->caption, "Compare %s.%s", scenario->source,
-               choice->notes[0] ? " " : "");
-    append(choice->caption, sizeof choice->caption, "%s%s%s", choice->notes,
-           choice->caption[0] || choice->notes[0] ? " " : "", d->result->units);
+        fw_text_append(choice->caption, sizeof choice->caption, "Compare %s.%s", scenario->source,
+                       choice->notes[0] ? " " : "");
+    fw_text_append(choice->caption, sizeof choice->caption, "%s%s%s", choice->notes,
+                   choice->caption[0] || choice->notes[0] ? " " : "", d->result->units);
     page->caption = choice->caption;
     page->file = d->wish->file ? d->wish->file : choice->file;
     if (d->wish->file) return FW_OK;

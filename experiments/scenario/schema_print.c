@@ -2,50 +2,41 @@
 /* schema_print.c - the table in words: what a sentence says was expected, and the reference.
  * Keeps no state. */
 #include "experiments/scenario/schema.h"
+#include "experiments/text/text.h"
 
 #include <assert.h>
 #include <errno.h>
-#include <stdarg.h>
 #include <string.h>
-
-static void append(char *out, size_t size, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-static void append(char *out, size_t size, const char *format, ...)
-{
-    size_t used = strlen(out);
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(out + used, size - used, format, arguments);
-    va_end(arguments);
-}
 
 void fw_schema_list_words(const fw_word *words, char *out, size_t size)
 {
     snprintf(out, size, "%s", words[0].name && words[1].name ? "one of " : "");
     for (const fw_word *word = words; word->name; ++word)
-        append(out, size, "%s%s", word == words ? "" : ", ", word->name);
+        fw_text_append(out, size, "%s%s", word == words ? "" : ", ", word->name);
 }
 
 /* " above 0 and up to 1", " from 0 to below 1", or "". */
 static void list_bounds(const fw_key *key, char *out, size_t size)
 {
     out[0] = '\0';
-    if (key->bounds & FW_ABOVE) append(out, size, " above %.13g", key->low);
+    if (key->bounds & FW_ABOVE) fw_text_append(out, size, " above %.13g", key->low);
     if (key->bounds & FW_FROM)
-        append(out, size,
-               key->bounds & (FW_UP_TO | FW_BELOW) ? " from %.13g" : " of at least %.13g",
-               key->low);
+        fw_text_append(out, size,
+                       key->bounds & (FW_UP_TO | FW_BELOW) ? " from %.13g" : " of at least %.13g",
+                       key->low);
     if (key->bounds & FW_UP_TO)
-        append(out, size, "%s %.13g", key->bounds & FW_ABOVE ? " and up to" : " to", key->high);
+        fw_text_append(out, size, "%s %.13g", key->bounds & FW_ABOVE ? " and up to" : " to",
+                       key->high);
     if (key->bounds & FW_BELOW)
-        append(out, size, "%s below %.13g", key->bounds & FW_ABOVE ? " and" : " to", key->high);
+        fw_text_append(out, size, "%s below %.13g", key->bounds & FW_ABOVE ? " and" : " to",
+                       key->high);
 }
 
 /* "a mapping with 'material', 'shape' and others": what must be in it. */
 static void append_mapping(const fw_section *section, char *out, size_t size)
 {
     enum { ALTERNATIVES_MAX = 16 };
-    append(out, size, "a mapping");
+    fw_text_append(out, size, "a mapping");
     fw_word alternatives[ALTERNATIVES_MAX + 1] = {{NULL, 0}};
     char required[256] = "";
     int count = 0;
@@ -53,13 +44,13 @@ static void append_mapping(const fw_section *section, char *out, size_t size)
         assert(count < ALTERNATIVES_MAX);
         if (key->alternative) alternatives[count++].name = key->name;
         if (key->required)
-            append(required, sizeof required, "%s%s", *required ? ", " : "", key->name);
+            fw_text_append(required, sizeof required, "%s%s", *required ? ", " : "", key->name);
     }
-    if (*required) append(out, size, " with %s", required);
+    if (*required) fw_text_append(out, size, " with %s", required);
     if (count == 0) return;
     char words[300];
     fw_schema_list_words(alternatives, words, sizeof words);
-    append(out, size, "%s%s", *required ? " and " : " with ", words);
+    fw_text_append(out, size, "%s%s", *required ? " and " : " with ", words);
 }
 
 /* Each form in words, for a sentence or, with fewer of them, for the reference. */
@@ -76,8 +67,8 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
                   {FW_FORM_INTEGER, "a whole number"},
                   {FW_FORM_PATH, "a name, or names with dots between them"}};
     if (forms == FW_FORM_SELECTION) {
-        append(out, size, "%s",
-               sentence ? "all, a side, [[i, j], ...] or a mapping" : "a selection");
+        fw_text_append(out, size, "%s",
+                       sentence ? "all, a side, [[i, j], ...] or a mapping" : "a selection");
         return;
     }
     char bounds[80], words[300];
@@ -86,38 +77,39 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
     for (size_t n = 0; n < sizeof simple / sizeof simple[0]; ++n)
         if (forms & simple[n].form) {
             bool bounded = simple[n].form & (FW_FORM_NUMBER | FW_FORM_ANGLE | FW_FORM_INTEGER);
-            append(out, size, "%s%s%s", join, simple[n].words, bounded ? bounds : "");
-            if (simple[n].form == FW_FORM_ANGLE && sentence) append(out, size, " degrees");
+            fw_text_append(out, size, "%s%s%s", join, simple[n].words, bounded ? bounds : "");
+            if (simple[n].form == FW_FORM_ANGLE && sentence) fw_text_append(out, size, " degrees");
             join = " or ";
         }
     if (forms & FW_FORM_WORD) {
         fw_schema_list_words(key->words, words, sizeof words);
-        append(out, size, "%s%s", join, words);
+        fw_text_append(out, size, "%s%s", join, words);
         join = " or ";
     }
     if (forms & (FW_FORM_NUMBERS | FW_FORM_INTEGERS)) {
-        append(out, size, "%s%s, each a %snumber%s", join, key->layout,
-               forms & FW_FORM_INTEGERS ? "whole " : "", bounds);
+        fw_text_append(out, size, "%s%s, each a %snumber%s", join, key->layout,
+                       forms & FW_FORM_INTEGERS ? "whole " : "", bounds);
         join = " or ";
     }
     if (forms & FW_FORM_SYMMETRIC) {
-        append(out, size, "%sa number%s, [xx, xy, yy] or [[xx, xy], [xy, yy]]", join, bounds);
+        fw_text_append(out, size, "%sa number%s, [xx, xy, yy] or [[xx, xy], [xy, yy]]", join,
+                       bounds);
         join = " or ";
     }
     if (forms & FW_FORM_LIST) {
-        append(out, size, "%sa list of items, each ", join);
+        fw_text_append(out, size, "%sa list of items, each ", join);
         append_forms(key, key->items, sentence, out, size);
         join = ", or ";
     }
     if (forms & FW_FORM_MAPPING) {
-        append(out, size, "%s", join);
+        fw_text_append(out, size, "%s", join);
         if (sentence)
             append_mapping(key->subsection, out, size);
         else
-            append(out, size, "keys of *%s*", key->subsection->heading);
+            fw_text_append(out, size, "keys of *%s*", key->subsection->heading);
     }
     if (forms & FW_FORM_NAMED) {
-        append(out, size, "%snames of your own, each with ", join);
+        fw_text_append(out, size, "%snames of your own, each with ", join);
         append_forms(key, FW_FORM_MAPPING, sentence, out, size);
     }
 }

@@ -2,6 +2,7 @@
 /* text.c - UTF-8, by the table of well-formed sequences (Unicode 15, table 3-7). Keeps no state. */
 #include "experiments/text/text.h"
 
+#include <stdarg.h>
 #include <stdbool.h>
 #include <string.h>
 
@@ -89,6 +90,15 @@ fw_quote fw_text_quote(const char *text, size_t length)
     }
     quote.text[used] = '\0';
     return quote;
+}
+
+void fw_text_append(char *text, size_t size, const char *format, ...)
+{
+    const size_t used = strlen(text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text + used, size - used, format, arguments);
+    va_end(arguments);
 }
 
 char *fw_text_line(char **text)

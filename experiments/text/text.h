@@ -28,6 +28,10 @@ typedef struct fw_quote {
 } fw_quote;
 fw_quote fw_text_quote(const char *text, size_t length);
 
+/* Writes behind what `text` holds already, in a room of `size` bytes; what has no room is cut. */
+void fw_text_append(char *text, size_t size, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
+
 /* The first line of *text, ended in place of its line end, and *text goes behind it; NULL when
  * there is no whole line left. */
 char *fw_text_line(char **text);
