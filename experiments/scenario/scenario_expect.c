@@ -129,12 +129,13 @@ static fw_status check_steps(const fw_scenario *scenario, const fw_node *node,
     if (!last) last = fw_node_find(node, "from");
     if (!last) last = fw_node_find(node, "statistic");
     const int needed = e->statistic == FW_STATISTIC_RATE ? 2 : 1;
-    const int64_t samples = fw_scenario_count_samples(scenario, e->from, e->until);
+    const int64_t end = e->until < run->steps ? e->until : run->steps;
+    const int64_t samples = fw_scenario_count_samples(scenario, e->from, end);
     if (samples >= needed) return FW_OK;
     return fw_scenario_fail(scenario, last->place, error,
                             "the expectation of '%s' looks at the steps %lld to %lld, of which "
                             "%lld are measured (run.measure-every is %lld), expected at least %s",
-                            quantity, (long long)e->from, (long long)e->until, (long long)samples,
+                            quantity, (long long)e->from, (long long)end, (long long)samples,
                             (long long)run->measure_every, needed == 2 ? "2 for a rate" : "1");
 }
 

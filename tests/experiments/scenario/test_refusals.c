@@ -33,6 +33,9 @@ static const char right[] =
 static const struct {
     const char *written, *instead, *sentence; /* after "scenario.yaml:" */
 } mistakes[] = {
+    {"below: 1e-11", "statistic: rate, from: 4000, below: 1",
+     "17:53: the expectation of 'energy-drift' looks at the steps 4000 to 4000, of which 1 are "
+     "measured (run.measure-every is 1), expected at least 2 for a rate"},
     {"sites: right, total", "sites: {side: right, layers: 21}, total",
      "14:52: layers is 21, expected at most the 20 columns of body 'sheet'"},
     {"sites: right, total", "sites: {side: top, layers: 11}, total",
