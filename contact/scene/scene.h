@@ -79,7 +79,6 @@ int64_t fw_scene_steps(const fw_scene *scene); /* since the beginning */
 double fw_scene_time(const fw_scene *scene);
 
 int fw_scene_body_count(const fw_scene *scene);
-const char *fw_scene_body_name(const fw_scene *scene, int body);
 fw_solid *fw_scene_body(fw_scene *scene, int body);
 const fw_solid *fw_scene_observe_body(const fw_scene *scene, int body);
 int fw_scene_wall_count(const fw_scene *scene);

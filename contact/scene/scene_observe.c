@@ -17,11 +17,6 @@ int fw_scene_body_count(const fw_scene *scene)
     return scene->body_count;
 }
 
-const char *fw_scene_body_name(const fw_scene *scene, int body)
-{
-    return scene->bodies[body].name;
-}
-
 fw_solid *fw_scene_body(fw_scene *scene, int body)
 {
     return scene->bodies[body].solid;

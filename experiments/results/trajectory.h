@@ -149,7 +149,6 @@ fw_status fw_trajectory_write_array(fw_trajectory *trajectory, const fw_trajecto
 /* Rewrites what the user was warned of, a line each, at most FW_WARNINGS_SIZE bytes. */
 fw_status fw_trajectory_warn(fw_trajectory *trajectory, const char *warnings, fw_error *error);
 
-int64_t fw_trajectory_frame_count(const fw_trajectory *trajectory);
 int64_t fw_trajectory_sample_count(const fw_trajectory *trajectory);
 
 /* Lets everything written so far count and waits for the disk; to be called before a checkpoint is

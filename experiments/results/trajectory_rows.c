@@ -80,11 +80,6 @@ fw_status fw_trajectory_write_array(fw_trajectory *trajectory, const fw_trajecto
     return fw_hdf5_check(trajectory->file, error);
 }
 
-int64_t fw_trajectory_frame_count(const fw_trajectory *trajectory)
-{
-    return fw_series_count(trajectory->frames);
-}
-
 int64_t fw_trajectory_sample_count(const fw_trajectory *trajectory)
 {
     return fw_series_count(trajectory->samples);

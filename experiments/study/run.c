@@ -289,15 +289,6 @@ void fw_run_fail(fw_run *run, fw_status status, const char *reason)
     if (run->recorder) fw_recorder_finish(run->recorder, status, reason, &ignored);
 }
 
-fw_status fw_run_warn(fw_run *run, const char *line, fw_error *error)
-{
-    char text[FW_SENTENCE_SIZE + 16];
-    snprintf(text, sizeof text, "warning: %s\n", line);
-    if (run->options.warnings) fputs(text, run->options.warnings);
-    return run->recorder ? fw_recorder_add_warnings(run->recorder, text, warned(run), error)
-                         : FW_OK;
-}
-
 const char *fw_run_warnings(const fw_run *run)
 {
     return run->recorder ? fw_recorder_warnings(run->recorder) : "";

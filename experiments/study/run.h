@@ -46,9 +46,6 @@ fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, cons
 fw_status fw_run_finish(fw_run *run, fw_error *error);
 /* The same where another run of the study has failed. */
 void fw_run_fail(fw_run *run, fw_status status, const char *reason);
-/* Warns of something that only shows at the end: a sentence without its end of line. To be called
- * before fw_run_finish. */
-fw_status fw_run_warn(fw_run *run, const char *line, fw_error *error);
 /* What the user was warned of, a line each, as the results keep it; "" without results. */
 const char *fw_run_warnings(const fw_run *run);
 /* For expectations of a study's outcome; all are observed. */
