@@ -5,7 +5,7 @@
 #include "experiments/commands/command.h"
 #include "experiments/measures/quantity.h"
 #include "experiments/scenario/catalogue.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/scenario/scenario.h"
 
 #include <string.h>
 
@@ -41,9 +41,9 @@ static void print_lists(void)
     for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q))
         print_word(q->name);
     printf("'\n_fretwork_keys='");
-    fw_schema_walk(print_key_path, NULL);
+    fw_schema_walk(&fw_scenario_section, print_key_path, NULL);
     printf("'\n_fretwork_settings='");
-    fw_schema_walk(print_setting, NULL);
+    fw_schema_walk(&fw_scenario_section, print_setting, NULL);
     printf("'\n\n");
 }
 

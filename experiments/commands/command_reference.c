@@ -3,7 +3,7 @@
  * (`damping`) or path (`run.steps`, `walls.floor.path`) in plain lines.
  * Start reading at fw_command_reference(). */
 #include "experiments/commands/command.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/scenario/scenario.h"
 #include "experiments/text/json.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
@@ -142,7 +142,7 @@ static fw_status write_json(search *s, fw_error *error)
     s->json.out = open_memstream(&text, &size);
     if (!s->json.out) return fw_fail_memory(error, "the reference");
     fw_json_begin(&s->json, NULL, '[');
-    fw_schema_walk(write_key, s);
+    fw_schema_walk(&fw_scenario_section, write_key, s);
     fw_json_end(&s->json, ']');
     fw_status status = s->found > 0 ? FW_OK : refuse(s, error);
     if (fclose(s->json.out) != 0 && status == FW_OK)
@@ -158,7 +158,7 @@ fw_status fw_command_reference(const fw_arguments *arguments, fw_error *error)
     const char *last = word && strrchr(word, '.') ? strrchr(word, '.') + 1 : word;
     search s = {.word = word, .suggestion = fw_suggestion_begin(last ? last : "")};
     if (arguments->json) return write_json(&s, error);
-    if (!word) return fw_schema_print(stdout, error);
-    fw_schema_walk(print_key, &s);
+    if (!word) return fw_schema_print(&fw_scenario_section, stdout, error);
+    fw_schema_walk(&fw_scenario_section, print_key, &s);
     return s.found > 0 ? FW_OK : refuse(&s, error);
 }

@@ -110,7 +110,7 @@ static fw_status add_everywhere(request *r, const fw_quantity *quantity, fw_plac
 
 /* What `measure` or a picture names: "elongation", "elongation.chain", and either with ".x" behind
  * it. All components are measured, whichever is drawn. */
-static fw_status add_named(request *r, fw_scenario_name name)
+static fw_status add_named(request *r, fw_schema_name name)
 {
     const fw_quantity *quantity;
     fw_subject subject;
@@ -314,7 +314,7 @@ static fw_status add_expected(request *r, int number)
 }
 
 /* A sweep compares what is expected, and the measures of a layer. */
-static fw_status check_compared(request *r, fw_scenario_name name)
+static fw_status check_compared(request *r, fw_schema_name name)
 {
     const fw_scenario *scenario = r->experiment->scenario;
     const fw_quantity *quantity;

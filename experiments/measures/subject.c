@@ -119,7 +119,7 @@ bool fw_subject_exists(const fw_observer *observer, const fw_quantity *quantity)
 
 /* --- names --- */
 
-fw_status fw_subject_find_quantity(const fw_observer *observer, fw_scenario_name name,
+fw_status fw_subject_find_quantity(const fw_observer *observer, fw_schema_name name,
                                    const fw_quantity **quantity, fw_error *error)
 {
     const fw_scenario *scenario = observer->experiment->scenario;
@@ -181,7 +181,7 @@ static const char *kind_of(const fw_quantity *quantity)
 }
 
 fw_status fw_subject_find(const fw_observer *observer, const fw_quantity *quantity,
-                          fw_scenario_name name, bool *named, fw_subject *subject, fw_error *error)
+                          fw_schema_name name, bool *named, fw_subject *subject, fw_error *error)
 {
     const char *dot = strchr(name.text, '.');
     *named = false;

@@ -28,11 +28,11 @@ bool fw_subject_exists(const fw_observer *observer, const fw_quantity *quantity)
 
 /* The quantity that a name begins with. FW_BAD_INPUT at its place, with the one that may have been
  * meant. */
-fw_status fw_subject_find_quantity(const fw_observer *observer, fw_scenario_name name,
+fw_status fw_subject_find_quantity(const fw_observer *observer, fw_schema_name name,
                                    const fw_quantity **quantity, fw_error *error);
 /* What is behind the quantity in a name: a subject, a component of the quantity, both or neither.
  * *named: a subject is. FW_BAD_INPUT where it is something else. */
 fw_status fw_subject_find(const fw_observer *observer, const fw_quantity *quantity,
-                          fw_scenario_name name, bool *named, fw_subject *subject, fw_error *error);
+                          fw_schema_name name, bool *named, fw_subject *subject, fw_error *error);
 
 #endif

@@ -297,7 +297,7 @@ static fw_status choose_observables(draft *d, fw_error *error)
     static const char *const energies[] = {"energy", "kinetic-energy", "elastic-energy"};
     const fw_plot_wish *wish = d->wish;
     fw_plot_picture *picture = d->picture;
-    const fw_scenario_names *own = &picture->asked.observables;
+    const fw_schema_names *own = &picture->asked.observables;
     const int count = wish->observable_count > 0 ? wish->observable_count : own->count;
     picture->observables = calloc((size_t)count + 3, sizeof *picture->observables);
     if (!picture->observables) return fw_fail_memory(error, "the names of observables");

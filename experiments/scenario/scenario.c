@@ -157,7 +157,7 @@ static fw_status refuse_lines(const fw_scenario *scenario, const char *key, fw_e
 }
 
 static fw_status refuse_twins(const fw_scenario *scenario, const char *what,
-                              const fw_scenario_names *names, fw_error *error)
+                              const fw_schema_names *names, fw_error *error)
 {
     for (int n = 1; n < names->count; ++n)
         for (int m = 0; m < n; ++m)
@@ -171,7 +171,7 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
                        fw_error *error)
 {
     fw_document *document = scenario->document;
-    FW_TRY(fw_settings_apply(document, settings, setting_count, error));
+    FW_TRY(fw_settings_apply(document, &fw_scenario_section, settings, setting_count, error));
     FW_TRY(fw_schema_check(document, &fw_scenario_section, error));
     FW_TRY(fw_scenario_read_sweep(scenario, error));
     FW_TRY(fw_schema_fill(document, &fw_scenario_section, fw_document_root(document), scenario,

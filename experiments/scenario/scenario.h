@@ -20,6 +20,10 @@
 #include "experiments/scenario/scenario_run.h"
 #include "experiments/scenario/scenario_study.h"
 #include "experiments/scenario/scenario_walls.h"
+#include "experiments/scenario/schema.h"
+
+/* The keys of a scenario: the root, from which the sections of all its parts can be reached. */
+extern const fw_section fw_scenario_section;
 
 typedef struct fw_scenario fw_scenario;
 
@@ -61,7 +65,7 @@ struct fw_scenario {
     fw_scenario_dynamics dynamics;
     fw_scenario_run run;
     fw_scenario_record record;
-    fw_scenario_names measure; /* count 0: the standard set */
+    fw_schema_names measure; /* count 0: the standard set */
     int expectation_count;
     fw_expectation *expectations;
     int picture_count;

@@ -30,23 +30,23 @@ typedef enum fw_verdict_kind {
 
 typedef struct fw_expectation {
     fw_place place;
-    fw_scenario_name quantity; /* an observable */
-    fw_scenario_name body;     /* text NULL: the whole scene, or the only body */
-    int body_index;            /* -1: none given */
-    fw_scenario_name wall;
+    fw_schema_name quantity; /* an observable */
+    fw_schema_name body;     /* text NULL: the whole scene, or the only body */
+    int body_index;          /* -1: none given */
+    fw_schema_name wall;
     int wall_index; /* -1: none given */
-    fw_scenario_name grip;
+    fw_schema_name grip;
     int grip_index; /* -1: none given */
-    fw_scenario_name analysis;
+    fw_schema_name analysis;
     int analysis_index; /* -1: none given */
     bool has_site;      /* of that body; checked */
     fw_site site;
-    fw_scenario_name component; /* "x", "y", "xx", ...; text NULL: none given */
+    fw_schema_name component; /* "x", "y", "xx", ...; text NULL: none given */
     bool has_at;
     int64_t at;             /* in that step */
     fw_statistic statistic; /* otherwise this of the series ... */
     int64_t from, until;    /* ... over the steps from <= step <= until */
-    fw_scenario_name phase; /* that gives these; text NULL: none given */
+    fw_schema_name phase;   /* that gives these; text NULL: none given */
     int when;               /* number of the only case of a sweep that it speaks of; -1: all */
     fw_verdict_kind kind;
     double value, within; /* within: absolute, or relative to |value| */

@@ -9,10 +9,10 @@
 typedef enum fw_hold_choice { FW_HOLD_NONE, FW_HOLD_X, FW_HOLD_Y, FW_HOLD_BOTH } fw_hold_choice;
 
 typedef struct fw_scenario_drive {
-    fw_hold_choice hold;        /* as written; what follows from it is in `drive` */
-    fw_scenario_name time_from; /* as written */
-    int origin;                 /* index of the phase whose beginning is time 0; -1: the run's */
-    fw_drive drive;             /* its origin is set when the time step is known */
+    fw_hold_choice hold;      /* as written; what follows from it is in `drive` */
+    fw_schema_name time_from; /* as written */
+    int origin;               /* index of the phase whose beginning is time 0; -1: the run's */
+    fw_drive drive;           /* its origin is set when the time step is known */
 } fw_scenario_drive;
 
 typedef struct fw_scenario_grip {

@@ -125,7 +125,7 @@ static fw_status check_analysis(const fw_scenario *scenario, const fw_node *node
                                 "pictures.%s draws an analysis, of which the scenario has %d, "
                                 "expected the key 'analysis'",
                                 picture->name, count);
-    picture->analysis = (fw_scenario_name){part->first->key, part->first->key_place};
+    picture->analysis = (fw_schema_name){part->first->key, part->first->key_place};
     return FW_OK;
 }
 

@@ -13,12 +13,12 @@ typedef struct fw_scenario_picture {
     const char *title; /* NULL: the scenario's */
     int instant_count; /* 0: the program chooses */
     int64_t *instants; /* steps, ascending */
-    fw_scenario_name field;
-    fw_scenario_names observables; /* "energy", "elongation.chain", "momentum.x" */
-    int64_t from, until;           /* steps between which a series is drawn */
-    bool logarithmic;              /* whether its values are drawn on logarithmic axes */
-    double range[2];               /* ends of the colour scale; equal: those of all frames */
-    fw_scenario_name analysis;
+    fw_schema_name field;
+    fw_schema_names observables; /* "energy", "elongation.chain", "momentum.x" */
+    int64_t from, until;         /* steps between which a series is drawn */
+    bool logarithmic;            /* whether its values are drawn on logarithmic axes */
+    double range[2];             /* ends of the colour scale; equal: those of all frames */
+    fw_schema_name analysis;
 } fw_scenario_picture;
 
 #endif

@@ -26,7 +26,7 @@ typedef struct fw_scenario_run {
 
 typedef struct fw_scenario_record {
     bool velocity, force;
-    fw_scenario_names fields; /* fields per particle, by the solid's names */
+    fw_schema_names fields; /* fields per particle, by the solid's names */
 } fw_scenario_record;
 
 #endif

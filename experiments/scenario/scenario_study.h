@@ -10,9 +10,9 @@ enum { FW_SEEDS_MAX = 1024 };
 /* What is averaged across the scene; no `every`: nothing is. */
 typedef struct fw_scenario_profile {
     fw_place place;
-    int axis;               /* 0: x, 1: y */
-    fw_scenario_name phase; /* text NULL: the whole run */
-    int64_t from, until;    /* samples are taken after the steps from < step <= until */
+    int axis;             /* 0: x, 1: y */
+    fw_schema_name phase; /* text NULL: the whole run */
+    int64_t from, until;  /* samples are taken after the steps from < step <= until */
     int64_t every;
     double bin, middle;
     double window[2]; /* of the other coordinate; low == high: all */
@@ -23,8 +23,8 @@ typedef struct fw_scenario_profile {
 /* The study once for each of several values of a parameter; no values: once. */
 typedef struct fw_scenario_sweep {
     fw_place place;
-    fw_scenario_name parameter; /* a name of the user's own */
-    const char *unit;           /* NULL: none given */
+    fw_schema_name parameter; /* a name of the user's own */
+    const char *unit;         /* NULL: none given */
     int value_count;
     double *values; /* all different */
     int setting_count;

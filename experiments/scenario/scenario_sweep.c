@@ -146,7 +146,7 @@ static fw_status apply_case(fw_scenario *scenario, fw_node *node, const fw_node 
     FW_TRY(fw_scenario_allocate(scenario, (size_t)set->count, sizeof *settings, &settings, error));
     for (const fw_node *item = set->first; item; item = item->next)
         FW_TRY(substitute(scenario, item, sweep->values[sweep->number], &settings[count++], error));
-    FW_TRY(fw_settings_apply(scenario->document, settings, count, error));
+    FW_TRY(fw_settings_apply(scenario->document, &fw_scenario_section, settings, count, error));
     fw_node_remove(node, set);
     return fw_schema_check(scenario->document, &fw_scenario_section, error);
 }

@@ -63,9 +63,9 @@ static int collect(const fw_section *section, const fw_section **sections, int c
     return count;
 }
 
-int fw_schema_sections(const fw_section *sections[FW_SECTIONS_MAX])
+int fw_schema_sections(const fw_section *root, const fw_section *sections[FW_SECTIONS_MAX])
 {
-    return collect(&fw_scenario_section, sections, 0);
+    return collect(root, sections, 0);
 }
 
 /* --- the path to where we are --- */

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* schema.h - what every key of a scenario is; checking, filling in, and the printed reference all
- * follow it.
+/* schema.h - the form of the tables that say what the keys of a scenario are; checking, filling in,
+ * --set options and the printed reference all follow them.
  *
  * A section is a set of keys that may stand together in a mapping; a key whose value is a mapping
- * points to the section of its keys. Each part of a scenario has its sections beside its reader,
- * scenario_PART.c; that of the whole, from which all others can be reached, is in scenario.c. To
- * add a key: a row in the section it belongs to, and the member that it is stored in. */
+ * points to the section of its keys. The tables themselves are elsewhere: each part of a scenario
+ * has its sections beside its reader, scenario_PART.c; the root, from which all others can be
+ * reached, is fw_scenario_section in scenario.c. To add a key: a row in the section it belongs to,
+ * and the member that it is stored in. */
 #ifndef FW_SCHEMA_H
 #define FW_SCHEMA_H
 
@@ -15,7 +16,7 @@
 typedef enum fw_form {
     FW_FORM_TEXT = 1 << 0,      /* const char * */
     FW_FORM_WORD = 1 << 1,      /* one of `words`: int, its value */
-    FW_FORM_NAME = 1 << 2,      /* fw_scenario_name */
+    FW_FORM_NAME = 1 << 2,      /* fw_schema_name */
     FW_FORM_FLAG = 1 << 3,      /* true or false: bool */
     FW_FORM_NUMBER = 1 << 4,    /* double */
     FW_FORM_ANGLE = 1 << 5,     /* degrees: double, in radians */
@@ -23,7 +24,7 @@ typedef enum fw_form {
     FW_FORM_NUMBERS = 1 << 7,   /* so many as `layout` has: double[], or fw_vec2 */
     FW_FORM_INTEGERS = 1 << 8,  /* so many as `layout` has: int[], or fw_site */
     FW_FORM_SYMMETRIC = 1 << 9, /* v, [xx, xy, yy] or [[xx, xy], [xy, yy]]: fw_sym2 */
-    FW_FORM_LIST = 1 << 10,     /* of `items`; stored only if they are names: fw_scenario_names */
+    FW_FORM_LIST = 1 << 10,     /* of `items`; stored only if they are names: fw_schema_names */
     FW_FORM_MAPPING = 1 << 11,  /* with the keys of section `subsection`: the section's object */
     FW_FORM_SELECTION = FW_FORM_WORD | FW_FORM_LIST | FW_FORM_MAPPING, /* not stored */
     FW_FORM_NAMED = 1 << 12, /* names of the user's own, each with a mapping: not stored */
@@ -86,10 +87,10 @@ typedef struct fw_key {
 #define AT_TEXT(object, member)                                                                    \
     .forms = FW_FORM_TEXT, FW_PLACE(object, member, FW_IS(object, member, const char *))
 #define AT_NAME(object, member)                                                                    \
-    .forms = FW_FORM_NAME, FW_PLACE(object, member, FW_IS(object, member, fw_scenario_name))
+    .forms = FW_FORM_NAME, FW_PLACE(object, member, FW_IS(object, member, fw_schema_name))
 #define AT_NAMES(form, object, member)                                                             \
     .forms = FW_FORM_LIST, .items = (form),                                                        \
-    FW_PLACE(object, member, FW_IS(object, member, fw_scenario_names))
+    FW_PLACE(object, member, FW_IS(object, member, fw_schema_names))
 #define AT_FLAG(object, member)                                                                    \
     .forms = FW_FORM_FLAG, FW_PLACE(object, member, FW_IS(object, member, bool))
 #define AT_NUMBER(object, member)                                                                  \
@@ -151,25 +152,24 @@ struct fw_section {
 enum { FW_ITEMS_MAX = 1 << 20, FW_NAMED_MAX = 1024, FW_SECTIONS_MAX = 128 };
 
 /* A text that is looked up later, and where it stands. */
-typedef struct fw_scenario_name {
+typedef struct fw_schema_name {
     const char *text; /* NULL: not given */
     fw_place place;
-} fw_scenario_name;
+} fw_schema_name;
 
-typedef struct fw_scenario_names {
+typedef struct fw_schema_names {
     int count;
-    fw_scenario_name *item;
-} fw_scenario_names;
+    fw_schema_name *item;
+} fw_schema_names;
 
 /* The keys of a section in order: `for (key = first(s); key; key = next(s, key))`. */
 const fw_key *fw_section_first(const fw_section *section);
 const fw_key *fw_section_next(const fw_section *section, const fw_key *key); /* NULL: the last */
 const fw_key *fw_section_find(const fw_section *section, const char *name);  /* NULL: none */
 
-/* The section of a whole scenario, from which all others can be reached. */
-extern const fw_section fw_scenario_section;
-/* That section and all below it, each once, in the order of the reference; returns how many. */
-int fw_schema_sections(const fw_section *sections[FW_SECTIONS_MAX]);
+/* The root and all sections below it, each once, in the order of the reference; returns how many.
+ */
+int fw_schema_sections(const fw_section *root, const fw_section *sections[FW_SECTIONS_MAX]);
 
 /* Is the whole tree what the table says of that section? FW_BAD_INPUT with place,
  * value and what was expected. */
@@ -197,14 +197,14 @@ void fw_schema_list_words(const fw_word *words, char *out, size_t size);
 /* "a number above 0": what a key's value should be. */
 void fw_schema_expected(const fw_key *key, char *out, size_t size);
 
-/* Visits every key that a scenario may have, by its whole path: "run.steps", "walls.NAME.path" for
+/* Visits every key at the root and below, by its whole path: "run.steps", "walls.NAME.path" for
  * names of the user's own, "expect.N.quantity" for items. A section that several keys lead to is
- * visited on each way. */
+ * visited once for each of them. */
 enum { FW_SCHEMA_PATH = 256 };
 typedef void (*fw_schema_visit)(void *object, const char *path, const fw_key *key);
-void fw_schema_walk(fw_schema_visit visit, void *object);
+void fw_schema_walk(const fw_section *root, fw_schema_visit visit, void *object);
 
 /* The complete reference as Markdown. FW_SYSTEM_FAILED where `out` cannot be written. */
-fw_status fw_schema_print(FILE *out, fw_error *error);
+fw_status fw_schema_print(const fw_section *root, FILE *out, fw_error *error);
 
 #endif

@@ -62,13 +62,13 @@ static fw_sym2 read_symmetric(const fw_node *node)
     return (fw_sym2){value[0], value[1], value[3]};
 }
 
-static fw_status fill_names(fw_document *document, const fw_node *list, fw_scenario_names *names,
+static fw_status fill_names(fw_document *document, const fw_node *list, fw_schema_names *names,
                             fw_error *error)
 {
     names->item = fw_document_allocate(document, (size_t)list->count, sizeof *names->item);
     if (!names->item) return fw_document_fail_memory(document, error);
     for (const fw_node *child = list->first; child; child = child->next)
-        names->item[names->count++] = (fw_scenario_name){child->text, child->place};
+        names->item[names->count++] = (fw_schema_name){child->text, child->place};
     return FW_OK;
 }
 
@@ -80,7 +80,7 @@ static fw_status fill_value(fw_document *document, const fw_key *key, const fw_n
         *(const char **)member = node->text;
         return FW_OK;
     case FW_FORM_NAME:
-        *(fw_scenario_name *)member = (fw_scenario_name){node->text, node->place};
+        *(fw_schema_name *)member = (fw_schema_name){node->text, node->place};
         return FW_OK;
     case FW_FORM_FLAG:
         *(bool *)member = node->text[0] == 't';

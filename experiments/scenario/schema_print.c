@@ -155,7 +155,7 @@ static void print_key(const fw_key *key, FILE *out)
     fputs(" |\n", out);
 }
 
-fw_status fw_schema_print(FILE *out, fw_error *error)
+fw_status fw_schema_print(const fw_section *root, FILE *out, fw_error *error)
 {
     fprintf(out,
             "A scenario is YAML: one document, no anchors, aliases and tags. Lengths, masses and "
@@ -166,7 +166,7 @@ fw_status fw_schema_print(FILE *out, fw_error *error)
             "refused.\n",
             FW_NUMBER_MAX, FW_INTEGER_MAX, FW_COORDINATE_MAX);
     const fw_section *sections[FW_SECTIONS_MAX];
-    const int count = fw_schema_sections(sections);
+    const int count = fw_schema_sections(root, sections);
     for (int n = 0; n < count; ++n) {
         const fw_section *section = sections[n];
         fprintf(out, "\n### %s\n\n%s\n\n", section->heading, section->meaning);

@@ -32,8 +32,8 @@ static void walk(walker *w, const fw_section *section)
     }
 }
 
-void fw_schema_walk(fw_schema_visit visit, void *object)
+void fw_schema_walk(const fw_section *root, fw_schema_visit visit, void *object)
 {
     walker w = {.visit = visit, .object = object};
-    walk(&w, &fw_scenario_section);
+    walk(&w, root);
 }

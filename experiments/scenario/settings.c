@@ -3,7 +3,6 @@
  * at its side, and puts the value there. Keeps no state but the walk. Start reading at walk(). */
 #include "settings.h"
 
-#include "experiments/scenario/schema.h"
 #include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
@@ -152,27 +151,26 @@ static fw_status walk(step *s, const char *setting, const char *equals)
     return FW_OK;
 }
 
-static fw_status apply(fw_document *document, const char *setting, fw_error *error)
+static fw_status apply(fw_document *document, const fw_section *root, const char *setting,
+                       fw_error *error)
 {
     const char *equals = strchr(setting, '=');
     if (!equals)
         return fw_fail(error, FW_BAD_INPUT, "--set %s: expected KEY=VALUE, such as run.steps=1000",
                        fw_text_quote(setting, strlen(setting)).text);
-    step s = {.document = document,
-              .error = error,
-              .at = fw_document_root(document),
-              .section = &fw_scenario_section};
+    step s = {
+        .document = document, .error = error, .at = fw_document_root(document), .section = root};
     FW_TRY(fw_document_parse_value(document, setting, equals + 1, &s.value, error));
     FW_TRY(walk(&s, setting, equals));
     replace(s.at, s.value);
     return FW_OK;
 }
 
-fw_status fw_settings_apply(fw_document *document, const char *const *settings, int count,
-                            fw_error *error)
+fw_status fw_settings_apply(fw_document *document, const fw_section *root,
+                            const char *const *settings, int count, fw_error *error)
 {
     /* Anything else than a mapping is refused by fw_schema_check, in better words. */
     if (fw_document_root(document)->kind != FW_MAPPING) return FW_OK;
-    for (int n = 0; n < count; ++n) FW_TRY(apply(document, settings[n], error));
+    for (int n = 0; n < count; ++n) FW_TRY(apply(document, root, settings[n], error));
     return FW_OK;
 }

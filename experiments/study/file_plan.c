@@ -45,7 +45,7 @@ static fw_status describe_bodies(fw_file_plan *plan, fw_error *error)
 }
 
 /* A field by name, from the first body that has it; once. */
-static fw_status refuse_field(const fw_file_plan *plan, fw_scenario_name name, fw_error *error)
+static fw_status refuse_field(const fw_file_plan *plan, fw_schema_name name, fw_error *error)
 {
     fw_suggestion suggestion = fw_suggestion_begin(name.text);
     for (int b = 0; b < plan->experiment->body_count; ++b) {
@@ -62,7 +62,7 @@ static fw_status refuse_field(const fw_file_plan *plan, fw_scenario_name name, f
                             name.text);
 }
 
-static fw_status add_field(fw_file_plan *plan, fw_trajectory_field *fields, fw_scenario_name name,
+static fw_status add_field(fw_file_plan *plan, fw_trajectory_field *fields, fw_schema_name name,
                            fw_error *error)
 {
     for (int n = 0; n < plan->def.field_count; ++n)
@@ -79,25 +79,25 @@ static fw_status add_field(fw_file_plan *plan, fw_trajectory_field *fields, fw_s
 
 /* What a picture shows that names none: the field of its kind, where nothing is recorded in any
  * case and a body has it. */
-static fw_scenario_name standard_field(const fw_file_plan *plan, const fw_scenario_picture *picture)
+static fw_schema_name standard_field(const fw_file_plan *plan, const fw_scenario_picture *picture)
 {
     const char *wanted = fw_picture_rows[picture->kind].field;
-    if (plan->def.field_count > 0 || !wanted) return (fw_scenario_name){0};
+    if (plan->def.field_count > 0 || !wanted) return (fw_schema_name){0};
     for (int b = 0; b < plan->experiment->body_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(plan->experiment, b);
         if (wanted[0] && fw_solid_find_field(solid, wanted))
-            return (fw_scenario_name){.text = wanted};
+            return (fw_schema_name){.text = wanted};
         if (!wanted[0] && solid->model->fields && solid->model->fields[0].name)
-            return (fw_scenario_name){.text = solid->model->fields[0].name};
+            return (fw_schema_name){.text = solid->model->fields[0].name};
     }
-    return (fw_scenario_name){0};
+    return (fw_schema_name){0};
 }
 
 /* Those of `record`, and those that pictures show. */
 static fw_status describe_fields(fw_file_plan *plan, fw_error *error)
 {
     const fw_scenario *scenario = plan->experiment->scenario;
-    const fw_scenario_names *wanted = &scenario->record.fields;
+    const fw_schema_names *wanted = &scenario->record.fields;
     size_t most = (size_t)wanted->count + (size_t)scenario->picture_count;
     fw_trajectory_field *fields = calloc(most + 1, sizeof *fields);
     plan->def.fields = plan->fields = fields;
@@ -107,7 +107,7 @@ static fw_status describe_fields(fw_file_plan *plan, fw_error *error)
         if (scenario->pictures[p].field.text)
             FW_TRY(add_field(plan, fields, scenario->pictures[p].field, error));
     for (int p = 0; p < scenario->picture_count; ++p) {
-        const fw_scenario_name standard = standard_field(plan, &scenario->pictures[p]);
+        const fw_schema_name standard = standard_field(plan, &scenario->pictures[p]);
         if (!scenario->pictures[p].field.text && standard.text)
             FW_TRY(add_field(plan, fields, standard, error));
     }

@@ -5,7 +5,7 @@
 
 #include "experiments/commands/command.h"
 #include "experiments/pictures/plot.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/scenario/scenario.h"
 
 #include "tests/support/plotted_run.h"
 

@@ -3,7 +3,7 @@
 #include "tests/support/laws.h"
 
 #include "experiments/measures/quantity.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/scenario/scenario.h"
 #include "tests/support/program.h"
 
 static int check_old_name(const fw_document *document, const fw_section *section, const fw_key *key)
@@ -28,7 +28,7 @@ static void the_refusal_of_an_old_key_names_the_new_one(void **state)
     fw_document *document;
     int renamed = 0;
     assert_int_equal(fw_document_parse(&document, "t.yaml", text, sizeof text - 1, &error), FW_OK);
-    const int count = fw_schema_sections(sections);
+    const int count = fw_schema_sections(&fw_scenario_section, sections);
     for (int n = 0; n < count; ++n)
         for (const fw_key *key = fw_section_first(sections[n]); key;
              key = fw_section_next(sections[n], key))

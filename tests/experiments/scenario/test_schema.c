@@ -2,7 +2,7 @@
 /* test_schema.c - the table that describes every key is whole, and so is the reference. */
 #include "tests/support/laws.h"
 
-#include "experiments/scenario/schema.h"
+#include "experiments/scenario/scenario.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 static void each_key(void (*look)(const fw_section *section, const fw_key *key))
 {
     const fw_section *sections[FW_SECTIONS_MAX];
-    const int count = fw_schema_sections(sections);
+    const int count = fw_schema_sections(&fw_scenario_section, sections);
     assert_true(count > 40);
     for (int n = 0; n < count; ++n)
         for (const fw_key *key = fw_section_first(sections[n]); key;
@@ -123,7 +123,7 @@ static char *print_reference(void)
     size_t length;
     FILE *out = open_memstream(&text, &length);
     fw_error error;
-    assert_int_equal(fw_schema_print(out, &error), FW_OK);
+    assert_int_equal(fw_schema_print(&fw_scenario_section, out, &error), FW_OK);
     fclose(out);
     return text;
 }
