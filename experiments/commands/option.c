@@ -5,7 +5,7 @@
 
 #include "experiments/commands/command.h"
 #include "experiments/scenario/picture_kind.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 #include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"

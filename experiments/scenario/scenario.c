@@ -4,10 +4,10 @@
  * Start reading at build(). */
 #include "experiments/scenario/scenario.h"
 
+#include "experiments/schema/settings.h"
 #include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
 #include "scenario_parts.h"
-#include "settings.h"
 
 #include <errno.h>
 #include <stdarg.h>

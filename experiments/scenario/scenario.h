@@ -20,7 +20,7 @@
 #include "experiments/scenario/scenario_run.h"
 #include "experiments/scenario/scenario_study.h"
 #include "experiments/scenario/scenario_walls.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 /* The keys of a scenario: the root, from which the sections of all its parts can be reached. */
 extern const fw_section fw_scenario_section;

@@ -5,7 +5,7 @@
 
 #include "core/vec2.h"
 #include "experiments/scenario/scenario_automaton.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 typedef enum fw_analysis_kind {
     FW_ANALYSIS_STABILITY_MAP,

@@ -4,7 +4,7 @@
 #define FW_SCENARIO_EXPECT_H
 
 #include "core/lattice.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 typedef enum fw_statistic {
     FW_STATISTIC_LAST,

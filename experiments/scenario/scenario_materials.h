@@ -6,7 +6,7 @@
 #include "experiments/scenario/scenario_automaton.h"
 #include "experiments/scenario/scenario_boltzmann.h"
 #include "experiments/scenario/scenario_particles.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 typedef struct fw_scenario fw_scenario;
 typedef struct fw_scenario_body fw_scenario_body;

@@ -6,7 +6,7 @@
 #define FW_SCENARIO_PARTS_H
 
 #include "experiments/scenario/scenario.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 /* --- keys --- */
 

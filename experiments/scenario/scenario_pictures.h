@@ -4,7 +4,7 @@
 #define FW_SCENARIO_PICTURES_H
 
 #include "experiments/scenario/picture_kind.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 typedef struct fw_scenario_picture {
     const char *name;

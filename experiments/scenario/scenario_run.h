@@ -3,7 +3,7 @@
 #ifndef FW_SCENARIO_RUN_H
 #define FW_SCENARIO_RUN_H
 
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 /* Of all movable particles and linear lattices of a scenario. */
 typedef struct fw_scenario_dynamics {

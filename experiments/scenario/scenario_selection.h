@@ -4,7 +4,7 @@
 #define FW_SCENARIO_SELECTION_H
 
 #include "core/lattice.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 /* Sides of a body. */
 typedef enum fw_outer_side {

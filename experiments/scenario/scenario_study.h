@@ -3,7 +3,7 @@
 #ifndef FW_SCENARIO_STUDY_H
 #define FW_SCENARIO_STUDY_H
 
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 enum { FW_SEEDS_MAX = 1024 };
 

@@ -3,11 +3,11 @@
  * settings are applied to the document, which from then on says only which case it is. So a case as
  * it was run reads back as what it is, and a later change of it (its control) is not undone.
  * Keeps no state. Start reading at fw_scenario_read_sweep(). */
+#include "experiments/schema/settings.h"
 #include "experiments/text/number.h"
 #include "experiments/text/substitution.h"
 #include "experiments/text/text.h"
 #include "scenario_parts.h"
-#include "settings.h"
 
 #include <string.h>
 

@@ -2,7 +2,7 @@
 /* schema.c - is a tree what the table says? Keeps no state but the path to the node at hand.
  * Invariant: what has passed can be read by fw_schema_fill without further questions.
  * Start reading at check_mapping(). */
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 #include "experiments/text/number.h"
 #include "experiments/text/spelling.h"

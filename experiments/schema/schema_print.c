@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* schema_print.c - the table in words: what a sentence says was expected, and the reference.
  * Keeps no state. */
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 #include "experiments/text/text.h"
 
 #include <assert.h>

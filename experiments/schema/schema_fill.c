@@ -2,7 +2,7 @@
 /* schema_fill.c - from checked nodes to plain data, defaults included, at the places that the
  * keys give. Keeps no state. Start reading at fw_schema_fill(). */
 #include "core/vec2.h"
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 #include "experiments/text/number.h"
 
 #include <assert.h>

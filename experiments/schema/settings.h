@@ -8,7 +8,7 @@
 #ifndef FW_SETTINGS_H
 #define FW_SETTINGS_H
 
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 /* Applies the options in order to a document whose keys are those of `root`. FW_BAD_INPUT with
  * "--set OPTION: sentence" for a key that the schema does not know, a name that is not there, or a

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* schema_walk.c - every key by its whole path. Keeps no state. */
-#include "experiments/scenario/schema.h"
+#include "experiments/schema/schema.h"
 
 #include <string.h>
 
