@@ -1,15 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* document.c - a tree of nodes and its memory.
  * State: the tree, the texts of --set options, and the blocks of memory that hold them all.
- * Invariant: nothing of a document is freed before the whole. How a text becomes a tree is in
- * document_reader.c. */
+ * Invariant: nothing of a document is freed before the whole. Start reading at struct fw_document;
+ * how a text becomes a tree is in document_reader.c. */
 #include "experiments/text/document.h"
 
-#include "document_reader.h"
+#include "document_parts.h"
 #include "experiments/text/text.h"
 
 #include <assert.h>
-#include <errno.h>
 #include <stdalign.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -110,9 +109,9 @@ fw_status fw_document_fail_memory(const fw_document *document, fw_error *error)
                    fw_document_file(document));
 }
 
-/* --- whole documents --- */
+/* --- documents --- */
 
-static fw_status create_empty(fw_document **document, const char *file, fw_error *error)
+fw_status fw_document_create(fw_document **document, const char *file, fw_error *error)
 {
     *document = calloc(1, sizeof **document);
     if (*document && file) (*document)->file = fw_document_copy(*document, file, strlen(file));
@@ -123,52 +122,23 @@ static fw_status create_empty(fw_document **document, const char *file, fw_error
                    file ? file : UNWRITTEN);
 }
 
-fw_status fw_document_parse(fw_document **document, const char *file, const char *text,
-                            size_t length, fw_error *error)
+void fw_document_set_root(fw_document *document, fw_node *root)
 {
-    FW_TRY(create_empty(document, file, error));
-    fw_status status = fw_document_read(*document, 0, text, length, &(*document)->root, error);
-    if (status != FW_OK) {
-        fw_document_destroy(*document);
-        *document = NULL;
-    }
-    return status;
+    document->root = root;
 }
 
-fw_status fw_document_load(fw_document **document, const char *path, fw_error *error)
+fw_status fw_document_add_option(fw_document *document, const char *text, int *number,
+                                 fw_error *error)
 {
-    *document = NULL;
-    FILE *in = fopen(path, "rb");
-    if (!in) return fw_fail(error, FW_BAD_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
-    /* One byte more than allowed: enough to see that it is too long, whatever kind of file. */
-    size_t room = (size_t)FW_DOCUMENT_BYTES + 4;
-    char *text = malloc(room);
-    fw_status status = FW_OK;
-    if (!text) status = fw_fail(error, FW_SYSTEM_FAILED, "not enough memory to read %s", path);
-    size_t length = text ? fread(text, 1, room, in) : 0;
-    if (text && ferror(in))
-        status = fw_fail(error, FW_BAD_INPUT, "%s: cannot be read: %s", path, strerror(errno));
-    fclose(in);
-    if (status == FW_OK && length == room)
-        status = fw_fail(error, FW_BAD_INPUT, "%s: longer than %d bytes, expected a scenario", path,
-                         FW_DOCUMENT_BYTES);
-    if (status == FW_OK) status = fw_document_parse(document, path, text, length, error);
-    free(text);
-    return status;
-}
-
-fw_status fw_document_parse_value(fw_document *document, const char *given, const char *text,
-                                  fw_node **value, fw_error *error)
-{
-    *value = NULL;
     option *fresh = fw_document_allocate(document, 1, sizeof *fresh);
     if (!fresh) return fw_document_fail_memory(document, error);
-    fresh->text = fw_document_copy(document, given, strlen(given));
+    fresh->text = fw_document_copy(document, text, strlen(text));
     if (!fresh->text) return fw_document_fail_memory(document, error);
     fresh->number = document->options ? document->options->number + 1 : 1;
     fresh->next = document->options;
     document->options = fresh;
-    return fw_document_read(document, fresh->number, text, strlen(text), value, error);
+    *number = fresh->number;
+    return FW_OK;
 }
 
 /* --- copies --- */
@@ -211,7 +181,7 @@ static bool clone_options(fw_document *document, const option *options)
 
 fw_status fw_document_clone(fw_document **clone, const fw_document *document, fw_error *error)
 {
-    FW_TRY(create_empty(clone, document->file, error));
+    FW_TRY(fw_document_create(clone, document->file, error));
     (*clone)->root = clone_node(*clone, document->root);
     if ((*clone)->root && clone_options(*clone, document->options)) return FW_OK;
     fw_document_destroy(*clone);

@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* document_reader.c - the only door to libyaml: its events become a tree of nodes.
+/* document_reader.c - from a text to a document. The only door to libyaml, whose events become a
+ * tree of nodes.
  * State: one reader per text, gone when the tree stands.
  * Invariant: a tree is never deeper than FW_DOCUMENT_DEPTH and has at most FW_DOCUMENT_NODES
- * nodes, so that whoever walks it may recurse. Start reading at read_events(). */
-#include "document_reader.h"
+ * nodes, so that whoever walks it may recurse. Start reading at read_text(). */
+#include "experiments/text/document.h"
 
+#include "document_parts.h"
 #include "experiments/text/text.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <yaml.h>
@@ -179,7 +182,7 @@ static int compare_keys(const void *left, const void *right)
 }
 
 /* Sorted, so that a mapping of a million keys takes no longer than its text deserves. */
-static fw_status refuse_twin_keys(reader *r, const fw_node *mapping, fw_error *error)
+static fw_status refuse_repeated_keys(reader *r, const fw_node *mapping, fw_error *error)
 {
     if (mapping->count < 2) return FW_OK;
     fw_node **sorted = malloc((size_t)mapping->count * sizeof(fw_node *));
@@ -232,7 +235,7 @@ static fw_status refuse_anchor_and_tag(reader *r, const yaml_event_t *event, fw_
     return FW_OK;
 }
 
-static fw_status take_event(reader *r, const yaml_event_t *event, fw_error *error)
+static fw_status read_event(reader *r, const yaml_event_t *event, fw_error *error)
 {
     FW_TRY(refuse_anchor_and_tag(r, event, error));
     switch (event->type) {
@@ -250,7 +253,7 @@ static fw_status take_event(reader *r, const yaml_event_t *event, fw_error *erro
                                                 : open_node(r, event, error);
     }
     case YAML_MAPPING_END_EVENT:
-        return refuse_twin_keys(r, r->open[--r->depth], error);
+        return refuse_repeated_keys(r, r->open[--r->depth], error);
     case YAML_SEQUENCE_END_EVENT:
         r->depth -= 1;
         return FW_OK;
@@ -265,13 +268,14 @@ static fw_status read_events(reader *r, fw_error *error)
         yaml_event_t event;
         if (!yaml_parser_parse(&r->parser, &event)) return syntax_failed(r, error);
         bool end = event.type == YAML_STREAM_END_EVENT;
-        fw_status status = take_event(r, &event, error);
+        fw_status status = read_event(r, &event, error);
         yaml_event_delete(&event);
         if (status != FW_OK || end) return status;
     }
 }
 
-fw_status fw_document_read(fw_document *document, int setting, const char *text, size_t length,
+/* One tree with memory of the document. `setting` > 0: it was written in that --set option. */
+static fw_status read_text(fw_document *document, int setting, const char *text, size_t length,
                            fw_node **root, fw_error *error)
 {
     static const char byte_order_mark[] = "\xEF\xBB\xBF";
@@ -299,4 +303,52 @@ fw_status fw_document_read(fw_document *document, int setting, const char *text,
         status = fw_document_fail(document, start, error, "nothing is written there, expected %s",
                                   setting ? "a value after '='" : "a scenario");
     return status;
+}
+
+/* --- whole documents, and values of options --- */
+
+fw_status fw_document_parse(fw_document **document, const char *file, const char *text,
+                            size_t length, fw_error *error)
+{
+    FW_TRY(fw_document_create(document, file, error));
+    fw_node *root;
+    fw_status status = read_text(*document, 0, text, length, &root, error);
+    if (status == FW_OK) {
+        fw_document_set_root(*document, root);
+    } else {
+        fw_document_destroy(*document);
+        *document = NULL;
+    }
+    return status;
+}
+
+fw_status fw_document_load(fw_document **document, const char *path, fw_error *error)
+{
+    *document = NULL;
+    FILE *in = fopen(path, "rb");
+    if (!in) return fw_fail(error, FW_BAD_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
+    /* One byte more than allowed: enough to see that it is too long, whatever kind of file. */
+    size_t room = (size_t)FW_DOCUMENT_BYTES + 4;
+    char *text = malloc(room);
+    fw_status status = FW_OK;
+    if (!text) status = fw_fail(error, FW_SYSTEM_FAILED, "not enough memory to read %s", path);
+    size_t length = text ? fread(text, 1, room, in) : 0;
+    if (text && ferror(in))
+        status = fw_fail(error, FW_BAD_INPUT, "%s: cannot be read: %s", path, strerror(errno));
+    fclose(in);
+    if (status == FW_OK && length == room)
+        status = fw_fail(error, FW_BAD_INPUT, "%s: longer than %d bytes, expected a scenario", path,
+                         FW_DOCUMENT_BYTES);
+    if (status == FW_OK) status = fw_document_parse(document, path, text, length, error);
+    free(text);
+    return status;
+}
+
+fw_status fw_document_parse_value(fw_document *document, const char *option, const char *text,
+                                  fw_node **value, fw_error *error)
+{
+    int setting;
+    *value = NULL;
+    FW_TRY(fw_document_add_option(document, option, &setting, error));
+    return read_text(document, setting, text, strlen(text), value, error);
 }
