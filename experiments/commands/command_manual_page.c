@@ -78,6 +78,9 @@ fw_status fw_command_manual_page(const fw_arguments *arguments, fw_error *error)
         print_item(code, e->meaning);
     }
     printf(".SH ENVIRONMENT\n");
+    print_item("FRETWORK_INSTRUCTIONS",
+               "x86-64-v2, x86-64-v3 or x86-64-v4: the instructions that the loops over particles "
+               "use, instead of the best that the processor has; results are the same");
     print_item("NO_COLOR", "where it is set and not empty, no colours are used on terminals");
     printf(".SH FILES\n");
     print_item("share/fretwork/catalogue", "the scenario files of the named experiments");

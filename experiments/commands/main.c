@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* main.c - the program fretwork. Only here and in the commands does anything print or exit. */
+#include "core/instruction_set.h"
 #include "experiments/commands/command.h"
 #include "experiments/results/provenance.h"
 #include "experiments/text/spelling.h"
@@ -65,8 +66,11 @@ int main(int count, char **words)
     if (!command) return refuse_command(words[asks_help ? 2 : 1]);
     fw_arguments *arguments = malloc(sizeof *arguments);
     fw_error error = {.status = FW_SYSTEM_FAILED, .sentence = "not enough memory"};
-    fw_status status = FW_SYSTEM_FAILED;
-    if (arguments)
+    fw_status status = FW_OK;
+    const char *instructions = getenv("FRETWORK_INSTRUCTIONS");
+    if (instructions && *instructions) status = fw_instruction_set_use(instructions, &error);
+    if (!arguments) status = FW_SYSTEM_FAILED;
+    if (status == FW_OK)
         status = fw_arguments_read(arguments, command, asks_help ? 1 : count - 2,
                                    asks_help ? help : words + 2, &error);
     if (status == FW_OK && arguments->help) {

@@ -3,9 +3,9 @@
  * FW_REVISION, FW_COMPILER, FW_FLAGS and FW_LIBRARIES come from experiments/CMakeLists.txt. */
 #include "experiments/results/provenance.h"
 
-#include "experiments/text/text.h"
-
+#include "core/instruction_set.h"
 #include "experiments/storage/hdf5_file.h"
+#include "experiments/text/text.h"
 
 #include <pwd.h>
 #include <stdio.h>
@@ -20,7 +20,8 @@ fw_provenance fw_provenance_now(void)
                          .version = FW_VERSION,
                          .revision = FW_REVISION,
                          .compiler = FW_COMPILER,
-                         .flags = FW_FLAGS};
+                         .flags = FW_FLAGS,
+                         .instructions = fw_instruction_set_name(fw_instruction_set())};
     char hdf5[64];
     fw_hdf5_version(hdf5, sizeof hdf5);
     snprintf(now.libraries, sizeof now.libraries, "%s, %s", hdf5, FW_LIBRARIES);

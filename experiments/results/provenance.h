@@ -9,11 +9,12 @@
 enum { FW_PROVENANCE_SIZE = 256 };
 
 typedef struct fw_provenance {
-    const char *program;  /* "fretwork" */
-    const char *version;  /* "0.1.0" */
-    const char *revision; /* of the source, "unknown" outside its repository */
-    const char *compiler; /* "GNU 12.2.0" */
-    const char *flags;    /* what decides about numbers: the build type and its flags */
+    const char *program;      /* "fretwork" */
+    const char *version;      /* "0.1.0" */
+    const char *revision;     /* of the source, "unknown" outside its repository */
+    const char *compiler;     /* "GNU 12.2.0" */
+    const char *flags;        /* what decides about numbers: the build type and its flags */
+    const char *instructions; /* of the kernels that run, "x86-64-v3" */
     char libraries[FW_PROVENANCE_SIZE];
     char host[FW_PROVENANCE_SIZE];  /* name, system and processor architecture */
     char start[FW_PROVENANCE_SIZE]; /* time of the run, as fw_provenance_time */

@@ -201,6 +201,7 @@ static void make_parameters(fw_hdf5 *file, const fw_trajectory_def *def, const f
         {"parameters/provenance/revision", now->revision},
         {"parameters/provenance/compiler", now->compiler},
         {"parameters/provenance/flags", now->flags},
+        {"parameters/provenance/instructions", now->instructions},
         {"parameters/provenance/libraries", now->libraries},
         {"parameters/provenance/host", now->host},
         {"parameters/provenance/start", now->start},

@@ -2,6 +2,7 @@
 /* test_noise.c - numbers that look random from every side. */
 #include "tests/support/laws.h"
 
+#include "core/instruction_set.h"
 #include "core/noise.h"
 
 #include <stdlib.h>
@@ -36,6 +37,28 @@ static void gaussians_are_box_and_mullers(void **state)
         assert_close(drawn.x, length * cos(turn * w), 1e-14);
         assert_close(drawn.y, length * sin(turn * w), 1e-14);
     }
+}
+
+/* The counter of a register's last lanes wraps as each number by itself does. */
+static void all_instructions_draw_the_same_bits(void **state)
+{
+    (void)state;
+    enum { COUNT = 4099 };
+    static double x[COUNT], y[COUNT], other_x[COUNT], other_y[COUNT];
+    const int before = fw_instruction_set();
+    fw_error error;
+    for (int set = 0; set < FW_INSTRUCTION_SETS; ++set) {
+        if (!fw_instruction_set_runs(set)) continue;
+        assert_int_equal(fw_instruction_set_use(fw_instruction_set_name(set), &error), FW_OK);
+        fw_noise_gaussians(3, UINT32_MAX - 100, 1ull << 33, 9, COUNT, set == 0 ? x : other_x,
+                           set == 0 ? y : other_y);
+        if (set == 0) continue;
+        assert_memory_equal(x, other_x, sizeof x);
+        assert_memory_equal(y, other_y, sizeof y);
+    }
+    assert_int_equal(fw_instruction_set_use(fw_instruction_set_name(before), &error), FW_OK);
+    assert_int_equal(fw_instruction_set_use("x86-64-v9", &error), FW_BAD_INPUT);
+    assert_int_equal(fw_instruction_set(), before);
 }
 
 static void many_are_the_same_as_one_by_one(void **state)
@@ -132,6 +155,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bits_are_philox),
         cmocka_unit_test(gaussians_are_box_and_mullers),
+        cmocka_unit_test(all_instructions_draw_the_same_bits),
         cmocka_unit_test(many_are_the_same_as_one_by_one),
         cmocka_unit_test(moments_are_gaussian),
         cmocka_unit_test(tails_are_gaussian),

@@ -125,7 +125,7 @@ def parameters(file, revision):
     provenance = group["provenance"]
     assert provenance["threads"][()] == 2 and provenance["resumed"][()] == 0
     texts = {name: item[()].decode() for name, item in provenance.items() if item.dtype.kind == "S"}
-    assert set(texts) == {"program", "version", "revision", "compiler", "flags", "libraries",
+    assert set(texts) == {"program", "version", "revision", "compiler", "flags", "instructions", "libraries",
                           "host", "start", "end", "exit_reason"}
     assert texts["revision"] == revision and texts["exit_reason"] == "finished"
     assert texts["start"] <= texts["end"] and texts["start"].endswith("Z")

@@ -168,7 +168,7 @@ def h5md(path, frames, samples):
         assert provenance["resumed"][()] == 0
         assert parameters["warnings"][()] == b""
         texts = {name: item[()] for name, item in provenance.items() if item.dtype.kind == "S"}
-        assert set(texts) == {"program", "version", "revision", "compiler", "flags", "libraries",
+        assert set(texts) == {"program", "version", "revision", "compiler", "flags", "instructions", "libraries",
                               "host", "start", "end", "exit_reason"}
         assert all(texts.values()), texts
         for library in (b"HDF5 ", b"GSL ", b"Box2D "):

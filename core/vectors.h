@@ -1,0 +1,224 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* vectors.h - a register full of doubles, for kernels only (core/instruction_set.h).
+ *
+ * fw_vector is as wide as the instruction set's registers: FW_WIDTH = 8, 4 or 2 numbers, with
+ * arithmetic and + - * / as in C. Data are cut into blocks of FW_BLOCK = 8 on every machine,
+ * FW_PARTS registers each, and what is summed over particles is summed in FW_BLOCK lanes: so the
+ * same numbers are added in the same order whatever the width. Where a mask is false nothing is
+ * read. */
+#ifndef FW_VECTORS_H
+#define FW_VECTORS_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+#if defined(__AVX2__)
+#include <immintrin.h>
+#endif
+
+#define FW_INLINE static inline __attribute__((always_inline))
+
+enum {
+    FW_BLOCK = 8,
+#if defined(__AVX512F__)
+    FW_WIDTH = 8,
+#elif defined(__AVX2__)
+    FW_WIDTH = 4,
+#else
+    FW_WIDTH = 2,
+#endif
+    FW_PARTS = FW_BLOCK / FW_WIDTH
+};
+
+#if defined(__AVX512F__)
+#define FW_VECTOR_BYTES 64
+#elif defined(__AVX2__)
+#define FW_VECTOR_BYTES 32
+#else
+#define FW_VECTOR_BYTES 16
+#endif
+
+typedef double fw_vector __attribute__((vector_size(FW_VECTOR_BYTES)));
+typedef int64_t fw_integers __attribute__((vector_size(FW_VECTOR_BYTES)));
+typedef uint64_t fw_naturals __attribute__((vector_size(FW_VECTOR_BYTES)));
+
+/* Of each lane: true or false. */
+#if defined(__AVX512F__)
+typedef __mmask8 fw_mask;
+#else
+typedef fw_integers fw_mask;
+#endif
+
+FW_INLINE fw_vector fw_splat(double value)
+{
+    return value - (fw_vector){0};
+}
+
+/* From any address. */
+FW_INLINE fw_vector fw_load(const double *from)
+{
+    fw_vector v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+FW_INLINE void fw_store(double *to, fw_vector v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+FW_INLINE fw_vector fw_root(fw_vector v)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_sqrt_pd((__m512d)v);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_sqrt_pd((__m256d)v);
+#else
+    for (int lane = 0; lane < FW_WIDTH; ++lane) v[lane] = sqrt(v[lane]);
+    return v;
+#endif
+}
+
+FW_INLINE fw_vector fw_floor(fw_vector v)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_floor_pd((__m512d)v);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_floor_pd((__m256d)v);
+#else
+    for (int lane = 0; lane < FW_WIDTH; ++lane) v[lane] = floor(v[lane]);
+    return v;
+#endif
+}
+
+/* a b + c, rounded once. Slow where the instruction set has none: only for what is rare, or where
+ * accuracy needs it. */
+FW_INLINE fw_vector fw_fma(fw_vector a, fw_vector b, fw_vector c)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
+#else
+    for (int lane = 0; lane < FW_WIDTH; ++lane) c[lane] = fma(a[lane], b[lane], c[lane]);
+    return c;
+#endif
+}
+
+/* --- masks --- */
+
+FW_INLINE fw_mask fw_less(fw_vector a, fw_vector b)
+{
+#if defined(__AVX512F__)
+    return _mm512_cmp_pd_mask((__m512d)a, (__m512d)b, _CMP_LT_OQ);
+#else
+    return (fw_mask)(a < b);
+#endif
+}
+
+/* Lane k of part `part` of a block is bit part FW_WIDTH + k. */
+FW_INLINE fw_mask fw_mask_of(uint8_t bits, int part)
+{
+#if defined(__AVX512F__)
+    (void)part;
+    return bits;
+#else
+    fw_integers bit;
+    for (int lane = 0; lane < FW_WIDTH; ++lane) bit[lane] = 1 << lane;
+    return (((bits >> part * FW_WIDTH) - (fw_integers){0}) & bit) == bit;
+#endif
+}
+
+/* The other way round: bits of this part at their place in the block. */
+FW_INLINE uint8_t fw_mask_bits(fw_mask mask, int part)
+{
+#if defined(__AVX512F__)
+    (void)part;
+    return mask;
+#elif defined(__AVX2__)
+    return (uint8_t)(_mm256_movemask_pd((__m256d)mask) << part * FW_WIDTH);
+#else
+    unsigned bits = 0;
+    for (int lane = 0; lane < FW_WIDTH; ++lane) bits |= (unsigned)(mask[lane] & 1) << lane;
+    return (uint8_t)(bits << part * FW_WIDTH);
+#endif
+}
+
+FW_INLINE bool fw_any(fw_mask mask)
+{
+    return fw_mask_bits(mask, 0) != 0;
+}
+
+/* v where the mask is true, +0 elsewhere. */
+FW_INLINE fw_vector fw_keep(fw_mask mask, fw_vector v)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_maskz_mov_pd(mask, (__m512d)v);
+#else
+    return (fw_vector)(mask & (fw_integers)v);
+#endif
+}
+
+FW_INLINE fw_vector fw_select(fw_mask mask, fw_vector yes, fw_vector no)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_mask_blend_pd(mask, (__m512d)no, (__m512d)yes);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_blendv_pd((__m256d)no, (__m256d)yes, (__m256d)mask);
+#else
+    return (fw_vector)((mask & (fw_integers)yes) | (~mask & (fw_integers)no));
+#endif
+}
+
+/* from[index[k]] in lane k; what a false lane's index names is not read, and the lane is +0. */
+FW_INLINE fw_vector fw_gather(const double *from, const int32_t *index, fw_mask mask)
+{
+#if defined(__AVX512F__)
+    const __m256i at = _mm256_loadu_si256((const __m256i *)index);
+    return (fw_vector)_mm512_mask_i32gather_pd(_mm512_setzero_pd(), mask, at, from, 8);
+#elif defined(__AVX2__)
+    const __m128i at = _mm_loadu_si128((const __m128i *)index);
+    return (fw_vector)_mm256_mask_i32gather_pd(_mm256_setzero_pd(), from, at, (__m256d)mask, 8);
+#else
+    fw_vector v;
+    for (int lane = 0; lane < FW_WIDTH; ++lane) v[lane] = mask[lane] ? from[index[lane]] : 0;
+    return v;
+#endif
+}
+
+/* --- whole numbers --- */
+
+/* The product of the lower 32 bits of each lane. */
+FW_INLINE fw_naturals fw_multiply_low(fw_naturals a, fw_naturals b)
+{
+#if defined(__AVX512F__)
+    return (fw_naturals)_mm512_mul_epu32((__m512i)a, (__m512i)b);
+#elif defined(__AVX2__)
+    return (fw_naturals)_mm256_mul_epu32((__m256i)a, (__m256i)b);
+#else
+    return (a & 0xffffffff) * (b & 0xffffffff);
+#endif
+}
+
+/* n < 2^53, exactly: both halves are written into the mantissa of a power of two. */
+FW_INLINE fw_vector fw_from_naturals(fw_naturals n)
+{
+    const fw_naturals high = (n >> 32) | 0x4530000000000000,
+                      low = (n & 0xffffffff) | 0x4330000000000000;
+    return ((fw_vector)high - 0x1p84) + ((fw_vector)low - 0x1p52);
+}
+
+/* --- sums --- */
+
+/* The sum of the lanes of a block, always in the same order. */
+FW_INLINE double fw_sum_block(const fw_vector parts[FW_PARTS])
+{
+    double lanes[FW_BLOCK];
+    for (int part = 0; part < FW_PARTS; ++part) fw_store(lanes + part * FW_WIDTH, parts[part]);
+    return ((lanes[0] + lanes[4]) + (lanes[2] + lanes[6])) +
+           ((lanes[1] + lanes[5]) + (lanes[3] + lanes[7]));
+}
+
+#endif
