@@ -22,7 +22,7 @@ static bool has_material_of(const fw_scenario *scenario, const char *citation)
 
 static bool names_source(const fw_scenario *scenario, const char *authors)
 {
-    return scenario->source && strstr(scenario->source, authors);
+    return authors && scenario->source && strstr(scenario->source, authors);
 }
 
 static bool has_reference_solid(const fw_scenario *scenario)
@@ -32,26 +32,11 @@ static bool has_reference_solid(const fw_scenario *scenario)
     return false;
 }
 
-static bool rests_on_chopard(const fw_scenario *scenario)
-{
-    return has_reference_solid(scenario) || names_source(scenario, "Chopard & Marconi");
-}
-
 static bool moves_particles(const fw_scenario *scenario)
 {
     for (int n = 0; n < scenario->material_count; ++n)
         if (model_of(scenario, n)->has_dynamics) return true;
     return false;
-}
-
-static bool rests_on_popov(const fw_scenario *scenario)
-{
-    return names_source(scenario, "Popov & Filippov");
-}
-
-static bool rests_on_dong(const fw_scenario *scenario)
-{
-    return names_source(scenario, "Dong et al.");
 }
 
 /* Particles are moved by BAOAB in phases with damping, by velocity Verlet in those without. */
@@ -122,7 +107,7 @@ const fw_citation fw_citations[] = {
      "  note   = {January 22, 2002},\n"
      "  year   = {2002}\n"
      "}\n",
-     rests_on_chopard},
+     "Chopard & Marconi", has_reference_solid},
     {"popov2007",
      "@article{popov2007,\n"
      "  author  = {Popov, V. L. and Filippov, A. E.},\n"
@@ -133,7 +118,7 @@ const fw_citation fw_citations[] = {
      "  year    = {2007},\n"
      "  note    = {Copyright 2006 by Elsevier}\n"
      "}\n",
-     rests_on_popov},
+     "Popov & Filippov", NULL},
     {"dong2012",
      "@misc{dong2012,\n"
      "  author        = {Dong, Yinfeng and Zhang, Guangcai and Xu, Aiguo and Gan, Yanbiao},\n"
@@ -143,7 +128,7 @@ const fw_citation fw_citations[] = {
      "  eprint        = {1211.1732},\n"
      "  year          = {2012}\n"
      "}\n",
-     rests_on_dong},
+     "Dong et al.", NULL},
     {"swope1982",
      "@article{swope1982,\n"
      "  author  = {Swope, William C. and Andersen, Hans C. and Berens, Peter H. and Wilson, Kent "
@@ -158,7 +143,7 @@ const fw_citation fw_citations[] = {
      "  year    = {1982},\n"
      "  doi     = {10.1063/1.442716}\n"
      "}\n",
-     uses_verlet},
+     NULL, uses_verlet},
     {"leimkuhler2013",
      "@article{leimkuhler2013,\n"
      "  author  = {Leimkuhler, Benedict and Matthews, Charles},\n"
@@ -169,7 +154,7 @@ const fw_citation fw_citations[] = {
      "  year    = {2013},\n"
      "  doi     = {10.1093/amrx/abs010}\n"
      "}\n",
-     uses_baoab},
+     NULL, uses_baoab},
     {"salmon2011",
      "@inproceedings{salmon2011,\n"
      "  author    = {Salmon, John K. and Moraes, Mark A. and Dror, Ron O. and Shaw, David E.},\n"
@@ -179,7 +164,7 @@ const fw_citation fw_citations[] = {
      "  year      = {2011},\n"
      "  doi       = {10.1145/2063384.2063405}\n"
      "}\n",
-     is_random},
+     NULL, is_random},
     {"catto2020",
      "@misc{catto2020,\n"
      "  author = {Catto, Erin},\n"
@@ -187,7 +172,7 @@ const fw_citation fw_citations[] = {
      "  url    = {https://box2d.org},\n"
      "  year   = {2020}\n"
      "}\n",
-     has_walls},
+     NULL, has_walls},
     {"debuyl2014",
      "@article{debuyl2014,\n"
      "  author  = {de Buyl, Pierre and Colberg, Peter H. and H{\\\"o}fling, Felix},\n"
@@ -198,8 +183,14 @@ const fw_citation fw_citations[] = {
      "  year    = {2014},\n"
      "  doi     = {10.1016/j.cpc.2014.01.018}\n"
      "}\n",
-     always},
+     NULL, always},
     {.key = NULL}};
+
+static bool rests_on(const fw_scenario *scenario, const fw_citation *c)
+{
+    return has_material_of(scenario, c->key) || names_source(scenario, c->authors) ||
+           (c->needed && c->needed(scenario));
+}
 
 void fw_citation_print(FILE *out, const fw_scenario *scenario)
 {
@@ -213,6 +204,5 @@ void fw_citation_print(FILE *out, const fw_scenario *scenario)
             "}\n",
             now.version, now.revision);
     for (const fw_citation *c = fw_citations; c->key; ++c)
-        if (has_material_of(scenario, c->key) || c->needed(scenario))
-            fprintf(out, "\n%s", c->entry);
+        if (rests_on(scenario, c)) fprintf(out, "\n%s", c->entry);
 }

@@ -10,7 +10,8 @@
 typedef struct fw_citation {
     const char *key; /* of the BibTeX entry; NULL ends the table */
     const char *entry;
-    /* Does the scenario rest on it, beside by its materials? */
+    const char *authors; /* a scenario whose source names them rests on it; NULL: none does */
+    /* Does the scenario rest on it, beside by its materials and its source? NULL: no. */
     bool (*needed)(const fw_scenario *scenario);
 } fw_citation;
 

@@ -240,16 +240,12 @@ static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario,
     return FW_OK;
 }
 
-/* r0 (m/epsilon)^(1/2), the longest of all materials whose particles attract; 1 where none do. */
+/* The longest of all materials that have one; 1 where none has. */
 static double time_unit(const fw_scenario *scenario)
 {
     double unit = 0;
-    for (int m = 0; m < scenario->material_count; ++m) {
-        const fw_scenario_particles *particles = &scenario->materials[m].particles;
-        const double depth = particles->potential.depth * particles->strength;
-        if (scenario->materials[m].kind != FW_MOVABLE_PARTICLES || !(depth > 0)) continue;
-        unit = fmax(unit, particles->potential.distance * sqrt(particles->mass / depth));
-    }
+    for (int m = 0; m < scenario->material_count; ++m)
+        unit = fmax(unit, fw_material_time_unit(&scenario->materials[m]));
     return unit > 0 ? unit : 1;
 }
 

@@ -185,13 +185,12 @@ static fw_page page_with_meaning(const fw_plot_result *result, const fw_plot_pic
     return page;
 }
 
-/* Movable particles may leave their places and each other: cells would hide that. */
+/* Particles that flow leave their places and each other: cells would hide that. */
 static fw_view_look look_of(const fw_plot_result *result)
 {
     const fw_scenario *scenario = result->scenario;
     for (int b = 0; b < scenario->body_count; ++b)
-        if (scenario->materials[scenario->bodies[b].material].kind == FW_MOVABLE_PARTICLES)
-            return FW_VIEW_DISCS;
+        if (fw_scenario_model(scenario, b)->flows) return FW_VIEW_DISCS;
     return FW_VIEW_CELLS;
 }
 

@@ -44,9 +44,9 @@ static fw_status find_stiffness(const fw_plot_result *result, int body, fw_sym2 
 {
     const fw_scenario *scenario = result->scenario;
     const fw_scenario_body *of = &scenario->bodies[body];
-    const fw_scenario_boltzmann *material = &scenario->materials[of->material].boltzmann;
+    const fw_sym2 *own = fw_material_link_stiffness(&scenario->materials[of->material]);
     for (int n = result->link_first[body]; n < result->link_first[body + 1]; ++n)
-        stiffness[n] = material->link_stiffness;
+        stiffness[n] = *own;
     if (of->link_stiffness.count == 0) return FW_OK;
     fw_sites sites;
     FW_TRY(fw_scenario_sites(of, &sites, error));
@@ -65,7 +65,8 @@ typedef fw_plot_forces forces;
 static bool has_links(const fw_plot_result *result, int body)
 {
     const fw_scenario *scenario = result->scenario;
-    return scenario->materials[scenario->bodies[body].material].kind == FW_LATTICE_BOLTZMANN;
+    const fw_scenario_body *of = &scenario->bodies[body];
+    return fw_material_link_stiffness(&scenario->materials[of->material]) != NULL;
 }
 
 /* kappa times the deformation of the link (Eq 31), on both ends. */

@@ -44,7 +44,7 @@ static const fw_key elastic_automaton_keys[] = {
                 "boundary `bond` and a c2 at which every bond's matrix is positive"},
     {.name = NULL}};
 
-const fw_section fw_elastic_automaton_section = {
+const fw_section fw_automaton_section = {
     "`materials.NAME.elastic-automaton`", "an elastic automaton",
     "The solid of Dong, Zhang, Xu and Gan: black and white cells move in turn, each reflected "
     "about the place that its neighbours ask for. One step is a black and a white half-step and "
@@ -67,8 +67,8 @@ static fw_status find_partner(const fw_scenario *scenario, const fw_node *node, 
                             key);
 }
 
-fw_status fw_scenario_read_automaton(const fw_scenario *scenario, const fw_node *node,
-                                     fw_scenario_material *owner, fw_error *error)
+static fw_status read_automaton(const fw_scenario *scenario, const fw_node *node,
+                                fw_scenario_material *owner, fw_error *error)
 {
     fw_scenario_automaton *material = &owner->automaton;
     const fw_node *given, *partner;
@@ -153,8 +153,8 @@ static fw_status check_fracture(const fw_scenario *scenario, const fw_scenario_b
                             speeds.coupling, floor(low * 1e4) / 1e4, speeds.transverse);
 }
 
-fw_status fw_scenario_check_automaton(const fw_scenario *scenario, const fw_scenario_body *body,
-                                      fw_error *error)
+static fw_status check_automaton(const fw_scenario *scenario, const fw_scenario_body *body,
+                                 fw_error *error)
 {
     const fw_scenario_automaton *material = &scenario->materials[body->material].automaton;
     if (material->boundary == FW_EDGES_BOND && material->break_at > 0)
@@ -164,7 +164,7 @@ fw_status fw_scenario_check_automaton(const fw_scenario *scenario, const fw_scen
 
 /* Half-steps are a clock of their own: the scene's ticks would be whole steps for one body and half
  * of them for another. */
-fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error)
+static fw_status check_clock(const fw_scenario *scenario, fw_error *error)
 {
     const fw_scenario_body *automaton = NULL, *other = NULL;
     for (int b = 0; b < scenario->body_count; ++b) {
@@ -179,3 +179,15 @@ fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error)
                             "scenarios of their own",
                             automaton->name, other->name);
 }
+
+const fw_material_model fw_automaton_material = {
+    .bodies = "elastic automata",
+    .lattices = 1 << FW_SQUARE,
+    .why = "the cells of an elastic automaton are black and white in turn",
+    .body_keys = " displaced-as-given ",
+    .has_modes = true,
+    .citation = "dong2012",
+    .break_at = offsetof(fw_scenario_material, automaton.break_at),
+    .read = read_automaton,
+    .check_body = check_automaton,
+    .check_bodies = check_clock};

@@ -19,9 +19,18 @@ static const fw_key lattice_boltzmann_keys[] = {
      .meaning = "a link whose ends are displaced from each other by more than this breaks"},
     {.name = NULL}};
 
-const fw_section fw_lattice_boltzmann_section = {
+const fw_section fw_boltzmann_section = {
     "`materials.NAME.lattice-boltzmann`", "a lattice Boltzmann material",
     "The solid of Chopard and Marconi (2002). One step takes one unit of time. A particle has the "
     "mass M = (M0^2 + k links)/2, k the link stiffness; each component of the displacement is a "
     "wave of its own (Poisson ratio 0), with speed (k/M)^(1/2).",
     .keys = lattice_boltzmann_keys};
+
+const fw_material_model fw_boltzmann_material = {
+    .bodies = "lattice Boltzmann bodies",
+    .lattices = 1 << FW_SQUARE,
+    .why = "the lattice Boltzmann solid has four links per site",
+    .body_keys = " rest-mass link-stiffness ",
+    .citation = "chopard2002",
+    .break_at = offsetof(fw_scenario_material, boltzmann.break_at),
+    .link_stiffness = offsetof(fw_scenario_material, boltzmann.link_stiffness)};

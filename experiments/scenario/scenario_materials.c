@@ -4,48 +4,12 @@
 
 #include <string.h>
 
-static const fw_material_model boltzmann = {
-    .bodies = "lattice Boltzmann bodies",
-    .lattices = 1 << FW_SQUARE,
-    .why = "the lattice Boltzmann solid has four links per site",
-    .body_keys = " rest-mass link-stiffness ",
-    .citation = "chopard2002",
-    .break_at = offsetof(fw_scenario_material, boltzmann.break_at)};
-
-static const fw_material_model particles = {.bodies = "movable particles",
-                                            .lattices = 1 << FW_SQUARE | 1 << FW_HEXAGONAL,
-                                            .body_keys = " spin temperature ",
-                                            .can_be_placed = true,
-                                            .has_dynamics = true,
-                                            .citation = "popov2007",
-                                            .read = fw_scenario_read_particles,
-                                            .check_bodies = fw_scenario_check_particles};
-
-static const fw_material_model linear = {.bodies = "linear lattices",
-                                         .lattices = 1 << FW_HEXAGONAL,
-                                         .why = "the linear lattice has six bonds per site",
-                                         .body_keys = " spin temperature ",
-                                         .has_dynamics = true,
-                                         .citation = "popov2007"};
-
-static const fw_material_model automaton = {
-    .bodies = "elastic automata",
-    .lattices = 1 << FW_SQUARE,
-    .why = "the cells of an elastic automaton are black and white in turn",
-    .body_keys = " displaced-as-given ",
-    .has_modes = true,
-    .citation = "dong2012",
-    .break_at = offsetof(fw_scenario_material, automaton.break_at),
-    .read = fw_scenario_read_automaton,
-    .check_body = fw_scenario_check_automaton,
-    .check_bodies = fw_scenario_check_clock};
-
-#define MODEL(id, member, section, word, meaning) &member,
+#define MODEL(id, member, word, meaning) &fw_##member##_material,
 static const fw_material_model *const models[] = {FW_MATERIAL_ROWS(MODEL)};
 
-#define KEY(id, member, section, word, says)                                                       \
-    {word, AT_OBJECT(fw_scenario_material, member), ALTERNATIVE, .subsection = &section,           \
-     .meaning = says},
+#define KEY(id, member, word, says)                                                                \
+    {word, AT_OBJECT(fw_scenario_material, member), ALTERNATIVE,                                   \
+     .subsection = &fw_##member##_section, .meaning = says},
 static const fw_key keys[] = {FW_MATERIAL_ROWS(KEY){.name = NULL}};
 
 const fw_section fw_material_section = {"`materials.NAME`", "a material",
@@ -63,6 +27,18 @@ double fw_material_break_at(const fw_scenario_material *material)
     const size_t offset = models[material->kind]->break_at;
     if (offset > 0) memcpy(&stretch, (const char *)material + offset, sizeof stretch);
     return stretch;
+}
+
+const fw_sym2 *fw_material_link_stiffness(const fw_scenario_material *material)
+{
+    const size_t offset = models[material->kind]->link_stiffness;
+    return offset > 0 ? (const fw_sym2 *)(const void *)((const char *)material + offset) : NULL;
+}
+
+double fw_material_time_unit(const fw_scenario_material *material)
+{
+    const fw_material_model *model = models[material->kind];
+    return model->time_unit ? model->time_unit(material) : 0;
 }
 
 const fw_material_model *fw_scenario_model(const fw_scenario *scenario, int body)

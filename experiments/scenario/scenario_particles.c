@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_particles.c - materials of movable particles and linear lattices, and where movable
- * particles are placed. Keeps no state. */
+/* scenario_particles.c - materials of movable particles. Keeps no state. */
 #include "scenario_parts.h"
+
+#include <math.h>
 
 /* Where something is led to zero: only its first two members are written. */
 #define AT_CUT(object, member)                                                                     \
@@ -90,31 +91,12 @@ static const fw_key movable_particles_keys[] = {
      .meaning = "factor on the potential inside a body; at 0 its particles are a gas"},
     {.name = NULL}};
 
-const fw_section fw_movable_particles_section = {
+const fw_section fw_particles_section = {
     "`materials.NAME.movable-particles`", "a material of movable particles",
     "The solid of Popov and Filippov (2006): particles that attract and repel each other, across "
     "bodies too, and within a body return forces that turn bonds towards the body's axes. It can "
     "flow and melt. All such bodies of a scenario have the same potential.",
     .keys = movable_particles_keys};
-
-static const fw_key linear_lattice_keys[] = {
-    {"k1", AT_NUMBER(fw_scenario_linear, k1), .default_value = "10", .unit = "force/length",
-     .meaning = "of a bond against any displacement"},
-    {"k2", AT_NUMBER(fw_scenario_linear, k2), .default_value = "50", .unit = "force/length",
-     .meaning = "of a bond against displacement along it, beyond k1"},
-    {"compensated", AT_FLAG(fw_scenario_linear, compensated), .default_value = "true",
-     .meaning = "surface forces make up for what k1 does to a body that turns; without them a "
-                "specimen with free sides shows another Poisson ratio"},
-    {"mass", AT_NUMBER(fw_scenario_linear, mass), ABOVE_ZERO, .default_value = "1", .unit = "mass",
-     .meaning = "of each particle"},
-    {.name = NULL}};
-
-const fw_section fw_linear_lattice_section = {
-    "`materials.NAME.linear-lattice`", "a linear lattice",
-    "Popov and Filippov's Eqs 1-12: particles on a hexagonal lattice, tied for ever to their "
-    "neighbours, F = k1 u + k2 e (e . u) for a bond of direction e whose ends are displaced by u "
-    "against each other.",
-    .keys = linear_lattice_keys};
 
 /* --- materials --- */
 
@@ -161,8 +143,8 @@ static fw_status read_return_force(const fw_scenario *scenario, const fw_node *n
                                   fw_return_force_check(force, error), error);
 }
 
-fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,
-                                     fw_scenario_material *material, fw_error *error)
+static fw_status read_particles(const fw_scenario *scenario, const fw_node *node,
+                                fw_scenario_material *material, fw_error *error)
 {
     fw_scenario_particles *particles = &material->particles;
     FW_TRY(read_potential(scenario, fw_node_find(node, "potential"), particles, error));
@@ -176,7 +158,7 @@ static bool same_potential(const fw_pair_potential *a, const fw_pair_potential *
            a->cut.outer == b->cut.outer;
 }
 
-fw_status fw_scenario_check_particles(const fw_scenario *scenario, fw_error *error)
+static fw_status check_particles(const fw_scenario *scenario, fw_error *error)
 {
     const fw_scenario_material *first = NULL;
     for (int b = 0; b < scenario->body_count; ++b) {
@@ -191,3 +173,21 @@ fw_status fw_scenario_check_particles(const fw_scenario *scenario, fw_error *err
     }
     return FW_OK;
 }
+
+/* r0 (m/epsilon)^(1/2), where particles attract. */
+static double time_unit(const fw_scenario_material *material)
+{
+    const fw_scenario_particles *particles = &material->particles;
+    const double depth = particles->potential.depth * particles->strength;
+    return depth > 0 ? particles->potential.distance * sqrt(particles->mass / depth) : 0;
+}
+
+const fw_material_model fw_particles_material = {.bodies = "movable particles",
+                                                 .lattices = 1 << FW_SQUARE | 1 << FW_HEXAGONAL,
+                                                 .body_keys = " spin temperature ",
+                                                 .flows = true,
+                                                 .has_dynamics = true,
+                                                 .citation = "popov2007",
+                                                 .time_unit = time_unit,
+                                                 .read = read_particles,
+                                                 .check_bodies = check_particles};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_particles.h - a material of movable particles, or of a linear lattice, as plain data. */
+/* scenario_particles.h - a material of movable particles as plain data. */
 #ifndef FW_SCENARIO_PARTICLES_H
 #define FW_SCENARIO_PARTICLES_H
 
@@ -13,10 +13,5 @@ typedef struct fw_scenario_particles {
     bool own_angle;               /* the axes were given an angle; else they are the lattice's */
     double mass, strength;
 } fw_scenario_particles;
-
-typedef struct fw_scenario_linear {
-    double k1, k2, mass;
-    bool compensated;
-} fw_scenario_linear;
 
 #endif

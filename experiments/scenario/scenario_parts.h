@@ -11,10 +11,6 @@
 /* --- keys --- */
 
 extern const fw_section fw_material_section;
-extern const fw_section fw_lattice_boltzmann_section;
-extern const fw_section fw_movable_particles_section;
-extern const fw_section fw_linear_lattice_section;
-extern const fw_section fw_elastic_automaton_section;
 extern const fw_section fw_body_section;
 extern const fw_section fw_shape_section;
 extern const fw_section fw_pattern_section;
@@ -120,11 +116,6 @@ fw_status fw_scenario_find_phase(const fw_scenario *scenario, const fw_node *nam
 fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error);
 
-/* What belongs together in a material of movable particles, from the mapping with its keys. */
-fw_status fw_scenario_read_particles(const fw_scenario *scenario, const fw_node *node,
-                                     fw_scenario_material *material, fw_error *error);
-/* That the bodies among which they move share one potential. */
-fw_status fw_scenario_check_particles(const fw_scenario *scenario, fw_error *error);
 /* What the models have to say of the bodies together. */
 fw_status fw_scenario_check_materials(const fw_scenario *scenario, fw_error *error);
 /* The run, its defaults filled in. */
@@ -132,16 +123,6 @@ fw_status fw_scenario_complete_run(fw_scenario *scenario, fw_error *error);
 /* That there are bodies which `dynamics` moves, and phases change only theirs. */
 fw_status fw_scenario_check_dynamics(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_analyses(fw_scenario *scenario, fw_error *error);
-
-/* The rest of a material from the mapping under its key `elastic-automaton`: speeds, checked. */
-fw_status fw_scenario_read_automaton(const fw_scenario *scenario, const fw_node *node,
-                                     fw_scenario_material *material, fw_error *error);
-/* What the schema could not see about an automaton's body, once all of it is read. */
-fw_status fw_scenario_check_automaton(const fw_scenario *scenario, const fw_scenario_body *body,
-                                      fw_error *error);
-
-/* That all bodies move in half-steps, or none does. */
-fw_status fw_scenario_check_clock(const fw_scenario *scenario, fw_error *error);
 
 /* Shape of a body from the mapping under its key `shape`. */
 fw_status fw_scenario_read_shape(const fw_scenario *scenario, const fw_node *node,

@@ -160,7 +160,7 @@ static fw_status read_placed(const fw_scenario *scenario, const fw_node *node,
 {
     fw_scenario_shape *shape = &body->shape;
     double box[4];
-    if (!fw_material_model_of(scenario->materials[body->material].kind)->can_be_placed)
+    if (!fw_material_model_of(scenario->materials[body->material].kind)->flows)
         return fw_scenario_fail(scenario, node->key_place, error,
                                 "bodies.%s is placed at random, which only movable particles can "
                                 "be: the others live on a lattice",

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* build.h - from the bodies of a scenario to solids, one file per model: build_MODEL.c. Shared by
+/* build.h - from the bodies of a scenario to solids, one file per model: build_NAME.c. Shared by
  * those and experiment.c. */
 #ifndef FW_BUILD_H
 #define FW_BUILD_H
 
-#include "experiments/setup/solids.h"
+#include "experiments/scenario/scenario.h"
 
 /* Adds all patterns of a list to `values`, one per site of that lattice. Each pattern draws its
  * random numbers from a stream of its own, from `first_stream` on. */
@@ -17,29 +17,5 @@ uint32_t fw_build_velocity_stream(int body);
 
 /* The sentence of a failed solid after the place of its body; other failures are handed on. */
 fw_status fw_build_fail(const fw_scenario *scenario, int body, fw_status status, fw_error *error);
-
-/* A body of material FW_LATTICE_BOLTZMANN. */
-fw_status fw_build_boltzmann(const fw_scenario *scenario, int body, const fw_sites *sites,
-                             fw_solid **solid, fw_error *error);
-
-/* All bodies of material FW_MOVABLE_PARTICLES together, as one solid in which each is a group of
- * its own, in the order of the scenario. */
-fw_status fw_build_particles(const fw_scenario *scenario, const fw_body_range *ranges,
-                             fw_solid **solid, fw_error *error);
-/* A body of material FW_LINEAR_LATTICE. */
-fw_status fw_build_linear(const fw_scenario *scenario, int body, const fw_sites *sites,
-                          fw_solid **solid, fw_error *error);
-/* A body of material FW_ELASTIC_AUTOMATON. */
-fw_status fw_build_automaton(const fw_scenario *scenario, int body, const fw_sites *sites,
-                             fw_solid **solid, fw_error *error);
-
-/* Limits: see fw_solid_kind. */
-fw_status fw_boltzmann_print_limits(FILE *out, const fw_start *start, int *warnings,
-                                    fw_error *error);
-fw_status fw_particles_print_limits(FILE *out, const fw_start *start, int *warnings,
-                                    fw_error *error);
-fw_status fw_linear_print_limits(FILE *out, const fw_start *start, int *warnings, fw_error *error);
-fw_status fw_automaton_print_limits(FILE *out, const fw_start *start, int *warnings,
-                                    fw_error *error);
 
 #endif

@@ -4,6 +4,7 @@
 #include "experiments/setup/build_automaton.h"
 
 #include "experiments/setup/build.h"
+#include "experiments/setup/solids.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -177,8 +178,7 @@ fw_status fw_build_automaton(const fw_scenario *scenario, int number, const fw_s
 }
 
 /* A body that would grow has been refused before. */
-fw_status fw_automaton_print_limits(FILE *out, const fw_start *start, int *warnings,
-                                    fw_error *error)
+static fw_status print_limits(FILE *out, const fw_start *start, int *warnings, fw_error *error)
 {
     static const char *const edges[] = {[FW_EDGES_BOND] = "bond",
                                         [FW_EDGES_TRAPEZOID] = "trapezoid",
@@ -197,3 +197,8 @@ fw_status fw_automaton_print_limits(FILE *out, const fw_start *start, int *warni
             material->boundary == FW_EDGES_MIRROR ? " but keeps neither energy nor momentum" : "");
     return FW_OK;
 }
+
+const fw_solid_kind fw_automaton_solid = {.model = &fw_elastic_automaton_model,
+                                          .bytes_per_particle = 244,
+                                          .build = fw_build_automaton,
+                                          .print_limits = print_limits};

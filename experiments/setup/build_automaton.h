@@ -12,6 +12,10 @@
 fw_elastic_automaton_def fw_build_automaton_def(const fw_scenario *scenario, int body,
                                                 const fw_sites *sites);
 
+/* A body as it starts. */
+fw_status fw_build_automaton(const fw_scenario *scenario, int body, const fw_sites *sites,
+                             fw_solid **solid, fw_error *error);
+
 /* A mode of the endless lattice with |white| = 1, in the phase and, where both branches are one, in
  * the polarisation that the reference promises. */
 fw_status fw_build_automaton_mode(const fw_scenario_automaton *material, const fw_lattice *lattice,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* build_boltzmann.c - LB solids from bodies of a scenario. Keeps no state. */
 #include "experiments/setup/build.h"
+#include "experiments/setup/solids.h"
 
 #include "core/array.h"
 #include "core/boltzmann/lb_solid.h"
@@ -100,8 +101,8 @@ static fw_status fill_start(const fw_scenario *scenario, int number, const fw_si
     return fill_masses_and_links(body, sites, start, error);
 }
 
-fw_status fw_build_boltzmann(const fw_scenario *scenario, int number, const fw_sites *sites,
-                             fw_solid **solid, fw_error *error)
+static fw_status build(const fw_scenario *scenario, int number, const fw_sites *sites,
+                       fw_solid **solid, fw_error *error)
 {
     const fw_scenario_body *body = &scenario->bodies[number];
     const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
@@ -145,8 +146,7 @@ static fw_status find_speed(const fw_start *start, double *speed, fw_error *erro
     return x && y ? FW_OK : fw_fail_memory(error, "the velocities at the start");
 }
 
-fw_status fw_boltzmann_print_limits(FILE *out, const fw_start *start, int *warnings,
-                                    fw_error *error)
+static fw_status print_limits(FILE *out, const fw_start *start, int *warnings, fw_error *error)
 {
     const fw_scenario_body *body = &start->scenario->bodies[start->body];
     const double damping = start->scenario->materials[body->material].boltzmann.damping;
@@ -163,3 +163,9 @@ fw_status fw_boltzmann_print_limits(FILE *out, const fw_start *start, int *warni
             "");
     return FW_OK;
 }
+
+const fw_solid_kind fw_boltzmann_solid = {.model = &fw_lb_solid_model,
+                                          .bytes_per_particle = 375,
+                                          .fastest = FW_LB_FASTEST,
+                                          .build = build,
+                                          .print_limits = print_limits};

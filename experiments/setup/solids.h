@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* solids.h - what is built of each material: the table that goes with
- * fw_material_model. */
+/* solids.h - what is built of each material: the table that goes with fw_material_model. Each row
+ * stands in the file build_NAME.c of its material. */
 #ifndef FW_SOLIDS_H
 #define FW_SOLIDS_H
 
@@ -36,6 +36,9 @@ typedef struct fw_solid_kind {
      * NULL: it has no limits. */
     fw_status (*print_limits)(FILE *out, const fw_start *start, int *warnings, fw_error *error);
 } fw_solid_kind;
+
+#define FW_SOLID_KIND(id, member, word, meaning) extern const fw_solid_kind fw_##member##_solid;
+FW_MATERIAL_ROWS(FW_SOLID_KIND)
 
 /* The row of a kind of material. */
 const fw_solid_kind *fw_solid_kind_at(fw_material_kind kind);
