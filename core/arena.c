@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* arena.c - one allocation for many arrays, staggered within their pages. */
+/* arena.c - one allocation for many arrays, staggered within their pages. State: fw_arena, the
+ * caller's. Start reading at start_of(). */
 #include "core/arena.h"
 
 #include <assert.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* solid.c - the head that all solids share. */
+/* solid.c - the head that all solids share. State: what every fw_solid has before what is its
+ * own. */
 #include "core/solid.h"
 
 #include <float.h>

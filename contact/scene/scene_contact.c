@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_contact.c - the contact phase of a step: from runs of candidates to constraints. */
+/* scene_contact.c - the contact phase of a step: from runs of candidates to constraints. State:
+ * that of the scene (scene_parts.h). Start reading at scene_find_contacts(), then
+ * scene_constrain_bodies(). */
 #include "scene_parts.h"
 
 #include <math.h>

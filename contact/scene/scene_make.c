@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_make.c - making a scene, its state, and putting it back to a saved one. */
+/* scene_make.c - making a scene, its state, and putting it back to a saved one. State: that of
+ * scene_parts.h. Start reading at fw_scene_begin(). */
 #include "contact/geometry/shape.h"
 #include "scene_parts.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_observe.c - what a scene reports. */
+/* scene_observe.c - what a scene reports. Keeps no state; changes nothing but the caller's
+ * arrays. */
 #include "scene_parts.h"
 
 int64_t fw_scene_steps(const fw_scene *scene)

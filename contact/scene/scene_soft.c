@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_soft.c - the penalty walls of a scene: their forces as a part of the contact phase.
- * State: what each wall stores, in its ledger. */
+ * State: what each wall stores, in its ledger. Start reading at scene_soft_force(). */
 #include "contact/constraint/penalty.h"
 #include "scene_parts.h"
 

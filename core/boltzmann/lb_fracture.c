@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lb_fracture.c - links that break. A broken link's mass and momentum go into the rest fields of
  * its two ends, so that M and Psi of each particle stay what they were; only energy is lost, at
- * least half kappa times the squared stretch: the fracture energy. */
+ * least half kappa times the squared stretch: the fracture energy. State: that of lb_layout.h.
+ * Start reading at lb_break_links(). */
 #include "lb_fracture.h"
 
 #include "lb_layout.h"

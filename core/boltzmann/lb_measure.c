@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lb_measure.c - quantities of an LB solid: fields, deformations, strain, residual; and reversal.
- */
+ * Only fw_lb_solid_reverse changes the state, which is that of lb_layout.h. */
 #include "lb_measure.h"
 
 #include <math.h>

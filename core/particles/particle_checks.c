@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_checks.c - which solids of movable lattice particles are refused, and with what
- * sentence. Keeps no state. */
+ * sentence. Keeps no state. Start reading at fw_particles_check(). */
 #include "particle_forces.h"
 
 #include <math.h>

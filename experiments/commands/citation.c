@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* citation.c - the table of citations. Keeps no state. */
+/* citation.c - the table of citations. Keeps no state. Start reading at fw_citation_print(). */
 #include "citation.h"
 
 #include "experiments/results/provenance.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command.c - the table of commands, and how they load what they run. Keeps no state. */
+/* command.c - the table of commands, and how they load what they run. Keeps no state. Start
+ * reading at fw_commands. */
 #include "experiments/commands/command.h"
 
 #include "experiments/scenario/catalogue.h"

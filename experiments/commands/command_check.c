@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_check.c - what a scenario would take, without running it: size, memory, time and how near
- * it is to where its solids stop being right; on request a picture of its start.
- * Start reading at fw_command_check(). */
+/* command_check.c - what a scenario would take, without running it: size, memory, time and how
+ * near it is to where its solids stop being right; on request a picture of its start. Keeps no
+ * state. Start reading at fw_command_check(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/warning.h"
 #include "experiments/setup/memory.h"

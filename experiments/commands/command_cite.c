@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_cite.c - cite: the BibTeX entries of what an experiment, or a result, rests on. */
+/* command_cite.c - cite: the BibTeX entries of what an experiment, or a result, rests on. Keeps
+ * no state. */
 #include "citation.h"
 #include "experiments/commands/command.h"
 #include "experiments/results/playback.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_completion.c - the script by which bash completes what is typed: commands, options and
- * their values, names of experiments, quantities and keys. Written from the tables.
- * Start reading at fw_command_completion(). */
+ * their values, names of experiments, quantities and keys. Written from the tables. Keeps no
+ * state. Start reading at fw_command_completion(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/quantity.h"
 #include "experiments/scenario/catalogue.h"

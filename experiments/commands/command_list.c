@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_list.c - list and show: the named experiments, grouped by what one wants to see.
- * Start reading at fw_command_list(). */
+/* command_list.c - list and show: the named experiments, grouped by what one wants to see. Keeps
+ * no state. Start reading at fw_command_list(). */
 #include "experiments/commands/command.h"
 #include "experiments/scenario/catalogue.h"
 #include "experiments/text/json.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_manual_page.c - the manual page fretwork(1), in the macros of man(7); written from the
- * tables of commands, options and exit codes. Start reading at fw_command_manual_page(). */
+ * tables of commands, options and exit codes. Keeps no state. Start reading at
+ * fw_command_manual_page(). */
 #include "experiments/commands/command.h"
 #include "experiments/results/provenance.h"
 

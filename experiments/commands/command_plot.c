@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_plot.c - pictures of a result: words of the command line into a wish. */
+/* command_plot.c - pictures of a result: words of the command line into a wish. Keeps no state.
+ * Start reading at fw_command_plot(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/column.h"
 #include "experiments/pictures/plot.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_profile.c - the profile of a result as a table. */
+/* command_profile.c - the profile of a result as a table. Keeps no state. Start reading at
+ * fw_command_profile(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/profile_table.h"
 #include "experiments/study/sweep.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_quantities.c - what can be measured, recorded and expected: all of it, or one by name.
- * Start reading at fw_command_quantities(). */
+ * Keeps no state. Start reading at fw_command_quantities(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/quantity.h"
 #include "experiments/setup/solids.h"

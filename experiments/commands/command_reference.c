@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_reference.c - the keys of a scenario file: all of them as Markdown, or those of a name
- * (`damping`) or path (`run.steps`, `walls.floor.path`) in plain lines.
- * Start reading at fw_command_reference(). */
+ * (`damping`) or path (`run.steps`, `walls.floor.path`) in plain lines. Keeps no state. Start
+ * reading at fw_command_reference(). */
 #include "experiments/commands/command.h"
 #include "experiments/scenario/scenario.h"
 #include "experiments/text/json.h"

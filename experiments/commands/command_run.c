@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_run.c - run and resume: an experiment with its results, pictures and verdicts. */
+/* command_run.c - run and resume: an experiment with its results, pictures and verdicts. Keeps no
+ * state. Start reading at fw_command_run(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/verdict.h"
 #include "experiments/pictures/plot.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_table.c - the observables of a result as comma-separated values.
- * Two lines that begin with # (title and units), one of names, then one per sample. Numbers have
- * the digits that give the same doubles back. Start reading at fw_command_table(). */
+/* command_table.c - the observables of a result as comma-separated values. Two lines that begin
+ * with # (title and units), one of names, then one per sample. Numbers have the digits that give
+ * the same doubles back. Keeps no state. Start reading at fw_command_table(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/column.h"
 #include "experiments/storage/csv.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* command_verify.c - runs experiments without writing results, and judges them: as tables, and as
- * JSON where that is wanted. Start reading at fw_command_verify(). */
+ * JSON where that is wanted. Keeps no state. Start reading at fw_command_verify(). */
 #include "experiments/commands/command.h"
 #include "experiments/results/provenance.h"
 #include "experiments/scenario/catalogue.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* main.c - the program fretwork. Only here and in the commands does anything print or exit. */
+/* main.c - the program fretwork. Only here and in the commands does anything print or exit. Keeps
+ * no state. Start reading at main(). */
 #include "core/instruction_set.h"
 #include "experiments/commands/command.h"
 #include "experiments/results/provenance.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* start_picture.c - the scene as it stands before the first step, as a picture of its motion with a
- * single instant. Start reading at fw_start_picture_draw(). */
+/* start_picture.c - the scene as it stands before the first step, as a picture of its motion with
+ * a single instant. Keeps no state. Start reading at fw_start_picture_draw(). */
 #include "start_picture.h"
 
 #include "experiments/drawing/figure.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* analysis.c - the kinds of analyses, and the memory of their results. */
+/* analysis.c - the kinds of analyses, and the memory of their results. Keeps no state. Start
+ * reading at fw_analysis_create(). */
 #include "analysis_parts.h"
 
 #include "core/array.h"

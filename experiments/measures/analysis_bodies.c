@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* analysis_bodies.c - bodies of the elastic automaton by themselves: whether one would grow, and
- * whether Chopard's is its lattice Boltzmann reference. Keeps no state. */
+ * whether Chopard's is its lattice Boltzmann reference. Keeps no state. Start reading at
+ * fw_analysis_body(). */
 #include "analysis_parts.h"
 
 #include "contact/scene/scene.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* analysis_waves.c - plane waves of the elastic automaton: where they grow, how fast they run, and
- * whether those of a simulated body do what the closed form says. Keeps no state. */
+/* analysis_waves.c - plane waves of the elastic automaton: where they grow, how fast they run,
+ * and whether those of a simulated body do what the closed form says. Keeps no state. Start
+ * reading at fw_analysis_map(). */
 #include "analysis_parts.h"
 
 #include "core/array.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* measurement.c - the series of what is measured. Invariant: rows ascend in step. */
+/* measurement.c - the series of what is measured. Invariant: rows ascend in step. State:
+ * fw_measurement, its rows so far. Start reading at fw_measurement_take(). */
 #include "experiments/measures/measurement.h"
 
 #include "measurement_plan.h"

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* observer.c - makes an experiment and what is followed beside it, and steps both together. */
+/* observer.c - makes an experiment and what is followed beside it, and steps both together.
+ * State: fw_observer; what a resumed run needs of it is in fw_observer_state(). Start reading at
+ * fw_observer_create(). */
 #include "experiments/measures/observer.h"
 
 #include "core/array.h"

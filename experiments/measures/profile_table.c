@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* profile_table.c - the outcome of a study on its way to files and people. Keeps no state. */
+/* profile_table.c - the outcome of a study on its way to files and people. Keeps no state. Start
+ * reading at fw_profile_table_values(). */
 #include "experiments/measures/profile_table.h"
 
 #include "experiments/storage/csv.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* quantity.c - the tables of all quantities as one. Keeps no state. */
+/* quantity.c - the tables of all quantities as one. Keeps no state. Start reading at
+ * fw_quantity_find(). */
 #include "experiments/measures/quantity.h"
 
 #include <string.h>

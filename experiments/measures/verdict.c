@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* verdict.c - statistics of a series, held against what is expected. Keeps no state. */
+/* verdict.c - statistics of a series, held against what is expected. Keeps no state. Start
+ * reading at fw_verdict_of(). */
 #include "experiments/measures/verdict.h"
 
 #include "core/averages.h"

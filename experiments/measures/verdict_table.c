@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* verdict_table.c - several verdicts, and their table for people. Keeps no state. */
+/* verdict_table.c - several verdicts, and their table for people. Keeps no state. Start reading
+ * at fw_verdicts_print(). */
 #include "experiments/measures/verdict.h"
 #include "experiments/text/terminal.h"
 #include "experiments/text/text.h"

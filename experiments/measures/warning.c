@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* warning.c - warnings of a run. State: what was said already, and the lines. */
+/* warning.c - warnings of a run. State: what was said already, and the lines. Start reading at
+ * fw_warning_look(). */
 #include "experiments/measures/warning.h"
 
 #include "experiments/setup/overlap.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* plot_result.c - a results folder, opened for drawing, and its frames as views.
  * Invariant: bodies of the file and bodies of the scenario in it are the same, in the same order.
- * Start reading at fw_plot_result_open(). */
+ * State: fw_plot_result, whose frame is the one loaded last. Start reading at
+ * fw_plot_result_open(). */
 #include "plot_parts.h"
 
 #include "core/array.h"

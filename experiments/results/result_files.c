@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* result_files.c - names of files, and what they begin with. Keeps no state. */
+/* result_files.c - names of files, and what they begin with. Keeps no state. Start reading at
+ * fw_result_file_is_ours(). */
 #include "experiments/results/result_files.h"
 
 #include "experiments/results/checkpoint.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* trajectory_rows.c - frames, samples and the end of a results file. State and invariant: see
- * trajectory.c. */
+ * trajectory.c. Start reading at fw_trajectory_write_frame(). */
 #include "experiments/results/provenance.h"
 #include "trajectory_head.h"
 #include "trajectory_layout.h"

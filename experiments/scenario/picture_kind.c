@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* picture_kind.c - the rows of picture_kind.h as a table. */
+/* picture_kind.c - the rows of picture_kind.h as a table. Keeps no state. */
 #include "experiments/scenario/picture_kind.h"
 
 #include <string.h>

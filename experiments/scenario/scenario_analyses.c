@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_analyses.c - what a scenario has computed without running. Keeps no state. */
+/* scenario_analyses.c - what a scenario has computed without running. Keeps no state. Start
+ * reading at fw_scenario_read_analyses(). */
 #include "scenario_parts.h"
 
 #include <string.h>

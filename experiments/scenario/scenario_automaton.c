@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_automaton.c - elastic automata of a scenario: their materials, and what their bodies may
- * have. Keeps no state. */
+/* scenario_automaton.c - elastic automata of a scenario: their materials, and what their bodies
+ * may have. Keeps no state. Start reading at fw_scenario_read_automaton(). */
 #include "core/lattice.h"
 #include "scenario_parts.h"
 

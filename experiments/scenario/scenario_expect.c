@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_expect.c - what a scenario expects. Keeps no state. */
+/* scenario_expect.c - what a scenario expects. Keeps no state. Start reading at
+ * fw_scenario_read_expectations(). */
 #include "scenario_parts.h"
 
 #include <string.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_forces.c - external forces of a scenario. Keeps no state. */
+/* scenario_forces.c - external forces of a scenario. Keeps no state. Start reading at
+ * fw_scenario_read_forces(). */
 #include "scenario_parts.h"
 
 static const fw_key force_keys[] = {

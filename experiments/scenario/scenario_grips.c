@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_grips.c - what drives grips and pistons, and the grips of a scenario. Keeps no state. */
+/* scenario_grips.c - what drives grips and pistons, and the grips of a scenario. Keeps no state.
+ * Start reading at fw_scenario_read_grips(). */
 #include "scenario_parts.h"
 
 static const fw_key grip_keys[] = {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_materials.c - the table of materials, and those of a scenario. Keeps no state. */
+/* scenario_materials.c - the table of materials, and those of a scenario. Keeps no state. Start
+ * reading at fw_scenario_read_materials(). */
 #include "scenario_parts.h"
 
 #include <string.h>

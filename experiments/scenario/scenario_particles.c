@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_particles.c - materials of movable particles. Keeps no state. */
+/* scenario_particles.c - materials of movable particles. Keeps no state. Start reading at
+ * fw_scenario_read_particles(). */
 #include "scenario_parts.h"
 
 #include <math.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_patterns.c - what single sites and links of a body start with. Keeps no state. */
+/* scenario_patterns.c - what single sites and links of a body start with. Keeps no state. Start
+ * reading at fw_scenario_read_patterns(). */
 #include "core/automaton/automaton_dispersion.h"
 #include "scenario_parts.h"
 

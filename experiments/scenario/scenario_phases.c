@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_phases.c - phases of a scenario. Keeps no state. */
+/* scenario_phases.c - phases of a scenario. Keeps no state. Start reading at
+ * fw_scenario_read_phases(). */
 #include "scenario_parts.h"
 
 #include <string.h>

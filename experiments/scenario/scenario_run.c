@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_run.c - how a run goes: dynamics, length, what is recorded. Keeps no state. */
+/* scenario_run.c - how a run goes: dynamics, length, what is recorded. Keeps no state. Start
+ * reading at fw_scenario_complete_run(). */
 #include "scenario_parts.h"
 
 static const fw_key dynamics_keys[] = {

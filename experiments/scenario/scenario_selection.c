@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_selection.c - which sites of a body are meant. Keeps no state. */
+/* scenario_selection.c - which sites of a body are meant. Keeps no state. Start reading at
+ * fw_scenario_read_selection(). */
 #include "scenario_parts.h"
 
 #include <stdlib.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_shapes.c - which sites a body occupies: the table of shapes. Keeps no state.
  * Invariant: reading a scenario never makes the sites of a rectangle or disc, so that it takes no
- * longer than its text deserves, however large the body. */
+ * longer than its text deserves, however large the body. Start reading at
+ * fw_scenario_read_shape(). */
 #include "experiments/text/text.h"
 #include "scenario_parts.h"
 

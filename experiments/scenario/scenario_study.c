@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_study.c - profile and study of a scenario. Keeps no state. */
+/* scenario_study.c - profile and study of a scenario. Keeps no state. Start reading at
+ * fw_scenario_read_study(). */
 #include "scenario_parts.h"
 
 static const fw_key profile_keys[] = {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenario_walls.c - walls of a scenario. Keeps no state. */
+/* scenario_walls.c - walls of a scenario. Keeps no state. Start reading at
+ * fw_scenario_read_walls(). */
 #include "contact/geometry/shape.h"
 #include "scenario_parts.h"
 

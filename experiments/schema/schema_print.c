@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* schema_print.c - the table in words: what a sentence says was expected, and the reference.
- * Keeps no state. */
+ * Keeps no state. Start reading at append_forms(). */
 #include "experiments/schema/schema.h"
 #include "experiments/text/text.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* schema_walk.c - every key by its whole path. Keeps no state. */
+/* schema_walk.c - every key by its whole path. Keeps no state. Start reading at fw_schema_walk().
+ */
 #include "experiments/schema/schema.h"
 
 #include <string.h>

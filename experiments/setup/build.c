@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* build.c - what the builders of all models share: starting values per site. Keeps no state. */
+/* build.c - what the builders of all models share: starting values per site. Keeps no state.
+ * Start reading at fw_build_patterns(). */
 #include "experiments/setup/build.h"
 
 #include "core/noise.h"

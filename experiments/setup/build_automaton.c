@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* build_automaton.c - elastic automata from bodies of a scenario, and the modes they start with.
- * Keeps no state. */
+ * Keeps no state. Start reading at fw_build_automaton(). */
 #include "experiments/setup/build_automaton.h"
 
 #include "experiments/setup/build.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* build_boltzmann.c - LB solids from bodies of a scenario. Keeps no state. */
+/* build_boltzmann.c - LB solids from bodies of a scenario. Keeps no state. Start reading at
+ * fw_build_boltzmann(). */
 #include "experiments/setup/build.h"
 #include "experiments/setup/solids.h"
 

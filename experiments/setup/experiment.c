@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* experiment.c - from plain data to solids, walls and loads. Start at fw_experiment_create(). */
+/* experiment.c - from plain data to solids, walls and loads. State: fw_experiment, made once and
+ * then stepped. Start reading at fw_experiment_create(). */
 #include "experiments/setup/experiment.h"
 
 #include "core/noise.h"

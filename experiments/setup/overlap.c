@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overlap.c - particles of two bodies at one place: those in the common part of both frames, sorted
- * along x, each compared with the few that follow it closely. Keeps no state. */
+/* overlap.c - particles of two bodies at one place: those in the common part of both frames,
+ * sorted along x, each compared with the few that follow it closely. Keeps no state. Start
+ * reading at fw_overlap_find(). */
 #include "experiments/setup/overlap.h"
 
 #include <math.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* manifest.c - names and checksums of files. Keeps no state between calls; the payload of the file
- * is a row of entries. An entry comes before its file and stays: whenever the process ends, a file
- * of that name is either the earlier or the later one, and both are known. */
+/* manifest.c - names and checksums of files. Keeps no state between calls; the payload of the
+ * file is a row of entries. An entry comes before its file and stays: whenever the process ends,
+ * a file of that name is either the earlier or the later one, and both are known. Start reading
+ * at fw_manifest_enter(). */
 #include "experiments/storage/manifest.h"
 
 #include "experiments/storage/checksum.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* file_plan.c - bodies, fields, observables and arrays of a results file, as an experiment has
- * them. Start reading at fw_file_plan_make(). */
+ * them. Keeps no state. Start reading at fw_file_plan_make(). */
 #include "file_plan.h"
 
 #include "experiments/measures/profile_table.h"

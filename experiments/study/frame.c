@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* frame.c - a frame's numbers, from whole solids to bodies. Start reading at fw_frame_fill(). */
+/* frame.c - a frame's numbers, from whole solids to bodies. State: fw_frame, arrays for the frame
+ * at hand. Start reading at fw_frame_fill(). */
 #include "frame.h"
 
 #include "core/array.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* interrupt.c - the only changeable globals of the program: a signal handler has nowhere else to
- * leave its note. */
+/* interrupt.c - signals that end a run at the next step.
+ * State: the only changeable globals of the program, since a signal handler has nowhere else to
+ * leave its note. Start reading at note(). */
 #include "experiments/study/interrupt.h"
 
 #include <signal.h>

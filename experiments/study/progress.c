@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* progress.c - the progress line. State: the caller's. */
+/* progress.c - the progress line. State: the caller's. Start reading at fw_progress_add(). */
 #include "experiments/study/progress.h"
 
 #include "experiments/text/terminal.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* recorder.c - frames, rows and checkpoints of a run.
- * State: counters of what was written; they are part of each checkpoint. Invariant: rows and frames
- * that a checkpoint counts are on disk before it is. */
+ * State: counters of what was written; they are part of each checkpoint. Invariant: rows and
+ * frames that a checkpoint counts are on disk before it is. Start reading at
+ * fw_recorder_create(). */
 #include "experiments/study/recorder.h"
 
 #include "experiments/results/checkpoint.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* summary.c - verdicts over seeds as comma-separated values. Keeps no state. */
+/* summary.c - verdicts over seeds as comma-separated values. Keeps no state. Start reading at
+ * fw_summary_write(). */
 #include "summary.h"
 
 #include "experiments/storage/csv.h"

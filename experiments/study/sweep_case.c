@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_case.c - one case.
- * Invariant: a case is finished when its results file is, which is the last that its study writes.
- * Start reading at fw_sweep_case_complete(). */
+ * Invariant: a case is finished when its results file is, which is the last that its study
+ * writes. State: fw_sweep_case, the caller's. Start reading at fw_sweep_case_complete(). */
 #include "sweep_case.h"
 
 #include "experiments/results/playback.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_outcome.c - the cases side by side: their numbers as a table, and how they change.
- * Keeps no state. */
+ * Keeps no state. Start reading at fw_sweep_outcome_table(). */
 #include "sweep_outcome.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* document_print.c - a tree written out as YAML again: short lists and mappings on one line,
- * longer ones indented. Keeps no state. */
+ * longer ones indented. Keeps no state. Start reading at fw_document_print(). */
 #include "experiments/text/document.h"
 
 #include <errno.h>
