@@ -87,6 +87,15 @@ fw_status fw_langevin_check_heat(const fw_solid *solid, const fw_langevin_contro
 fw_status fw_langevin_set_bath(fw_solid *solid, double damping, double temperature,
                                fw_error *error);
 
+/* The operations of fw_solid_model that all solids with an fw_langevin have alike. */
+#define FW_LANGEVIN_OPERATIONS                                                                     \
+    .ticks_per_step = 1, .predict = fw_langevin_predict, .advance = fw_langevin_advance,           \
+    .carry = fw_langevin_carry, .momentum = fw_langevin_momentum,                                  \
+    .angular_momentum = fw_langevin_angular_momentum,                                              \
+    .centre_of_mass = fw_langevin_centre_of_mass, .mass = fw_langevin_mass,                        \
+    .velocities = fw_langevin_velocities, .masses = fw_langevin_masses,                            \
+    .reverse = fw_langevin_reverse
+
 /* Operations of fw_solid_model, for solids that embed fw_langevin. */
 void fw_langevin_predict(const fw_solid *solid, const int *particles, int count,
                          fw_prediction *out);

@@ -174,21 +174,11 @@ static const fw_field fields[] = {
 
 const fw_solid_model fw_linear_lattice_model = {
     .name = "linear-lattice",
-    .ticks_per_step = 1,
+    FW_LANGEVIN_OPERATIONS,
     .destroy = destroy,
-    .predict = fw_langevin_predict,
-    .advance = fw_langevin_advance,
-    .carry = fw_langevin_carry,
     .energies = energies,
-    .momentum = fw_langevin_momentum,
-    .angular_momentum = fw_langevin_angular_momentum,
-    .centre_of_mass = fw_langevin_centre_of_mass,
-    .mass = fw_langevin_mass,
-    .velocities = fw_langevin_velocities,
-    .masses = fw_langevin_masses,
     .state = fw_langevin_state,
     .restored = fw_langevin_restored,
-    .reverse = fw_langevin_reverse,
     .fields = fields,
 };
 

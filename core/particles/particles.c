@@ -92,21 +92,11 @@ static fw_status restored(fw_solid *solid, fw_error *error)
 
 const fw_solid_model fw_particles_model = {
     .name = "movable-particles",
-    .ticks_per_step = 1,
+    FW_LANGEVIN_OPERATIONS,
     .destroy = destroy,
-    .predict = fw_langevin_predict,
-    .advance = fw_langevin_advance,
-    .carry = fw_langevin_carry,
     .energies = energies,
-    .momentum = fw_langevin_momentum,
-    .angular_momentum = fw_langevin_angular_momentum,
-    .centre_of_mass = fw_langevin_centre_of_mass,
-    .mass = fw_langevin_mass,
-    .velocities = fw_langevin_velocities,
-    .masses = fw_langevin_masses,
     .state = state,
     .restored = restored,
-    .reverse = fw_langevin_reverse,
     .fields = fw_particle_fields,
 };
 

@@ -3,8 +3,6 @@
 #include "experiments/measures/quantity.h"
 #include "experiments/setup/body_range.h"
 
-#include "core/boltzmann/lb_solid.h"
-
 #include <math.h>
 
 static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subject)
@@ -360,7 +358,7 @@ const fw_quantity fw_common_quantities[] = {
     {"kinetic-fraction", FW_SCOPE_BODY, "", "1", "energy of the motion of the centre of mass over all energy", NULL, kinetic_fraction, "the body has no energy", FW_NEEDS_NOTHING},
     {"momentum", FW_SCOPE_BODIES, "x y", "momentum", "sum over all particles", NULL, momentum, NULL, FW_NEEDS_NOTHING},
     {"momentum-error", FW_SCOPE_BODIES, "x y", "momentum", "momentum minus what the ledger of impulses says; of one body only while it meets no wall", NULL, momentum_error, NULL, FW_NEEDS_NOTHING},
-    {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", "lattice-boltzmann movable-particles linear-lattice", angular_momentum, NULL, FW_NEEDS_NOTHING},
+    {"angular-momentum", FW_SCOPE_BODY, "", "angular momentum", "about the origin of the coordinates", NULL, angular_momentum, NULL, FW_NEEDS_NOTHING},
     {"momentum-ratio", FW_SCOPE_BODIES, "", "1", "size of the momentum over that at the start", NULL, momentum_ratio, "it started without momentum, but for rounding", FW_NEEDS_NOTHING},
     {"mean-velocity", FW_SCOPE_BODY, "x y", "length/time", "momentum over mass, both of the whole body", NULL, mean_velocity, NULL, FW_NEEDS_NOTHING},
     {"external-work", FW_SCOPE_SCENE, "", "energy", "work of all external forces since the start", NULL, external_work, NULL, FW_NEEDS_NOTHING},

@@ -4,8 +4,7 @@
 #include "experiments/measures/quantity.h"
 #include "experiments/setup/body_range.h"
 
-#include "core/particles/linear_lattice.h"
-#include "core/particles/particles.h"
+#include "core/particles/langevin.h"
 
 #include <math.h>
 
