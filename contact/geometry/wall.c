@@ -3,7 +3,7 @@
  * State: a copy of the definition, and its facets; nothing changes after creation, displacements
  * are a pure function of time.
  * Start reading at fw_wall_create(). */
-#include "contact/geometry/shape.h"
+#include "contact/geometry/wall.h"
 
 #include <assert.h>
 #include <math.h>
@@ -38,7 +38,7 @@ fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_e
     if (!made) return fw_fail_memory(error, "a wall");
     const size_t point_count = (size_t)def->point_count;
     made->def = *def;
-    made->facet_count = fw_shape_of(def)->facet_count(def);
+    made->facet_count = fw_wall_shape_of(def)->facet_count(def);
     made->name = strdup(def->name ? def->name : "");
     made->points = malloc(point_count * sizeof *made->points);
     made->facets = malloc((size_t)made->facet_count * sizeof *made->facets);
@@ -52,8 +52,8 @@ fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_e
     const fw_path *path = &def->path;
     made->moves = ((path->velocity.x != 0 || path->velocity.y != 0) && path->until > path->from) ||
                   path->amplitude.x != 0 || path->amplitude.y != 0;
-    fw_shape_of(def)->build(&made->def, index, hypot(path->amplitude.x, path->amplitude.y),
-                            made->facets);
+    fw_wall_shape_of(def)->build(&made->def, index, hypot(path->amplitude.x, path->amplitude.y),
+                                 made->facets);
     *wall = made;
     return FW_OK;
 }
@@ -157,7 +157,7 @@ static double depth_behind_chain(const fw_wall *wall, fw_vec2 point, double away
 double fw_wall_depth(const fw_wall *wall, fw_vec2 point, fw_vec2 place)
 {
     const fw_vec2 from = fw_vec2_subtract(point, place); /* in the wall's frame */
-    if (!fw_shape_of(&wall->def)->sided)
+    if (!fw_wall_shape_of(&wall->def)->sided)
         return depth_behind_chain(wall, from, fmax(fabs(place.x), fabs(place.y)));
     /* Free inside a convex shape: in front of all facets; outside: in front of any. */
     const bool inside = wall->def.side == FW_INSIDE;

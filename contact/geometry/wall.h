@@ -8,6 +8,7 @@
 
 #include "contact/geometry/facet.h"
 #include "contact/geometry/path.h"
+#include "contact/geometry/wall_shape.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
@@ -34,23 +35,25 @@ typedef struct fw_surface {
     double stiffness; /* of a penalty wall, force per length, > 0 */
 } fw_surface;
 
-typedef enum fw_wall_shape { FW_BOX, FW_CHAIN, FW_POLYGON, FW_CIRCLE } fw_wall_shape;
-
 /* Plain data that describes a wall; start from fw_wall_def_default(). */
-typedef struct fw_wall_def {
+struct fw_wall_def {
     const char *name; /* copied */
-    fw_wall_shape shape;
-    fw_side side;          /* of boxes, polygons and circles; a chain is free to its left, walking
-                              from its first point to its last */
-    const fw_vec2 *points; /* box: two opposite corners; chain: its points; polygon: its corners,
-                              convex, in either sense; circle: its centre */
+    fw_wall_shape_kind shape;
+    fw_side side; /* of a shape that has an inside; any other, a chain, is free to its left,
+                     walking from its first point to its last */
+    const fw_vec2 *points; /* as the row of the shape says; a polygon's corners in either sense */
     int point_count;
     bool closed;   /* a chain with one more segment, from its last point to its first */
     double radius; /* of a circle */
     fw_surface surface;
     fw_path path;
     bool driven; /* somebody else says where it is: see piston.h; without a path */
-} fw_wall_def;
+};
+
+static inline const fw_wall_shape *fw_wall_shape_of(const fw_wall_def *def)
+{
+    return &fw_wall_shapes[def->shape];
+}
 
 /* A frictionless, resting box [0,0]-[1,1], free inside. */
 fw_wall_def fw_wall_def_default(void);

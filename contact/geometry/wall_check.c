@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wall_check.c - what a wall's definition must fulfil before anything is built from it: Box2D would
  * abort on some of it, and a facet without a direction could bar nothing. The rules of each shape
- * are in shape.c. Keeps no state. Start reading at fw_wall_def_check(). */
-#include "contact/geometry/shape.h"
+ * are in wall_shape.c. Keeps no state. Start reading at fw_wall_def_check(). */
+#include "contact/geometry/wall.h"
 
 #include <math.h>
 
@@ -27,7 +27,7 @@ static fw_status check_number(const fw_wall_def *def, const char *what, double v
 
 static fw_status check_points(const fw_wall_def *def, fw_error *error)
 {
-    const fw_shape *shape = fw_shape_of(def);
+    const fw_wall_shape *shape = fw_wall_shape_of(def);
     if (def->point_count < shape->least || (shape->most > 0 && def->point_count > shape->most))
         return fw_fail(error, FW_BAD_INPUT, "wall '%s': a %s of %d point%s, expected %s",
                        name_of(def), shape->word, def->point_count,
@@ -55,11 +55,11 @@ static fw_status check_surface(const fw_wall_def *def, fw_error *error)
                        "wall '%s': the stiffness of a penalty wall is %g, expected a finite "
                        "number > 0",
                        name_of(def), surface->stiffness);
-    if (surface->law == FW_PENALTY && !fw_shape_of(def)->sided)
+    if (surface->law == FW_PENALTY && !fw_wall_shape_of(def)->sided)
         return fw_fail(error, FW_BAD_INPUT,
                        "wall '%s' is a %s and has a penalty, expected a box, polygon or circle: "
                        "behind a %s there is no inside where its spring could act",
-                       name_of(def), fw_shape_of(def)->word, fw_shape_of(def)->word);
+                       name_of(def), fw_wall_shape_of(def)->word, fw_wall_shape_of(def)->word);
     return FW_OK;
 }
 
@@ -94,7 +94,7 @@ static fw_status check_path(const fw_wall_def *def, fw_error *error)
 fw_status fw_wall_def_check(const fw_wall_def *def, fw_error *error)
 {
     FW_TRY(check_points(def, error));
-    FW_TRY(fw_shape_of(def)->check(def, error));
+    FW_TRY(fw_wall_shape_of(def)->check(def, error));
     FW_TRY(check_surface(def, error));
     return check_path(def, error);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_make.c - making a scene, its state, and putting it back to a saved one. State: that of
  * scene_parts.h. Start reading at fw_scene_begin(). */
-#include "contact/geometry/shape.h"
+#include "contact/geometry/wall.h"
 #include "scene_parts.h"
 
 #include <math.h>
@@ -262,7 +262,7 @@ static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, f
                        "body %s starts in wall %s: particle %d at (%g, %g) lies %g behind "
                        "its surface, expected all particles on the free side%s",
                        body->name, fw_wall_name(wall), deepest, at.x, at.y, most,
-                       fw_shape_of(fw_wall_definition(wall))->sided
+                       fw_wall_shape_of(fw_wall_definition(wall))->sided
                            ? ""
                            : ", which is to the left of the way along a chain");
     }

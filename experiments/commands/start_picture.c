@@ -11,8 +11,8 @@
 typedef struct first_frame {
     fw_view_body *bodies;
     fw_outline *walls;
-    fw_vec2 (*corners)[FW_SHAPE_CORNERS]; /* per wall */
-    int **links;                          /* per body */
+    fw_vec2 (*corners)[FW_WALL_CORNERS_MAX]; /* per wall */
+    int **links;                             /* per body */
 } first_frame;
 
 static void release_frame(first_frame *frame, int bodies)

@@ -20,7 +20,7 @@ typedef struct fw_plot_result {
     int *links;              /* pairs of particles, numbered within their body, body by body */
     int *link_first;         /* per body: number of its first link; one more for the end */
     fw_wall **walls;
-    fw_vec2 (*corners)[FW_SHAPE_CORNERS]; /* per wall: those of a box */
+    fw_vec2 (*corners)[FW_WALL_CORNERS_MAX]; /* per wall: those of a box */
     double *
         *piston_paths; /* per wall: x and y of its displacement, per sample; NULL: on its path */
     int64_t *sample_steps;
@@ -66,8 +66,8 @@ typedef struct fw_plot_picture {
 
 /* --- what is found before anything is drawn --- */
 
-/* The paths of the centres of mass from the first frame shown to the last one (up to it, where it is
- * the only one), of the bodies whose centre moves. */
+/* The paths of the centres of mass from the first frame shown to the last one (up to it, where it
+ * is the only one), of the bodies whose centre moves. */
 typedef struct fw_plot_paths {
     int count;
     fw_figure_path *path;

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_walls.c - walls of a scenario. Keeps no state. Start reading at
  * fw_scenario_read_walls(). */
-#include "contact/geometry/shape.h"
+#include "contact/geometry/wall.h"
 #include "scenario_parts.h"
-
-#include <assert.h>
 
 static const fw_key surface_keys[] = {
     {"coulomb", FW_FORM_NUMBER, ALTERNATIVE, FROM_TO(0, 1000), NOT_STORED,
@@ -68,18 +66,30 @@ static const fw_word surface_words[] = {{"frictionless", FW_FRICTIONLESS},
                                         {"componentwise", FW_COMPONENTWISE},
                                         {NULL, 0}};
 
+/* As large as the most numbers that a shape is given with, and one more. */
+#define SHAPE_NUMBERS(id, word, low, high, expected, numbers, ...) double word[(numbers) + 1];
+union shape_numbers {
+    FW_WALL_SHAPE_ROWS(SHAPE_NUMBERS)
+};
+
+/* A key for each shape: so many numbers, or a list of points. */
+#define SHAPE_KEY(id, word, low, high, expected, numbers, written, what, sided, corners)           \
+    {{.name = #word,                                                                               \
+      .forms = (numbers) ? FW_FORM_NUMBERS : FW_FORM_LIST,                                         \
+      .items = (numbers) ? 0 : FW_FORM_NUMBERS,                                                    \
+      .layout = written,                                                                           \
+      .least = (numbers) ? 0 : (low),                                                              \
+      .most = (numbers) ? 0 : POINTS_MAX,                                                          \
+      ALTERNATIVE,                                                                                 \
+      NOT_STORED,                                                                                  \
+      .unit = "length",                                                                            \
+      .meaning = what}},
+enum { POINTS_MAX = 65536 };
+static const struct {
+    fw_key key;
+} shape_keys[] = {FW_WALL_SHAPE_ROWS(SHAPE_KEY)};
+
 static const fw_key wall_keys[] = {
-    {"box", FW_FORM_NUMBERS, .layout = "[x0, y0, x1, y1]", ALTERNATIVE, NOT_STORED,
-     .unit = "length", .meaning = "two opposite corners"},
-    {"polygon", FW_FORM_LIST, .items = FW_FORM_NUMBERS, .layout = "[x, y]", .least = 3,
-     .most = 65536, ALTERNATIVE, NOT_STORED, .unit = "length",
-     .meaning = "corners in order; must be convex"},
-    {"circle", FW_FORM_NUMBERS, .layout = "[x, y, radius]", ALTERNATIVE, NOT_STORED,
-     .unit = "length", .meaning = "centre and radius"},
-    {"chain", FW_FORM_LIST, .items = FW_FORM_NUMBERS, .layout = "[x, y]", .least = 2, .most = 65536,
-     ALTERNATIVE, NOT_STORED, .unit = "length",
-     .meaning = "straight pieces from point to point; particles are free to the left of the way "
-                "along it, and pass from behind"},
     {"closed", AT_FLAG(fw_scenario_wall, def.closed), .needs = "chain", .default_value = "false",
      .meaning = "the chain returns to its first point"},
     {"side", AT_WORD(fw_scenario_wall, def.side),
@@ -100,15 +110,15 @@ static const fw_key wall_keys[] = {
 const fw_section fw_wall_section = {
     "`walls.NAME`", "a wall",
     "A rigid wall, at rest, on a prescribed path, or with a mass that forces move.",
-    .keys = wall_keys};
+    .keys = wall_keys, FW_ROWS(shape_keys)};
 
 /* The shape that the wall has, and where that is written. */
-static const fw_node *find_geometry(const fw_node *wall, fw_wall_shape *shape)
+static const fw_node *find_geometry(const fw_node *wall, fw_wall_shape_kind *shape)
 {
     const fw_node *found = NULL;
-    for (int n = 0; n < FW_SHAPES && !found; ++n) {
-        found = fw_node_find(wall, fw_shapes[n].word);
-        *shape = (fw_wall_shape)n;
+    for (int n = 0; n < FW_WALL_SHAPES && !found; ++n) {
+        found = fw_node_find(wall, fw_wall_shapes[n].word);
+        *shape = (fw_wall_shape_kind)n;
     }
     return found;
 }
@@ -129,10 +139,9 @@ static fw_status read_geometry(const fw_scenario *scenario, const fw_node *node,
                                fw_error *error)
 {
     const fw_node *given = find_geometry(node, &def->shape);
-    const fw_shape *shape = fw_shape_of(def);
-    double values[2 * FW_SHAPE_CORNERS];
+    const fw_wall_shape *shape = fw_wall_shape_of(def);
+    double values[sizeof(union shape_numbers) / sizeof(double)];
     fw_vec2 *points;
-    assert(shape->numbers <= 2 * FW_SHAPE_CORNERS);
     if (shape->numbers == 0) return read_points(scenario, given, def, error);
     fw_node_numbers(given, values);
     def->point_count = shape->numbers / 2;
@@ -192,12 +201,13 @@ static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenar
     FW_TRY(read_geometry(scenario, node, def, error));
     def->surface = read_surface(fw_node_find(node, "surface"));
     const fw_node *side = fw_node_find(node, "side");
-    if (side && !fw_shape_of(def)->sided)
+    if (side && !fw_wall_shape_of(def)->sided)
         return fw_scenario_fail(scenario, side->key_place, error,
                                 "walls.%s has both '%s' and 'side'; a %s is free to the left of "
                                 "the way along it, so turn its points round instead",
-                                node->key, fw_shape_of(def)->word, fw_shape_of(def)->word);
-    fw_wall_shape shape;
+                                node->key, fw_wall_shape_of(def)->word,
+                                fw_wall_shape_of(def)->word);
+    fw_wall_shape_kind shape;
     FW_TRY(fw_scenario_fail_again(scenario, find_geometry(node, &shape)->place,
                                   fw_wall_def_check(def, error), error));
     return read_piston(scenario, node, wall, error);

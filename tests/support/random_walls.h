@@ -83,7 +83,7 @@ static inline void random_wall(wall_recipe *recipe, dice *d, fw_vec2 centre, dou
     fw_wall_def *def = &recipe->def;
     *def = fw_wall_def_default();
     def->points = recipe->points;
-    def->shape = (fw_wall_shape)dice_below(d, 4);
+    def->shape = (fw_wall_shape_kind)dice_below(d, FW_WALL_SHAPES);
     def->side = (fw_side)dice_below(d, 2);
     switch (def->shape) {
     case FW_BOX: {

@@ -38,8 +38,8 @@ static void add_sheet(fw_scene *scene, int columns, int rows, fw_vec2 origin, fw
     fw_sites_clear(&sites);
 }
 
-static fw_wall_def soft_wall(fw_wall_shape shape, const fw_vec2 *points, int count, double radius,
-                             fw_side side, double stiffness)
+static fw_wall_def soft_wall(fw_wall_shape_kind shape, const fw_vec2 *points, int count,
+                             double radius, fw_side side, double stiffness)
 {
     fw_wall_def def = fw_wall_def_default();
     def.name = "soft";

@@ -108,7 +108,7 @@ static void senseless_shapes_are_refused_with_a_sentence(void **state)
 {
     (void)state;
     const struct {
-        fw_wall_shape shape;
+        fw_wall_shape_kind shape;
         int count;
         fw_vec2 points[6];
         bool closed;

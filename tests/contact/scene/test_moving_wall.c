@@ -11,7 +11,7 @@ static const fw_vec2 triangle[] = {{-30, -10}, {-20, 0}, {-30, 20}};
 static const fw_vec2 middle[] = {{-30, 5}};
 
 typedef struct shape {
-    fw_wall_shape shape;
+    fw_wall_shape_kind shape;
     fw_side side;
     const fw_vec2 *points;
     int point_count;

@@ -19,7 +19,7 @@ static fw_scene *scene_of(fw_solid *solid)
     return scene;
 }
 
-static void add_wall(fw_scene *scene, fw_wall_shape shape, const fw_vec2 *points, int count,
+static void add_wall(fw_scene *scene, fw_wall_shape_kind shape, const fw_vec2 *points, int count,
                      double radius, fw_path path)
 {
     fw_wall_def def = fw_wall_def_default();
@@ -128,7 +128,7 @@ static void disc_bounces_with_verlets_energy(void **state)
     const fw_vec2 kite[] = {{-9, -4}, {31, -7}, {27, 25}, {-4, 31}};
     const fw_vec2 centre[] = {{12, 12}};
     const struct {
-        fw_wall_shape shape;
+        fw_wall_shape_kind shape;
         const fw_vec2 *points;
         int count;
         double radius, depth;

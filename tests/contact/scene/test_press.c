@@ -4,7 +4,7 @@
 
 static const fw_surface rough = {.law = FW_COULOMB, .friction = 0.3};
 
-static void add_piston(fw_scene *scene, fw_wall_shape shape, const fw_vec2 *points, int count,
+static void add_piston(fw_scene *scene, fw_wall_shape_kind shape, const fw_vec2 *points, int count,
                        double radius, fw_surface surface, const fw_piston_def *def)
 {
     fw_wall_def wall = fw_wall_def_default();

@@ -2,7 +2,7 @@
 /* test_scene.c - LB bodies against walls: exact energy, no penetration, friction's closed forms. */
 #include "tests/support/scenes.h"
 
-static void add_wall(fw_scene *scene, fw_wall_shape shape, const fw_vec2 *points, int count,
+static void add_wall(fw_scene *scene, fw_wall_shape_kind shape, const fw_vec2 *points, int count,
                      double radius, fw_side side, fw_surface surface)
 {
     fw_wall_def def = fw_wall_def_default();

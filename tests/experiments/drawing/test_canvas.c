@@ -140,7 +140,7 @@ static void assert_forbidden(const fw_wall_def *def, fw_vec2 place, bool forbidd
     fw_canvas *canvas = canvas_of(100, 100);
     fw_panel panel = panel_on(canvas);
     /* Far off, and back again by the displacement. */
-    fw_vec2 corners[FW_SHAPE_CORNERS];
+    fw_vec2 corners[FW_WALL_CORNERS_MAX];
     fw_outline wall = fw_wall_outline(def, corners);
     wall.displacement = (fw_vec2){1, 2};
     const fw_view view = {.walls = &wall, .wall_count = 1};

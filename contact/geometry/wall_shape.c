@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* shape.c - the table of wall shapes. Keeps no state. Invariant: every straight facet is free to
- * its left. Start reading at fw_shapes. */
-#include "contact/geometry/shape.h"
+/* wall_shape.c - what the shapes of walls do: of each its check_, count_, build_ and outline_.
+ * Keeps no state. Invariant: every straight facet is free to its left. Start reading at
+ * fw_wall_shapes. */
+#include "contact/geometry/wall.h"
 
 #include <float.h>
 #include <math.h>
@@ -44,14 +45,14 @@ static fw_status check_box(const fw_wall_def *def, fw_error *error)
                    name_of(def), p.x, p.y, q.x, q.y);
 }
 
-static int count_four(const fw_wall_def *def)
+static int count_box(const fw_wall_def *def)
 {
     (void)def;
     return 4;
 }
 
 /* Counter-clockwise. */
-static fw_shape_outline outline_box(const fw_wall_def *def, fw_vec2 corners[FW_SHAPE_CORNERS])
+static fw_wall_line outline_box(const fw_wall_def *def, fw_vec2 corners[FW_WALL_CORNERS_MAX])
 {
     const fw_vec2 p = def->points[0], q = def->points[1];
     const fw_vec2 low = {fmin(p.x, q.x), fmin(p.y, q.y)}, high = {fmax(p.x, q.x), fmax(p.y, q.y)};
@@ -59,12 +60,12 @@ static fw_shape_outline outline_box(const fw_wall_def *def, fw_vec2 corners[FW_S
     corners[1] = (fw_vec2){high.x, low.y};
     corners[2] = high;
     corners[3] = (fw_vec2){low.x, high.y};
-    return (fw_shape_outline){.points = corners, .count = 4, .closed = true};
+    return (fw_wall_line){.points = corners, .count = 4, .closed = true};
 }
 
 static void build_box(const fw_wall_def *def, int wall, double swing, fw_facet *facets)
 {
-    fw_vec2 corners[FW_SHAPE_CORNERS];
+    fw_vec2 corners[FW_WALL_CORNERS_MAX];
     outline_box(def, corners);
     build_loop(def, wall, swing, corners, 4, true, facets);
 }
@@ -93,7 +94,7 @@ static fw_status check_chain(const fw_wall_def *def, fw_error *error)
     return check_loop(def, def->closed, error);
 }
 
-static int count_links(const fw_wall_def *def)
+static int count_chain(const fw_wall_def *def)
 {
     return def->point_count - !def->closed;
 }
@@ -101,15 +102,14 @@ static int count_links(const fw_wall_def *def)
 static void build_chain(const fw_wall_def *def, int wall, double swing, fw_facet *facets)
 {
     const fw_vec2 *p = def->points;
-    for (int i = 0; i < count_links(def); ++i)
+    for (int i = 0; i < count_chain(def); ++i)
         facets[i] = fw_facet_straight(wall, p[i], p[(i + 1) % def->point_count], swing);
 }
 
-static fw_shape_outline outline_chain(const fw_wall_def *def, fw_vec2 *corners)
+static fw_wall_line outline_chain(const fw_wall_def *def, fw_vec2 *corners)
 {
     (void)corners;
-    return (fw_shape_outline){
-        .points = def->points, .count = def->point_count, .closed = def->closed};
+    return (fw_wall_line){.points = def->points, .count = def->point_count, .closed = def->closed};
 }
 
 /* --- polygon --- */
@@ -164,7 +164,7 @@ static bool is_counter_clockwise(const fw_vec2 *corners, int count)
     return twice_area > 0;
 }
 
-static int count_corners(const fw_wall_def *def)
+static int count_polygon(const fw_wall_def *def)
 {
     return def->point_count;
 }
@@ -175,10 +175,10 @@ static void build_polygon(const fw_wall_def *def, int wall, double swing, fw_fac
                is_counter_clockwise(def->points, def->point_count), facets);
 }
 
-static fw_shape_outline outline_polygon(const fw_wall_def *def, fw_vec2 *corners)
+static fw_wall_line outline_polygon(const fw_wall_def *def, fw_vec2 *corners)
 {
     (void)corners;
-    return (fw_shape_outline){.points = def->points, .count = def->point_count, .closed = true};
+    return (fw_wall_line){.points = def->points, .count = def->point_count, .closed = true};
 }
 
 /* --- circle --- */
@@ -202,7 +202,7 @@ static fw_status check_circle(const fw_wall_def *def, fw_error *error)
     return FW_OK;
 }
 
-static int count_one(const fw_wall_def *def)
+static int count_circle(const fw_wall_def *def)
 {
     (void)def;
     return 1;
@@ -213,20 +213,13 @@ static void build_circle(const fw_wall_def *def, int wall, double swing, fw_face
     facets[0] = fw_facet_round(wall, def->points[0], def->radius, def->side, swing);
 }
 
-static fw_shape_outline outline_circle(const fw_wall_def *def, fw_vec2 *corners)
+static fw_wall_line outline_circle(const fw_wall_def *def, fw_vec2 *corners)
 {
     (void)corners;
-    return (fw_shape_outline){
-        .points = def->points, .count = 1, .radius = def->radius, .closed = true};
+    return (fw_wall_line){.points = def->points, .count = 1, .radius = def->radius, .closed = true};
 }
 
-const fw_shape fw_shapes[FW_SHAPES] = {
-    [FW_BOX] = {"box", 2, 2, "two opposite corners", 4, true, check_box, count_four, build_box,
-                outline_box},
-    [FW_CHAIN] = {"chain", 2, 0, "at least 2", 0, false, check_chain, count_links, build_chain,
-                  outline_chain},
-    [FW_POLYGON] = {"polygon", 3, 0, "at least 3", 0, true, check_polygon, count_corners,
-                    build_polygon, outline_polygon},
-    [FW_CIRCLE] = {"circle", 1, 1, "one, its centre", 3, true, check_circle, count_one,
-                   build_circle, outline_circle},
-};
+#define WALL_SHAPE(id, word, least, most, expected, numbers, layout, meaning, sided, corners)      \
+    [FW_##id] = {#word, least,        most,         expected,     numbers,                         \
+                 sided, check_##word, count_##word, build_##word, outline_##word},
+const fw_wall_shape fw_wall_shapes[FW_WALL_SHAPES] = {FW_WALL_SHAPE_ROWS(WALL_SHAPE)};
