@@ -5,127 +5,45 @@
 #include "lb_step.h"
 
 #include "lb_fracture.h"
+#include "lb_population_kernels.h"
 
 #include <math.h>
 
-/* What an inner loop has to do; constant where it is inlined, so each combination is a loop of its
- * own without branches. */
-typedef struct kernel {
-    bool resting, matrix, loaded, damped;
-} kernel;
-
-/* Where the four fields of particle `begin` of a full span lie. */
-typedef struct stream {
-    double *x[FW_DIRECTIONS], *y[FW_DIRECTIONS];
-} stream;
-
-static stream open_stream(const lb_solid *lb, const span *s)
+/* An array from an element on; NULL where there is none. */
+static double *from(double *array, int element)
 {
-    stream in;
+    return array ? array + element : NULL;
+}
+
+/* `count` particles of a full span from `begin` on. */
+static void relax_stretch(lb_solid *lb, const span *s, int begin, int count,
+                          fw_solid_ledger *ledger)
+{
+    const bool loaded = lb->head.loaded;
+    lb_population_arrays arrays = {
+        .rest_x = from(lb->rest_x, begin),
+        .rest_y = from(lb->rest_y, begin),
+        .x = lb->head.x + begin,
+        .y = lb->head.y + begin,
+        .force_x = loaded ? lb->head.external_x + begin : NULL,
+        .force_y = loaded ? lb->head.external_y + begin : NULL,
+        .inverse_xx = lb->inverse.xx + begin,
+        .inverse_xy = from(lb->inverse.xy, begin),
+        .inverse_yy = from(lb->inverse.yy, begin),
+        .rest_mass_xx = from(lb->rest_mass.xx, begin),
+        .rest_mass_xy = from(lb->rest_mass.xy, begin),
+        .rest_mass_yy = from(lb->rest_mass.yy, begin),
+        .mass_xx = lb->mass.xx + begin,
+        .mass_xy = from(lb->mass.xy, begin),
+        .mass_yy = from(lb->mass.yy, begin),
+    };
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
-        int slot = lb->parity == 0 ? d : fw_opposite(d);
-        int shift = lb->parity == 0 ? 0 : s->offset[d];
-        in.x[d] = lb->slot_x[slot] + shift;
-        in.y[d] = lb->slot_y[slot] + shift;
+        const int slot = lb->parity == 0 ? d : fw_opposite(d);
+        const int first = begin + (lb->parity == 0 ? 0 : s->offset[d]);
+        arrays.field_x[d] = lb->slot_x[slot] + first;
+        arrays.field_y[d] = lb->slot_y[slot] + first;
     }
-    return in;
-}
-
-/* Particles begin..end of a full span with kappa = 1. */
-static inline void relax_full(lb_solid *lb, const span *s, int begin, int end, kernel k,
-                              fw_solid_ledger *ledger)
-{
-    stream in = open_stream(lb, s);
-    double *restrict ex = in.x[FW_EAST], *restrict ey = in.y[FW_EAST];
-    double *restrict nx = in.x[FW_NORTH], *restrict ny = in.y[FW_NORTH];
-    double *restrict wx = in.x[FW_WEST], *restrict wy = in.y[FW_WEST];
-    double *restrict sx = in.x[FW_SOUTH], *restrict sy = in.y[FW_SOUTH];
-    double *restrict zx = lb->rest_x, *restrict zy = lb->rest_y;
-    double *restrict rx = lb->head.x, *restrict ry = lb->head.y;
-    const double *restrict fx = lb->head.external_x, *restrict fy = lb->head.external_y;
-    const double *restrict ixx = lb->inverse.xx, *restrict ixy = lb->inverse.xy,
-                           *restrict iyy = lb->inverse.yy;
-    const double *restrict zxx = lb->rest_mass.xx, *restrict zxy = lb->rest_mass.xy,
-                           *restrict zyy = lb->rest_mass.yy;
-    const double *restrict mxx = lb->mass.xx, *restrict mxy = lb->mass.xy,
-                           *restrict myy = lb->mass.yy;
-    const double mu = lb->mu;
-    const double loss = 2 * (1 / mu - 1);
-    double work = 0, dissipated = 0, impulse_x = 0, impulse_y = 0, drag_x = 0, drag_y = 0;
-#pragma omp simd reduction(+ : work, dissipated, impulse_x, impulse_y, drag_x, drag_y)
-    for (int l = begin; l < end; ++l) {
-        double px = (ex[l] + wx[l]) + (nx[l] + sx[l]);
-        double py = (ey[l] + wy[l]) + (ny[l] + sy[l]);
-        if (k.resting) {
-            px += k.matrix ? zxx[l] * zx[l] + zxy[l] * zy[l] : zxx[l] * zx[l];
-            py += k.matrix ? zxy[l] * zx[l] + zyy[l] * zy[l] : zxx[l] * zy[l];
-        }
-        if (k.loaded) {
-            px += 0.5 * fx[l];
-            py += 0.5 * fy[l];
-        }
-        double ux = k.matrix ? ixx[l] * px + ixy[l] * py : ixx[l] * px;
-        double uy = k.matrix ? ixy[l] * px + iyy[l] * py : ixx[l] * py;
-        if (k.matrix) { /* see refine() */
-            double ax = zxx[l] * ux + zxy[l] * uy, ay = zxy[l] * ux + zyy[l] * uy;
-            double qx = px - (0.5 * (zxx[l] * ax + zxy[l] * ay) + 2 * ux);
-            double qy = py - (0.5 * (zxy[l] * ax + zyy[l] * ay) + 2 * uy);
-            ux += ixx[l] * qx + ixy[l] * qy;
-            uy += ixy[l] * qx + iyy[l] * qy;
-        }
-        ux *= mu;
-        uy *= mu;
-        ex[l] = ux - ex[l];
-        ey[l] = uy - ey[l];
-        nx[l] = ux - nx[l];
-        ny[l] = uy - ny[l];
-        wx[l] = ux - wx[l];
-        wy[l] = uy - wy[l];
-        sx[l] = ux - sx[l];
-        sy[l] = uy - sy[l];
-        if (k.resting) {
-            zx[l] = (k.matrix ? zxx[l] * ux + zxy[l] * uy : zxx[l] * ux) - zx[l];
-            zy[l] = (k.matrix ? zxy[l] * ux + zyy[l] * uy : zxx[l] * uy) - zy[l];
-        }
-        rx[l] += ux;
-        ry[l] += uy;
-        if (k.loaded) {
-            work += fx[l] * ux + fy[l] * uy;
-            impulse_x += fx[l];
-            impulse_y += fy[l];
-        }
-        if (k.damped) {
-            double qx = k.matrix ? mxx[l] * ux + mxy[l] * uy : mxx[l] * ux;
-            double qy = k.matrix ? mxy[l] * ux + myy[l] * uy : mxx[l] * uy;
-            dissipated += loss * (ux * qx + uy * qy);
-            drag_x -= loss * qx;
-            drag_y -= loss * qy;
-        }
-    }
-    ledger->work += work;
-    ledger->dissipated += dissipated;
-    ledger->impulse = fw_vec2_add(ledger->impulse, (fw_vec2){impulse_x, impulse_y});
-    ledger->drag = fw_vec2_add(ledger->drag, (fw_vec2){drag_x, drag_y});
-}
-
-/* One of eight loops for each of the two kinds of mass. */
-static void relax_stretch(lb_solid *lb, const span *s, int begin, int end, fw_solid_ledger *ledger)
-{
-    const bool loaded = lb->head.loaded, damped = lb->mu < 1;
-#define RELAX(R, M, L, D) relax_full(lb, s, begin, end, (kernel){R, M, L, D}, ledger)
-    if (lb->matrix && lb->resting)
-        loaded   ? damped ? RELAX(true, true, true, true) : RELAX(true, true, true, false)
-          : damped ? RELAX(true, true, false, true)
-                 : RELAX(true, true, false, false);
-    else if (lb->resting)
-        loaded   ? damped ? RELAX(true, false, true, true) : RELAX(true, false, true, false)
-          : damped ? RELAX(true, false, false, true)
-                 : RELAX(true, false, false, false);
-    else
-        loaded   ? damped ? RELAX(false, false, true, true) : RELAX(false, false, true, false)
-          : damped ? RELAX(false, false, false, true)
-                 : RELAX(false, false, false, false);
-#undef RELAX
+    FW_KERNELS_CHOSEN(lb_populations)->relax(&arrays, count, lb->mu, ledger);
 }
 
 static fw_vec2 external_force(const lb_solid *lb, int l)
@@ -192,7 +110,7 @@ static void relax_one(lb_solid *lb, int l, fw_vec2 w, fw_solid_ledger *ledger)
 static void relax_span(lb_solid *lb, const span *s, int begin, int end, fw_solid_ledger *ledger)
 {
     if (s->full)
-        relax_stretch(lb, s, begin, end, ledger);
+        relax_stretch(lb, s, begin, end - begin, ledger);
     else
         for (int l = begin; l < end; ++l) relax_one(lb, l, free_displacement(lb, l), ledger);
 }

@@ -5,6 +5,7 @@
 #include "tests/support/steps.h"
 
 #include "core/boltzmann/lb_solid.h"
+#include "core/instruction_set.h"
 
 #include <omp.h>
 #include <stdlib.h>
@@ -225,39 +226,60 @@ static void runs_back_the_way_it_came(void **state)
     fw_sites_clear(&sites);
 }
 
-/* Two threads and constraints in the middle of spans change nothing but time. A body of several
- * chunks.
- */
-static uint64_t hash_after(int threads, const fw_constraint *constraints, int constraint_count)
+/* The state of a body of several chunks after 50 steps, with loads where it has a rest mass. */
+static uint64_t hash_after(int kind, double mu, const fw_constraint *constraints,
+                           int constraint_count)
 {
-    omp_set_num_threads(threads);
     fw_sites sites;
-    assert_int_equal(fw_sites_rectangle(&sites, 200, 150, NULL), FW_OK);
-    fw_solid *solid = solid_of(&sites, REST_PER_SITE, 0.97, INFINITY);
+    assert_int_equal(fw_sites_rectangle(&sites, 203, 147, NULL), FW_OK);
+    fw_solid *solid = solid_of(&sites, kind, mu, INFINITY);
     uint64_t seed = 4;
-    push_at_random(solid, &seed);
+    if (kind != REST_NONE) push_at_random(solid, &seed);
     for (int step = 0; step < 50; ++step) advance_held(solid, constraints, constraint_count);
     fw_state_list list = {0};
     solid->model->state(solid, &list);
     uint64_t hash = fw_state_list_hash(&list);
     fw_solid_destroy(solid);
     fw_sites_clear(&sites);
-    omp_set_num_threads(1);
     return hash;
 }
+
+/* In the middle of spans and at the ends of chunks. */
+static const fw_constraint holds[] = {{0, {0, 0}, {0, 0}},
+                                      {4095, {0, 0.01}, {0, 0}},
+                                      {4096, {0, 0}, {0, 0}},
+                                      {17001, {0.02, 0}, {0, 0}},
+                                      {29840, {0, 0}, {0, 0}}};
+enum { HOLDS = sizeof holds / sizeof holds[0] };
 
 static void bytes_do_not_depend_on_threads(void **state)
 {
     (void)state;
-    const fw_constraint constraints[] = {{0, {0, 0}, {0, 0}},
-                                         {4095, {0, 0.01}, {0, 0}},
-                                         {4096, {0, 0}, {0, 0}},
-                                         {17001, {0.02, 0}, {0, 0}},
-                                         {29999, {0, 0}, {0, 0}}};
-    uint64_t once = hash_after(1, constraints, 5);
-    assert_true(once == hash_after(2, constraints, 5));
-    assert_true(once == hash_after(3, constraints, 5));
-    assert_false(once == hash_after(1, NULL, 0));
+    uint64_t hash[4];
+    for (int threads = 1; threads <= 3; ++threads) {
+        omp_set_num_threads(threads);
+        hash[threads] = hash_after(REST_PER_SITE, 0.97, holds, HOLDS);
+    }
+    omp_set_num_threads(1);
+    assert_true(hash[1] == hash[2]);
+    assert_true(hash[1] == hash[3]);
+    assert_false(hash[1] == hash_after(REST_PER_SITE, 0.97, NULL, 0));
+}
+
+static void bytes_do_not_depend_on_instructions(void **state)
+{
+    (void)state;
+    const int best = fw_instruction_set();
+    for (int kind = 0; kind < REST_KINDS; ++kind)
+        for (int damped = 0; damped < 2; ++damped) {
+            const double mu = damped ? 0.97 : 1;
+            const uint64_t expected = hash_after(kind, mu, holds, HOLDS);
+            for (int set = 0; set < best; ++set) {
+                assert_int_equal(fw_instruction_set_use(fw_instruction_set_name(set), NULL), FW_OK);
+                assert_true(hash_after(kind, mu, holds, HOLDS) == expected);
+            }
+            assert_int_equal(fw_instruction_set_use(fw_instruction_set_name(best), NULL), FW_OK);
+        }
 }
 
 static void held_particle_stays_to_the_bit(void **state)
@@ -370,6 +392,7 @@ int main(void)
         cmocka_unit_test(rigid_motion_does_not_ring),
         cmocka_unit_test(runs_back_the_way_it_came),
         cmocka_unit_test(bytes_do_not_depend_on_threads),
+        cmocka_unit_test(bytes_do_not_depend_on_instructions),
         cmocka_unit_test(held_particle_stays_to_the_bit),
         cmocka_unit_test(breaking_keeps_momentum_and_takes_energy),
         cmocka_unit_test(weighted_links_keep_all_laws),
