@@ -68,6 +68,26 @@ fw_status fw_solid_head_restored(const fw_solid *solid, fw_error *error)
                    (long long)solid->ticks);
 }
 
+fw_status fw_solid_move_free(fw_solid *solid, int ticks, fw_error *error)
+{
+    if (solid->model->advance_free) return solid->model->advance_free(solid, ticks, error);
+    for (int tick = 0; tick < ticks; ++tick) FW_TRY(fw_solid_move(solid, NULL, 0, error));
+    return FW_OK;
+}
+
+fw_status fw_solid_advance(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
+                           fw_error *error)
+{
+    FW_TRY(fw_solid_move(solid, constraints, constraint_count, error));
+    fw_solid_place(solid);
+    return FW_OK;
+}
+
+fw_status fw_solid_advance_free(fw_solid *solid, fw_error *error)
+{
+    return fw_solid_advance(solid, NULL, 0, error);
+}
+
 void fw_solid_reverse(fw_solid *solid)
 {
     fw_vec2 before = fw_solid_momentum(solid);
@@ -83,11 +103,22 @@ const fw_field *fw_solid_find_field(const fw_solid *solid, const char *name)
     return NULL;
 }
 
+int fw_solid_find_lost_boundary(const fw_solid *solid, fw_vec2 centre, double limit)
+{
+    limit = fmin(limit, DBL_MAX);
+    for (int n = 0; n < solid->boundary_count; ++n) {
+        const int i = solid->boundary[n];
+        if (!(fabs(solid->x[i] - centre.x) <= limit && fabs(solid->y[i] - centre.y) <= limit))
+            return i;
+    }
+    return -1;
+}
+
 int fw_solid_find_lost(const fw_solid *solid, fw_vec2 centre, double limit)
 {
     /* Block by block without a branch inside, so that the search costs no more than the stream. */
     enum { BLOCK = 512 };
-    if (limit > DBL_MAX) limit = DBL_MAX; /* an infinite position is lost whatever the limit */
+    limit = fmin(limit, DBL_MAX); /* an infinite position is lost whatever the limit */
     for (int begin = 0; begin < solid->count; begin += BLOCK) {
         int end = begin + BLOCK < solid->count ? begin + BLOCK : solid->count;
         int kept = 0;

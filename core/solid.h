@@ -83,9 +83,16 @@ typedef struct fw_solid_model {
     /* For each listed particle what this tick would bring; the solid is unaltered. */
     void (*predict)(const fw_solid *solid, const int *particles, int count, fw_prediction *out);
     /* One tick. `constraints` ascends by particle, each particle at most once. FW_SYSTEM_FAILED
-     * without memory; the solid is then of no further use. */
+     * without memory; the solid is then of no further use. A model with `place` need move x, y of
+     * boundary particles only. */
     fw_status (*advance)(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
                          fw_error *error);
+    /* So many ticks without constraints, under the external forces as they stand: the same bytes
+     * as one by one, sooner. A model with `place` may leave all of x, y as they are. NULL: one by
+     * one. */
+    fw_status (*advance_free)(fw_solid *solid, int ticks, fw_error *error);
+    /* Makes x, y of all particles from the rest of the state. NULL: they are the state. */
+    void (*place)(fw_solid *solid);
     /* After a tick: gives particles their velocities. `carries` ascends by particle, each at most
      * once. NULL: the solid has no velocities of its own to keep. */
     void (*carry)(fw_solid *solid, fw_carry *carries, int count);
@@ -118,7 +125,7 @@ struct fw_solid {
     const fw_solid_model *model;
     int count;                       /* particles */
     double tick;                     /* time of one tick: LB 1, particles dt, automaton 1/2 */
-    double *x, *y;                   /* positions */
+    double *x, *y;                   /* positions: right once fw_solid_place() was called */
     double *external_x, *external_y; /* external force of this tick; kept by the loads */
     bool loaded;                     /* false: external_x/y are all zero and need not be read */
     bool conserves;                  /* energy changes only by what the ledger says */
@@ -155,17 +162,26 @@ static inline void fw_solid_predict(const fw_solid *solid, const int *particles,
     solid->model->predict(solid, particles, count, out);
 }
 
-/* One tick without contact. */
-static inline fw_status fw_solid_advance_free(fw_solid *solid, fw_error *error)
+static inline void fw_solid_place(fw_solid *solid)
 {
-    return solid->model->advance(solid, NULL, 0, error);
+    if (solid->model->place) solid->model->place(solid);
 }
 
-static inline fw_status fw_solid_advance(fw_solid *solid, const fw_constraint *constraints,
-                                         int constraint_count, fw_error *error)
+/* One tick, after which only the positions of boundary particles are sure to be right: the others
+ * wait for fw_solid_place(). */
+static inline fw_status fw_solid_move(fw_solid *solid, const fw_constraint *constraints,
+                                      int constraint_count, fw_error *error)
 {
     return solid->model->advance(solid, constraints, constraint_count, error);
 }
+
+/* So many ticks without contact, after which all positions wait for fw_solid_place(). */
+fw_status fw_solid_move_free(fw_solid *solid, int ticks, fw_error *error);
+
+/* One tick, positions included; without contact, and with it. */
+fw_status fw_solid_advance_free(fw_solid *solid, fw_error *error);
+fw_status fw_solid_advance(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
+                           fw_error *error);
 
 /* To be called after state was written from outside: what follows from it is made anew. */
 static inline fw_status fw_solid_restored(fw_solid *solid, fw_error *error)
@@ -202,5 +218,7 @@ const fw_field *fw_solid_find_field(const fw_solid *solid, const char *name);
 /* Index of the first particle whose position is not finite or lies further than `limit` from
  * `centre` in x or y; -1 if there is none. */
 int fw_solid_find_lost(const fw_solid *solid, fw_vec2 centre, double limit);
+/* The same of boundary particles alone. */
+int fw_solid_find_lost_boundary(const fw_solid *solid, fw_vec2 centre, double limit);
 
 #endif

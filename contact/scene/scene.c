@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene.c - one time step on one page: see fw_scene_step().
+/* scene.c - one time step on one page: see step_once().
  * State: the clock, what passed through each wall, and what each particle remembers of its contact;
  * the solids keep their own. Candidate lists are no state: results do not depend on them. */
 #include "contact/scene/scene.h"
@@ -52,8 +52,7 @@ static fw_status advance_solids(fw_scene *scene, fw_error *error)
     for (int b = 0; b < scene->body_count; ++b) {
         const scene_body *body = &scene->bodies[b];
         scene_collect_constraints(scene, b);
-        if (fw_solid_advance(body->solid, body->constraints, body->constraint_count, error) !=
-            FW_OK)
+        if (fw_solid_move(body->solid, body->constraints, body->constraint_count, error) != FW_OK)
             return fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
                                   body->name);
         scene_carry(scene, b);
@@ -73,18 +72,27 @@ static void balance_ledger(fw_scene *scene)
     }
 }
 
+static fw_status report_lost(const fw_scene *scene, const scene_body *body, int lost,
+                             fw_error *error)
+{
+    const fw_solid *solid = body->solid;
+    return fw_fail(error, FW_DIVERGED,
+                   "step %lld: particle %d of body %s is at (%g, %g) under the external force "
+                   "(%g, %g), expected finite numbers within %g of (%g, %g)",
+                   (long long)scene->clock.step, lost, body->name, solid->x[lost], solid->y[lost],
+                   solid->external_x[lost], solid->external_y[lost], scene->limit, scene->middle.x,
+                   scene->middle.y);
+}
+
+/* Looks at what is sure to be right without fw_solid_place(). */
 static fw_status check_finite(const fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         const fw_solid *solid = scene->bodies[b].solid;
-        int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
-        if (lost < 0) continue;
-        return fw_fail(error, FW_DIVERGED,
-                       "step %lld: particle %d of body %s is at (%g, %g) under the external force "
-                       "(%g, %g), expected finite numbers within %g of (%g, %g)",
-                       (long long)scene->clock.step, lost, scene->bodies[b].name, solid->x[lost],
-                       solid->y[lost], solid->external_x[lost], solid->external_y[lost],
-                       scene->limit, scene->middle.x, scene->middle.y);
+        const int lost = solid->model->place
+                             ? fw_solid_find_lost_boundary(solid, scene->middle, scene->limit)
+                             : fw_solid_find_lost(solid, scene->middle, scene->limit);
+        if (lost >= 0) return report_lost(scene, &scene->bodies[b], lost, error);
     }
     for (int w = 0; w < scene->wall_count && scene->piston_count > 0; ++w) {
         const fw_vec2 at = fw_scene_wall_displacement(scene, w);
@@ -100,7 +108,7 @@ static fw_status check_finite(const fw_scene *scene, fw_error *error)
     return FW_OK;
 }
 
-fw_status fw_scene_step(fw_scene *scene, fw_error *error)
+static fw_status step_once(fw_scene *scene, fw_error *error)
 {
     for (int tick = 0; tick < scene->ticks_per_step; ++tick) {
         apply_loads(scene);
@@ -116,4 +124,51 @@ fw_status fw_scene_step(fw_scene *scene, fw_error *error)
     scene->clock.step += 1;
     scene_note_work(scene);
     return check_finite(scene, error);
+}
+
+/* Nothing acts on the bodies, and nobody has to look at each of their steps. */
+static bool is_free(const fw_scene *scene)
+{
+    for (int b = 0; b < scene->body_count; ++b)
+        if (!scene->bodies[b].solid->model->place) return false;
+    return scene->wall_count == 0 && scene->load_count == 0 && scene->grip_count == 0;
+}
+
+/* What is left of step_once() then. */
+static fw_status step_free(fw_scene *scene, int steps, fw_error *error)
+{
+    const int ticks = steps * scene->ticks_per_step;
+    for (int b = 0; b < scene->body_count; ++b)
+        if (fw_solid_move_free(scene->bodies[b].solid, ticks, error) != FW_OK)
+            return fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
+                                  scene->bodies[b].name);
+    scene->clock.ticks += ticks;
+    scene->clock.step += steps;
+    scene_note_work(scene);
+    return FW_OK;
+}
+
+fw_status fw_scene_advance(fw_scene *scene, int64_t most, fw_error *error)
+{
+    const int64_t left = FW_SCENE_SETTLES_EVERY - scene->clock.step % FW_SCENE_SETTLES_EVERY;
+    if (!is_free(scene)) return step_once(scene, error);
+    return step_free(scene, (int)(most < left ? most : left), error);
+}
+
+fw_status fw_scene_settle(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        fw_solid *solid = scene->bodies[b].solid;
+        if (!solid->model->place) continue;
+        fw_solid_place(solid);
+        const int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
+        if (lost >= 0) return report_lost(scene, &scene->bodies[b], lost, error);
+    }
+    return FW_OK;
+}
+
+fw_status fw_scene_step(fw_scene *scene, fw_error *error)
+{
+    FW_TRY(step_once(scene, error));
+    return fw_scene_settle(scene, error);
 }

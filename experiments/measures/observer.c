@@ -110,13 +110,23 @@ void fw_observer_destroy(fw_observer *observer)
     free(observer);
 }
 
-fw_status fw_observer_step(fw_observer *observer, fw_error *error)
+static void follow_profile(fw_observer *observer, int64_t step)
 {
-    FW_TRY(fw_experiment_step(observer->experiment, error));
-    follow_energy(observer);
-    if (!observer->profile) return FW_OK;
-    const int64_t step = fw_scene_steps(observer->experiment->scene);
     fw_profile_follow(observer->profile, observer->experiment, step);
     fw_rubbing_follow(&observer->rubbing, observer->experiment, step);
+}
+
+fw_status fw_observer_advance(fw_observer *observer, int64_t most, fw_error *error)
+{
+    fw_scene *scene = observer->experiment->scene;
+    const int64_t end = fw_scene_steps(scene) + most;
+    FW_TRY(fw_experiment_advance(observer->experiment, observer->profile ? 1 : most, error));
+    const int64_t step = fw_scene_steps(scene);
+    /* Where the scene took several steps at once, only damping and fracture were at work: the
+     * energies in between lie between those before and after. */
+    follow_energy(observer);
+    if (step == end || step % FW_SCENE_SETTLES_EVERY == 0 || observer->profile)
+        FW_TRY(fw_scene_settle(scene, error));
+    if (observer->profile) follow_profile(observer, step);
     return FW_OK;
 }

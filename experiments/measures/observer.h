@@ -33,7 +33,8 @@ fw_status fw_observer_restored(const fw_observer *observer, fw_error *error);
 /* What changes beside the scene, for checkpoints. */
 void fw_observer_state(fw_observer *observer, fw_state_list *list);
 
-/* One step of the experiment, followed. */
-fw_status fw_observer_step(fw_observer *observer, fw_error *error);
+/* 1 to `most` steps of the experiment, as fw_scene_advance(), followed. All positions are right
+ * after `most` of them; in between they wait for fw_scene_settle(). */
+fw_status fw_observer_advance(fw_observer *observer, int64_t most, fw_error *error);
 
 #endif

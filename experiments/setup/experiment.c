@@ -248,16 +248,26 @@ void fw_experiment_destroy(fw_experiment *experiment)
     free(experiment);
 }
 
+fw_status fw_experiment_advance(fw_experiment *experiment, int64_t most, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    fw_scene *scene = experiment->scene;
+    const int64_t reversal = scenario->run.reverse_at - fw_scene_steps(scene);
+    if (reversal > 0 && reversal < most) most = reversal;
+    if (scenario->phase_count > 0) most = 1;
+    FW_TRY(fw_phase_enter(scenario, scene, experiment->bodies, &experiment->phase, error));
+    FW_TRY(fw_scene_advance(scene, most, error));
+    if (scenario->run.reverse_at == 0 || fw_scene_steps(scene) != scenario->run.reverse_at)
+        return FW_OK;
+    FW_TRY(fw_scene_settle(scene, error));
+    for (int b = 0; b < fw_scene_body_count(scene); ++b) fw_solid_reverse(fw_scene_body(scene, b));
+    return FW_OK;
+}
+
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error)
 {
-    FW_TRY(fw_phase_enter(experiment->scenario, experiment->scene, experiment->bodies,
-                          &experiment->phase, error));
-    FW_TRY(fw_scene_step(experiment->scene, error));
-    if (experiment->scenario->run.reverse_at != 0 &&
-        fw_scene_steps(experiment->scene) == experiment->scenario->run.reverse_at)
-        for (int b = 0; b < fw_scene_body_count(experiment->scene); ++b)
-            fw_solid_reverse(fw_scene_body(experiment->scene, b));
-    return FW_OK;
+    FW_TRY(fw_experiment_advance(experiment, 1, error));
+    return fw_scene_settle(experiment->scene, error);
 }
 
 const fw_solid *fw_experiment_solid(const fw_experiment *experiment, int number)

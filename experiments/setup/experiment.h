@@ -26,7 +26,10 @@ fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *sc
                                fw_error *error);
 void fw_experiment_destroy(fw_experiment *experiment);
 
-/* One step, with what the scenario does to the scene at certain steps (phases, reversal). */
+/* 1 to `most` steps, as fw_scene_advance(), with what the scenario does to the scene at certain
+ * steps (phases, reversal). */
+fw_status fw_experiment_advance(fw_experiment *experiment, int64_t most, fw_error *error);
+/* One step, all positions included. */
 fw_status fw_experiment_step(fw_experiment *experiment, fw_error *error);
 
 /* All movable particles of the scenario, or NULL where it has none. */

@@ -89,6 +89,7 @@ static fw_status record(fw_run *run, fw_error *error)
 static fw_status checkpoint(fw_run *run, fw_error *error)
 {
     if (!run->recorder) return FW_OK;
+    FW_TRY(fw_scene_settle(run->experiment->scene, error));
     run->checkpointed = fw_progress_clock();
     fw_interrupt_hold();
     const fw_status status = fw_recorder_checkpoint(run->recorder, error);
@@ -213,9 +214,24 @@ static bool frame_is_due(const fw_run *run, int64_t step)
     return step % run->scenario->run.record_every == 0 || step == run->scenario->run.steps;
 }
 
-static fw_status step_once(fw_run *run, fw_error *error)
+/* Steps until something is due. */
+static int64_t steps_to_go(const fw_run *run)
 {
-    FW_TRY(fw_observer_step(run->observer, error));
+    const int64_t step = fw_scene_steps(run->experiment->scene);
+    const int64_t every[] = {run->scenario->run.record_every, run->scenario->run.measure_every,
+                             run->scenario->run.checkpoint_every};
+    int64_t least = run->scenario->run.steps - step;
+    for (size_t n = 0; n < sizeof every / sizeof *every; ++n) {
+        if (every[n] == 0) continue;
+        const int64_t here = every[n] - step % every[n];
+        if (here < least) least = here;
+    }
+    return least;
+}
+
+static fw_status step_on(fw_run *run, fw_error *error)
+{
+    FW_TRY(fw_observer_advance(run->observer, steps_to_go(run), error));
     int64_t step = fw_scene_steps(run->experiment->scene);
     if (frame_is_due(run, step)) FW_TRY(fw_scene_check_energy(run->experiment->scene, error));
     if (fw_measurement_is_due(run->scenario, step)) FW_TRY(measure(run, error));
@@ -255,8 +271,10 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error)
     fw_status status = FW_OK;
     run->checkpointed = fw_progress_clock();
     while (status == FW_OK && fw_scene_steps(scene) < run->scenario->run.steps) {
-        status = step_once(run, error);
-        fw_progress_add(run->options.progress, step_work);
+        const int64_t before = fw_scene_steps(scene);
+        status = step_on(run, error);
+        fw_progress_add(run->options.progress,
+                        step_work * (double)(fw_scene_steps(scene) - before));
     }
     if (!run->recorder) return status;
     if (status == FW_OK) return run->options.keep_open ? FW_OK : fw_run_finish(run, error);
@@ -352,7 +370,7 @@ fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step,
     int64_t first = fw_scene_steps(scene);
     double started = fw_progress_clock(), now = started;
     while (now - started < seconds && fw_scene_steps(scene) < run->scenario->run.steps) {
-        FW_TRY(step_once(run, error));
+        FW_TRY(step_on(run, error));
         now = fw_progress_clock();
     }
     int64_t steps = fw_scene_steps(scene) - first;

@@ -128,7 +128,8 @@ static void make_subject(subject *s, const char *text)
         fprintf(stderr, "%s\n", error.sentence);
         abort();
     }
-    for (int step = 0; step < 7; ++step) demand(fw_observer_step(s->observer, &error) == FW_OK);
+    for (int step = 0; step < 7; ++step)
+        demand(fw_observer_advance(s->observer, 1, &error) == FW_OK);
     fw_scene *scene = s->observer->experiment->scene;
     for (int n = 0; n < fw_scene_section_count(scene); ++n) {
         s->sections[n].name = fw_scene_section(scene, n, &s->states[n]);
@@ -175,7 +176,8 @@ static void run_changed(subject *s, const uint8_t *data, size_t size)
         demand_refusal(status, &error);
         return;
     }
-    for (int n = 0; n < 3 && status == FW_OK; ++n) status = fw_observer_step(s->observer, &error);
+    for (int n = 0; n < 3 && status == FW_OK; ++n)
+        status = fw_observer_advance(s->observer, 1, &error);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

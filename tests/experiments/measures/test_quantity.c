@@ -65,7 +65,7 @@ static void errors_of_energy_have_the_scale_of_what_went_through(void **state)
         "  energy]\n");
     double highest = 0;
     for (int step = 0; step <= 400; ++step) {
-        if (step > 0) assert_fine(fw_observer_step(observer, &error));
+        if (step > 0) assert_fine(fw_observer_advance(observer, 1, &error));
         fw_measurement_take(measurement, observer->experiment);
         assert_close(now("energy-error", 0), 0, 1e-12);
         highest = fmax(highest, now("energy", 0));

@@ -61,7 +61,7 @@ static void pressed_crystal(const char *const *settings, int count, double deepe
     assert_fine(try_with(settings, count, &observer, &scenario, &measurement));
     double push = 0, depth = 0;
     for (int t = 0; t < 6000; ++t) {
-        assert_fine(fw_observer_step(observer, &error));
+        assert_fine(fw_observer_advance(observer, 1, &error));
         const fw_ledger ledger = fw_scene_ledger(observer->experiment->scene);
         const fw_energies e = fw_scene_energies(observer->experiment->scene);
         const fw_vec2 p = fw_vec2_subtract(fw_scene_momentum(observer->experiment->scene),

@@ -26,7 +26,7 @@ static fw_observer *make(const fw_scenario *scenario)
 static void step_until(fw_observer *observer, int64_t step)
 {
     while (fw_scene_steps(observer->experiment->scene) < step)
-        assert_fine(fw_observer_step(observer, &error));
+        assert_fine(fw_observer_advance(observer, 1, &error));
 }
 
 /* --- phases --- */
@@ -93,7 +93,7 @@ static double ledger_open_by(const char *time_step)
     fw_observer *observer = make(scenario);
     double worst = 0;
     while (fw_scene_time(observer->experiment->scene) < 2500 * .0025) {
-        assert_fine(fw_observer_step(observer, &error));
+        assert_fine(fw_observer_advance(observer, 1, &error));
         const fw_ledger ledger = fw_scene_ledger(observer->experiment->scene);
         const fw_vec2 p = fw_vec2_subtract(fw_scene_momentum(observer->experiment->scene),
                                            fw_ledger_momentum(&ledger));
@@ -266,7 +266,7 @@ static void rubbing_does_not_depend_on_how_often_is_measured(void **state)
         double path = 0, last = 0;
         assert_fine(fw_measurement_create(&measurement, observer, &error));
         for (int step = 1; step <= 2500; ++step) {
-            assert_fine(fw_observer_step(observer, &error));
+            assert_fine(fw_observer_advance(observer, 1, &error));
             const double slip = fw_rubbing_slip(observer->experiment).y;
             if (step > observer->rubbing.before && step <= observer->rubbing.from)
                 path += fabs(slip - last);
