@@ -48,7 +48,7 @@ void fw_load_destroy(fw_load *load)
     free(load);
 }
 
-bool fw_load_acts(const fw_load *load, int64_t step)
+static bool acts(const fw_load *load, int64_t step)
 {
     return load->def.from <= step && step < load->def.until;
 }
@@ -72,7 +72,7 @@ static fw_vec2 random_force(const fw_load_def *def, int n, int64_t step)
 void fw_load_apply(const fw_load *load, int64_t step, fw_solid *solid)
 {
     const fw_load_def *def = &load->def;
-    if (!fw_load_acts(load, step)) return;
+    if (!acts(load, step)) return;
     const double factor = strength(def, step);
     fw_vec2 mean = {0, 0};
     if (def->kind == FW_LOAD_RANDOM && def->balanced) {

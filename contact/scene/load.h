@@ -34,8 +34,6 @@ fw_status fw_load_create(fw_load **load, const fw_load_def *def, const fw_solid 
                          fw_error *error);
 void fw_load_destroy(fw_load *load);
 
-/* Does it act at all in this step? */
-bool fw_load_acts(const fw_load *load, int64_t step);
 /* Adds the forces of this step to the solid's external forces. */
 void fw_load_apply(const fw_load *load, int64_t step, fw_solid *solid);
 

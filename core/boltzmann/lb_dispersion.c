@@ -21,7 +21,8 @@ static fw_sym2 mass_of(fw_sym2 rest_mass)
     return fw_sym2_scale(0.5, fw_sym2_add(fw_sym2_square(rest_mass), fw_sym2_scalar(4)));
 }
 
-double fw_lb_dispersion(fw_sym2 rest_mass, fw_vec2 wave_vector, int branch)
+/* The frequency in closed form (see header); `branch` 0 is the slower wave. */
+static double closed_form(fw_sym2 rest_mass, fw_vec2 wave_vector, int branch)
 {
     fw_sym2 mass = mass_of(rest_mass);
     double half_trace = 0.5 * (mass.xx + mass.yy);
@@ -122,7 +123,7 @@ static double frequency_error(workspace *w, fw_sym2 rest_mass, fw_vec2 k)
     gsl_eigen_herm(w->hermitian, w->values, w->eigen);
     double worst = 0;
     for (int branch = 0; branch < 2; ++branch) {
-        double s = sin(0.5 * fw_lb_dispersion(rest_mass, k, branch)), nearest = INFINITY;
+        double s = sin(0.5 * closed_form(rest_mass, k, branch)), nearest = INFINITY;
         for (size_t n = 0; n < FIELDS; ++n)
             nearest = fmin(nearest, fabs(0.5 * (1 - gsl_vector_get(w->values, n)) - s * s));
         worst = fmax(worst, nearest);
@@ -153,19 +154,6 @@ static void measure(workspace *w, fw_sym2 rest_mass, fw_vec2 k, fw_lb_spectrum *
     fill_step(w->step, rest_mass, k);
     spectrum->frequency_error = frequency_error(w, rest_mass, k);
     spectrum->radius_error = radius_error(w);
-}
-
-fw_status fw_lb_spectrum_at(fw_sym2 rest_mass, fw_vec2 wave_vector, fw_lb_spectrum *spectrum,
-                            fw_error *error)
-{
-    workspace w = {0};
-    fw_status status = FW_OK;
-    if (allocate(&w))
-        measure(&w, rest_mass, wave_vector, spectrum);
-    else
-        status = fw_fail_memory(error, "the spectrum of an LB solid");
-    release(&w);
-    return status;
 }
 
 fw_status fw_lb_spectrum_over_grid(fw_sym2 rest_mass, int side, fw_lb_spectrum *worst,

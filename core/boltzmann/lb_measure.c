@@ -20,21 +20,10 @@ fw_sym2 fw_lb_solid_mass(const fw_solid *solid, int particle)
     return lb_get(&of(solid)->mass, particle);
 }
 
-fw_vec2 fw_lb_solid_rest_field(const fw_solid *solid, int particle)
-{
-    return lb_rest(of(solid), particle);
-}
-
 int fw_lb_solid_neighbour(const fw_solid *solid, int particle, int direction)
 {
     const lb_solid *lb = of(solid);
     return lb->present[particle] & (1u << direction) ? lb->neighbour[direction][particle] : -1;
-}
-
-fw_vec2 fw_lb_solid_field(const fw_solid *solid, int particle, int direction)
-{
-    if (fw_lb_solid_neighbour(solid, particle, direction) < 0) return (fw_vec2){0, 0};
-    return lb_field(of(solid), particle, direction);
 }
 
 fw_vec2 fw_lb_solid_deformation(const fw_solid *solid, int particle, int direction)
@@ -61,10 +50,15 @@ static fw_vec2 mean_along(const fw_solid *solid, int particle, int forward)
     return count == 2 ? fw_vec2_scale(0.5, sum) : sum;
 }
 
-fw_lb_strain fw_lb_solid_strain(const fw_solid *solid, int particle)
+/* The paper's strain e_{i alpha} (Section 9.2) at a particle, as a mean over its links along i = x
+ * (east and west) and i = y (north and south), in length per link. */
+typedef struct lb_strain {
+    fw_vec2 x, y; /* x.y is e_{xy}: shift in y from link to link along x */
+} lb_strain;
+
+static lb_strain strain_of(const fw_solid *solid, int particle)
 {
-    return (fw_lb_strain){mean_along(solid, particle, FW_EAST),
-                          mean_along(solid, particle, FW_NORTH)};
+    return (lb_strain){mean_along(solid, particle, FW_EAST), mean_along(solid, particle, FW_NORTH)};
 }
 
 double fw_lb_solid_energy(const fw_solid *solid, int particle)
@@ -160,18 +154,18 @@ static void fill_energy(const fw_solid *solid, double *values)
 
 static void fill_strain_xx(const fw_solid *solid, double *values)
 {
-    for (int l = 0; l < solid->count; ++l) values[l] = fw_lb_solid_strain(solid, l).x.x;
+    for (int l = 0; l < solid->count; ++l) values[l] = strain_of(solid, l).x.x;
 }
 
 static void fill_strain_yy(const fw_solid *solid, double *values)
 {
-    for (int l = 0; l < solid->count; ++l) values[l] = fw_lb_solid_strain(solid, l).y.y;
+    for (int l = 0; l < solid->count; ++l) values[l] = strain_of(solid, l).y.y;
 }
 
 static void fill_strain_xy(const fw_solid *solid, double *values)
 {
     for (int l = 0; l < solid->count; ++l) {
-        fw_lb_strain e = fw_lb_solid_strain(solid, l);
+        lb_strain e = strain_of(solid, l);
         values[l] = 0.5 * (e.x.y + e.y.x);
     }
 }

@@ -61,23 +61,12 @@ fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_er
 /* Psi of a particle: its momentum. */
 fw_vec2 fw_lb_solid_psi(const fw_solid *solid, int particle);
 fw_sym2 fw_lb_solid_mass(const fw_solid *solid, int particle);
-fw_vec2 fw_lb_solid_rest_field(const fw_solid *solid, int particle);
 
-/* The field that arrived at a particle from its neighbour in a direction, f_{d+2}(l) in the paper's
- * labels (Fig 3); zero where there is no link. */
-fw_vec2 fw_lb_solid_field(const fw_solid *solid, int particle, int direction);
 /* The neighbour over an existing link, or -1. */
 int fw_lb_solid_neighbour(const fw_solid *solid, int particle, int direction);
 
 /* Eq 31: r_m - r_l - Delta0 over the link in that direction; zero where there is none. */
 fw_vec2 fw_lb_solid_deformation(const fw_solid *solid, int particle, int direction);
-
-/* The paper's strain e_{i alpha} (Section 9.2) at a particle, as a mean over its links along i = x
- * (east and west) and i = y (north and south), in length per link. */
-typedef struct fw_lb_strain {
-    fw_vec2 x, y; /* x.y is e_{xy}: shift in y from link to link along x */
-} fw_lb_strain;
-fw_lb_strain fw_lb_solid_strain(const fw_solid *solid, int particle);
 
 /* Energy of a particle, sum of its f^2 (Eq 11, weighted with kappa). */
 double fw_lb_solid_energy(const fw_solid *solid, int particle);

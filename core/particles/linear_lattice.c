@@ -182,14 +182,9 @@ const fw_solid_model fw_linear_lattice_model = {
     .fields = fields,
 };
 
-bool fw_solid_is_linear_lattice(const fw_solid *solid)
-{
-    return solid->model == &fw_linear_lattice_model;
-}
-
 fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)
 {
-    assert(fw_solid_is_linear_lattice(solid));
+    assert(solid->model == &fw_linear_lattice_model);
     return ((const fw_linear_lattice *)solid)->home[particle];
 }
 
@@ -362,17 +357,5 @@ fw_status fw_linear_lattice_create(fw_solid **solid, const fw_linear_lattice_def
         return status;
     }
     *solid = &lattice->langevin.head;
-    return FW_OK;
-}
-
-fw_status fw_linear_lattice_set_controls(fw_solid *solid, const fw_langevin_controls *controls,
-                                         fw_error *error)
-{
-    assert(fw_solid_is_linear_lattice(solid));
-    fw_linear_lattice *lattice = (fw_linear_lattice *)solid;
-    FW_TRY(fw_langevin_check(controls, error));
-    FW_TRY(check_time_step(lattice->k1, lattice->k2, lattice->langevin.mass[0], controls->time_step,
-                           error));
-    fw_langevin_set_controls(&lattice->langevin, controls);
     return FW_OK;
 }

@@ -52,10 +52,6 @@ double fw_linear_lattice_time_step_limit(double k1, double k2, double mass);
 /* Of an endless lattice: omega^2 u = D(q) u for waves u e^{i q . r}. */
 fw_sym2 fw_linear_lattice_dynamical_matrix(const fw_linear_lattice_def *def, fw_vec2 wave_vector);
 
-/* FW_BAD_INPUT as above. */
-fw_status fw_linear_lattice_set_controls(fw_solid *solid, const fw_langevin_controls *controls,
-                                         fw_error *error);
-bool fw_solid_is_linear_lattice(const fw_solid *solid);
 /* Where a particle lies at rest. */
 fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle);
 

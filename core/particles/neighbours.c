@@ -65,18 +65,6 @@ void fw_neighbours_destroy(fw_neighbours *neighbours)
     free(neighbours);
 }
 
-void fw_neighbours_set_radius(fw_neighbours *neighbours, double radius)
-{
-    assert(radius > 0);
-    neighbours->radius = radius;
-    neighbours->valid = false;
-}
-
-void fw_neighbours_forget(fw_neighbours *neighbours)
-{
-    neighbours->valid = false;
-}
-
 /* Two particles have come closer by at most the difference of their displacements, and that is at
  * most the diagonal of the box of all displacements: a solid that moves as a whole keeps its list.
  */

@@ -43,9 +43,4 @@ void fw_neighbours_destroy(fw_neighbours *neighbours);
 fw_status fw_neighbours_refresh(fw_neighbours *neighbours, const double *x, const double *y,
                                 fw_error *error);
 
-/* Another radius; the list is made anew at the next refresh. */
-void fw_neighbours_set_radius(fw_neighbours *neighbours, double radius);
-/* The list is made anew at the next refresh. */
-void fw_neighbours_forget(fw_neighbours *neighbours);
-
 #endif

@@ -68,17 +68,6 @@ fw_tensor fw_particle_pressure(const fw_solid *solid, int group, double area)
                        (flux.yx + virial.yx) / area, (flux.yy + virial.yy) / area};
 }
 
-double fw_particle_angular_momentum(const fw_solid *solid, int group, fw_vec2 about)
-{
-    const fw_stretch of = stretch_of(solid, group);
-    const fw_langevin *motion = motion_of(solid);
-    double total = 0;
-    for (int i = of.first; i < of.end; ++i)
-        total += motion->mass[i] * ((solid->x[i] - about.x) * motion->velocity_y[i] -
-                                    (solid->y[i] - about.y) * motion->velocity_x[i]);
-    return total;
-}
-
 /* --- order --- */
 
 fw_particle_order fw_particle_order_of(const fw_solid *solid, int group)

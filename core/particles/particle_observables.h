@@ -16,9 +16,6 @@ double fw_particle_temperature(const fw_solid *solid, int group, fw_vec2 drift);
  * has in `area`. Its antisymmetric part is the torque density of return forces. */
 fw_tensor fw_particle_pressure(const fw_solid *solid, int group, double area);
 
-/* sum m (r - about) x v */
-double fw_particle_angular_momentum(const fw_solid *solid, int group, fw_vec2 about);
-
 /* How well bonds (closer than the solid's bond radius, across bodies too) lie along axes. */
 typedef struct fw_particle_order {
     double lab;          /* mean of cos n(phi - axes) over all bonds of the group's particles */

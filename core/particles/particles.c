@@ -105,7 +105,7 @@ bool fw_solid_is_particles(const fw_solid *solid)
     return solid->model == &fw_particles_model;
 }
 
-fw_particles *fw_particles_of(fw_solid *solid)
+static fw_particles *particles_of(fw_solid *solid)
 {
     assert(fw_solid_is_particles(solid));
     return (fw_particles *)solid;
@@ -242,7 +242,7 @@ static double present_limit(const fw_particles *particles, int g, const fw_retur
 fw_status fw_particles_set_controls(fw_solid *solid, const fw_langevin_controls *controls,
                                     fw_error *error)
 {
-    fw_particles *particles = fw_particles_of(solid);
+    fw_particles *particles = particles_of(solid);
     FW_TRY(fw_langevin_check(controls, error));
     for (int g = 0; g < particles->group_count; ++g)
         FW_TRY(fw_particles_check_time_step(
@@ -255,21 +255,21 @@ fw_status fw_particles_set_controls(fw_solid *solid, const fw_langevin_controls 
 
 fw_status fw_particles_set_damping(fw_solid *solid, double damping, fw_error *error)
 {
-    fw_langevin_controls controls = fw_particles_of(solid)->langevin.controls;
+    fw_langevin_controls controls = particles_of(solid)->langevin.controls;
     controls.damping = damping;
     return fw_particles_set_controls(solid, &controls, error);
 }
 
 fw_status fw_particles_set_temperature(fw_solid *solid, double temperature, fw_error *error)
 {
-    fw_langevin_controls controls = fw_particles_of(solid)->langevin.controls;
+    fw_langevin_controls controls = particles_of(solid)->langevin.controls;
     controls.temperature = temperature;
     return fw_particles_set_controls(solid, &controls, error);
 }
 
 fw_status fw_particles_set_amplitude(fw_solid *solid, int group, double amplitude, fw_error *error)
 {
-    fw_particles *particles = fw_particles_of(solid);
+    fw_particles *particles = particles_of(solid);
     fw_return_force changed = particles->groups[group].return_force;
     changed.amplitude = amplitude;
     FW_TRY(fw_return_force_check(&changed, error));
@@ -281,7 +281,7 @@ fw_status fw_particles_set_amplitude(fw_solid *solid, int group, double amplitud
 
 void fw_particles_draw_velocities(fw_solid *solid, int group, double temperature)
 {
-    fw_particles *particles = fw_particles_of(solid);
+    fw_particles *particles = particles_of(solid);
     const int first = group < 0 ? 0 : particles->groups[group].first;
     const int count = group < 0 ? solid->count : particles->groups[group].count;
     fw_langevin_draw_velocities(solid, first, count, temperature);

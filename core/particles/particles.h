@@ -67,8 +67,6 @@ double fw_particles_start_limit(const fw_solid *solid, int *particle);
 double fw_particles_hottest(const fw_solid *solid);
 
 typedef struct fw_particles fw_particles;
-/* The solid must be of this model. */
-fw_particles *fw_particles_of(fw_solid *solid);
 bool fw_solid_is_particles(const fw_solid *solid);
 
 /* --- what may change between steps --- */

@@ -6,16 +6,24 @@
 
 #include <string.h>
 
+typedef struct citation {
+    const char *key; /* of the BibTeX entry; NULL ends the table */
+    const char *entry;
+    const char *authors; /* a scenario whose source names them rests on it; NULL: none does */
+    /* Does the scenario rest on it, beside by its materials and its source? NULL: no. */
+    bool (*needed)(const fw_scenario *scenario);
+} citation;
+
 static const fw_material_model *model_of(const fw_scenario *scenario, int material)
 {
     return fw_material_model_of(scenario->materials[material].kind);
 }
 
-static bool has_material_of(const fw_scenario *scenario, const char *citation)
+static bool has_material_of(const fw_scenario *scenario, const char *key)
 {
     for (int n = 0; n < scenario->material_count; ++n) {
         const char *own = model_of(scenario, n)->citation;
-        if (own && strcmp(own, citation) == 0) return true;
+        if (own && strcmp(own, key) == 0) return true;
     }
     return false;
 }
@@ -99,7 +107,7 @@ static bool always(const fw_scenario *scenario)
     return true;
 }
 
-const fw_citation fw_citations[] = {
+static const citation citations[] = {
     {"chopard2002",
      "@unpublished{chopard2002,\n"
      "  author = {Chopard, B. and Marconi, S.},\n"
@@ -186,7 +194,7 @@ const fw_citation fw_citations[] = {
      NULL, always},
     {.key = NULL}};
 
-static bool rests_on(const fw_scenario *scenario, const fw_citation *c)
+static bool rests_on(const fw_scenario *scenario, const citation *c)
 {
     return has_material_of(scenario, c->key) || names_source(scenario, c->authors) ||
            (c->needed && c->needed(scenario));
@@ -203,6 +211,6 @@ void fw_citation_print(FILE *out, const fw_scenario *scenario)
             "  note    = {Revision %s}\n"
             "}\n",
             now.version, now.revision);
-    for (const fw_citation *c = fw_citations; c->key; ++c)
+    for (const citation *c = citations; c->key; ++c)
         if (rests_on(scenario, c)) fprintf(out, "\n%s", c->entry);
 }

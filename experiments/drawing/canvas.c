@@ -198,16 +198,6 @@ void fw_canvas_destroy(fw_canvas *canvas)
     free(canvas);
 }
 
-double fw_canvas_width(const fw_canvas *canvas)
-{
-    return canvas->width;
-}
-
-double fw_canvas_height(const fw_canvas *canvas)
-{
-    return canvas->height;
-}
-
 static bool is_finite(fw_vec2 point)
 {
     return isfinite(point.x) && isfinite(point.y);

@@ -28,9 +28,6 @@ fw_status fw_canvas_create(fw_canvas **canvas, const char *name, double width, d
 fw_status fw_canvas_save(fw_canvas *canvas, fw_error *error);
 void fw_canvas_destroy(fw_canvas *canvas);
 
-double fw_canvas_width(const fw_canvas *canvas);
-double fw_canvas_height(const fw_canvas *canvas);
-
 typedef enum fw_dash { FW_DASH_NONE, FW_DASH_LONG, FW_DASH_DOTS } fw_dash;
 
 typedef struct fw_stroke {

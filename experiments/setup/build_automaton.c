@@ -9,8 +9,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-fw_elastic_automaton_def fw_build_automaton_def(const fw_scenario *scenario, int number,
-                                                const fw_sites *sites)
+/* The body without its starting state. */
+static fw_elastic_automaton_def def_of(const fw_scenario *scenario, int number,
+                                       const fw_sites *sites)
 {
     static const fw_boundary_rule rules[] = {[FW_EDGES_BOND] = FW_BOUNDARY_BOND,
                                              [FW_EDGES_TRAPEZOID] = FW_BOUNDARY_TRAPEZOID,
@@ -155,7 +156,7 @@ fw_status fw_build_automaton(const fw_scenario *scenario, int number, const fw_s
                              fw_solid **solid, fw_error *error)
 {
     const fw_scenario_body *body = &scenario->bodies[number];
-    fw_elastic_automaton_def def = fw_build_automaton_def(scenario, number, sites);
+    fw_elastic_automaton_def def = def_of(scenario, number, sites);
     fw_vec2 *displacement = calloc((size_t)sites->count, sizeof *displacement);
     fw_vec2 *velocity = calloc((size_t)sites->count, sizeof *velocity);
     bool modes = false;

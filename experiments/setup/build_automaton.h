@@ -8,10 +8,6 @@
 #include "core/automaton/elastic_automaton.h"
 #include "experiments/scenario/scenario.h"
 
-/* The body without its starting state. */
-fw_elastic_automaton_def fw_build_automaton_def(const fw_scenario *scenario, int body,
-                                                const fw_sites *sites);
-
 /* A body as it starts. */
 fw_status fw_build_automaton(const fw_scenario *scenario, int body, const fw_sites *sites,
                              fw_solid **solid, fw_error *error);
