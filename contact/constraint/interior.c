@@ -1,0 +1,287 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* interior.c - Mehrotra's predictor and corrector (SIAM J. Optim. 2 (1992) 575) for
+ *     0 <= lambda _|_ s = S lambda - wanted >= 0,   S = C C^T,
+ * with S as a band: where two flat faces meet, S has a condition that grows as the fourth power of
+ * their particles (and is singular where both bring rows), but each row meets its neighbours only.
+ * Lines are scaled to S_ii = 1 and to wants of at most 1.
+ * The set of active lines that comes out is then taken as it is (crossover), where that fits: rows
+ * that do not push have no force at all. State: none. Start reading at joint_solve_interior(). */
+#include "joint_system.h"
+
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+/* Added to the diagonal of what is factored, so that a singular S has a factor: it changes the
+ * direction of a step, not where the steps end. */
+#define SHIFT 1e-13
+/* Added to the diagonal of lines that are to have no force. */
+#define HELD_OFF 1e30
+enum { ROUNDS = 60, CORRECTIONS = 4 };
+
+/* The numbers of one problem, per line, and two bands with the diagonal first. */
+typedef struct interior {
+    int count, width; /* width: entries per line of a band */
+    double *scale, *want;
+    double *lambda, *s, *rest, *step, *s_step, *right, *best;
+    double *band, *factor;
+} interior;
+
+size_t joint_interior_room(int line_count, int bandwidth)
+{
+    return (size_t)line_count * (9 + 2 * ((size_t)bandwidth + 1));
+}
+
+static interior open_interior(const joint_system *system, int bandwidth, double *room)
+{
+    const size_t count = (size_t)system->line_count;
+    interior p = {.count = system->line_count, .width = bandwidth + 1};
+    double **arrays[] = {&p.scale, &p.want,   &p.lambda, &p.s,   &p.rest,
+                         &p.step,  &p.s_step, &p.right,  &p.best};
+    for (size_t n = 0; n < sizeof arrays / sizeof *arrays; ++n) {
+        *arrays[n] = room;
+        room += count;
+    }
+    p.band = room;
+    p.factor = p.band + count * (size_t)p.width;
+    return p;
+}
+
+int joint_bandwidth(const joint_system *system, int *first_of_end)
+{
+    int widest = 0;
+    for (int e = 0; e < system->end_count; ++e) first_of_end[e] = -1;
+    for (int n = 0; n < system->line_count; ++n)
+        for (int k = 0; k < system->lines[n].count; ++k) {
+            int *first = &first_of_end[system->lines[n].end[k]];
+            if (*first < 0) *first = n;
+            if (n - *first > widest) widest = n - *first;
+        }
+    return widest;
+}
+
+/* Entry (n, n - back). */
+static double *entry(const interior *p, double *band, int n, int back)
+{
+    return &band[(size_t)n * (size_t)p->width + (size_t)back];
+}
+
+static void fill_band(interior *p, const joint_system *system)
+{
+    for (int n = 0; n < p->count; ++n) {
+        for (int back = 0; back < p->width; ++back)
+            *entry(p, p->band, n, back) =
+                back > n ? 0
+                         : p->scale[n] * p->scale[n - back] *
+                               joint_product(&system->lines[n], &system->lines[n - back]);
+        *entry(p, p->band, n, 0) = 1;
+    }
+}
+
+/* out = S x */
+static void multiply(const interior *p, const double *x, double *out)
+{
+    memset(out, 0, (size_t)p->count * sizeof *out);
+    for (int n = 0; n < p->count; ++n) {
+        const double *restrict row = entry(p, p->band, n, 0);
+        const int most = n < p->width - 1 ? n : p->width - 1;
+        out[n] += row[0] * x[n];
+        for (int back = 1; back <= most; ++back) {
+            out[n] += row[back] * x[n - back];
+            out[n - back] += row[back] * x[n];
+        }
+    }
+}
+
+/* L L^T of S + diagonal + SHIFT. A pivot below the shift is rounding. */
+static void factorise(interior *p, const double *diagonal)
+{
+    for (int n = 0; n < p->count; ++n) {
+        double *restrict row = entry(p, p->factor, n, 0);
+        const double *restrict from = entry(p, p->band, n, 0);
+        const int most = n < p->width - 1 ? n : p->width - 1;
+        for (int back = most; back >= 0; --back) {
+            const double *above = entry(p, p->factor, n - back, 0);
+            double sum = from[back];
+            for (int k = most; k > back; --k) sum -= row[k] * above[k - back];
+            row[back] = back > 0 ? sum / above[0] : sqrt(fmax(sum + diagonal[n] + SHIFT, SHIFT));
+        }
+    }
+}
+
+static void solve_factor(const interior *p, const double *right, double *x)
+{
+    for (int n = 0; n < p->count; ++n) {
+        const double *restrict row = entry(p, p->factor, n, 0);
+        const int most = n < p->width - 1 ? n : p->width - 1;
+        double sum = right[n];
+        for (int back = 1; back <= most; ++back) sum -= row[back] * x[n - back];
+        x[n] = sum / row[0];
+    }
+    for (int n = p->count - 1; n >= 0; --n) {
+        const double *restrict row = entry(p, p->factor, n, 0);
+        const int most = n < p->width - 1 ? n : p->width - 1;
+        x[n] /= row[0];
+        for (int back = 1; back <= most; ++back) x[n - back] -= row[back] * x[n];
+    }
+}
+
+/* Mean of lambda s after a part of the step. */
+static double mean_product(const interior *p, double part)
+{
+    double sum = 0;
+    for (int n = 0; n < p->count; ++n)
+        sum += (p->lambda[n] + part * p->step[n]) * (p->s[n] + part * p->s_step[n]);
+    return sum / p->count;
+}
+
+/* How much of the step keeps lambda and s positive. */
+static double longest_part(const interior *p)
+{
+    double part = 1;
+    for (int n = 0; n < p->count; ++n) {
+        if (p->step[n] < 0) part = fmin(part, -p->lambda[n] / p->step[n]);
+        if (p->s_step[n] < 0) part = fmin(part, -p->s[n] / p->s_step[n]);
+    }
+    return part;
+}
+
+/* rest = S lambda - want - s. Returns its largest entry. */
+static double find_rest(interior *p)
+{
+    double largest = 0;
+    multiply(p, p->lambda, p->rest);
+    for (int n = 0; n < p->count; ++n) {
+        p->rest[n] -= p->want[n] + p->s[n];
+        largest = fmax(largest, fabs(p->rest[n]));
+    }
+    return largest;
+}
+
+/* (S + s/lambda) step = right, s_step = S step + rest. */
+static void find_step(interior *p)
+{
+    solve_factor(p, p->right, p->step);
+    multiply(p, p->step, p->s_step);
+    for (int n = 0; n < p->count; ++n) p->s_step[n] += p->rest[n];
+}
+
+static void take_step(interior *p)
+{
+    double *ratio = p->s_step; /* free until the step is known */
+    for (int n = 0; n < p->count; ++n) ratio[n] = p->s[n] / p->lambda[n];
+    factorise(p, ratio);
+    const double mean = mean_product(p, 0);
+    for (int n = 0; n < p->count; ++n) p->right[n] = -p->s[n] - p->rest[n];
+    find_step(p);
+    const double predicted = mean_product(p, longest_part(p)) / mean;
+    const double centring = mean * predicted * predicted * predicted;
+    for (int n = 0; n < p->count; ++n)
+        p->right[n] += (centring - p->step[n] * p->s_step[n]) / p->lambda[n];
+    find_step(p);
+    const double longest = longest_part(p);
+    const double part = longest < 1 ? 0.995 * longest : 1;
+    for (int n = 0; n < p->count; ++n) {
+        p->lambda[n] = fmax(p->lambda[n] + part * p->step[n], DBL_MIN);
+        p->s[n] = fmax(p->s[n] + part * p->s_step[n], DBL_MIN);
+    }
+}
+
+/* Energy that lambda is in error of, as a part of what lambda does. */
+static double error_of(const interior *p, double rest)
+{
+    double size = DBL_MIN, error = 0;
+    for (int n = 0; n < p->count; ++n) {
+        size += p->lambda[n] * fabs(p->want[n]);
+        error += p->lambda[n] * p->s[n];
+    }
+    return error / size + rest;
+}
+
+/* With these lines active, that is holding exactly, and the others without force. False where some
+ * would pull, or others are passed. */
+static bool hold_active(interior *p, const double *barrier)
+{
+    double largest = 0;
+    factorise(p, barrier);
+    for (int round = 0; round < CORRECTIONS; ++round) {
+        multiply(p, p->lambda, p->rest);
+        for (int n = 0; n < p->count; ++n)
+            p->right[n] = barrier[n] > 0 ? 0 : p->want[n] - p->rest[n];
+        solve_factor(p, p->right, p->step);
+        for (int n = 0; n < p->count; ++n)
+            if (barrier[n] == 0) p->lambda[n] += p->step[n];
+    }
+    multiply(p, p->lambda, p->rest);
+    for (int n = 0; n < p->count; ++n) largest = fmax(largest, p->lambda[n]);
+    for (int n = 0; n < p->count; ++n) {
+        const double off = p->rest[n] - p->want[n], tolerance = 4e-15 * (1 + largest);
+        if (!(p->lambda[n] >= 0 && off >= -tolerance && (barrier[n] > 0 || off <= tolerance)))
+            return false;
+    }
+    return true;
+}
+
+/* Lines that push more than they stand off are active. Where that does not fit, lambda is left as
+ * it was, every line with some force. */
+static void cross_over(interior *p)
+{
+    double *barrier = p->s_step;
+    memcpy(p->best, p->lambda, (size_t)p->count * sizeof *p->best);
+    for (int n = 0; n < p->count; ++n) {
+        barrier[n] = p->lambda[n] > p->s[n] ? 0 : HELD_OFF;
+        if (barrier[n] > 0) p->lambda[n] = 0;
+    }
+    if (!hold_active(p, barrier)) memcpy(p->lambda, p->best, (size_t)p->count * sizeof *p->best);
+}
+
+/* The active lines of a problem that was nearly the same are often those of this one. */
+static bool try_known(interior *p, const double *lambda, double largest)
+{
+    double *barrier = p->s_step;
+    bool any = false;
+    for (int n = 0; n < p->count; ++n) {
+        p->lambda[n] = lambda[n] / (p->scale[n] * largest);
+        barrier[n] = lambda[n] > 0 ? 0 : HELD_OFF;
+        any |= lambda[n] > 0;
+    }
+    return any && hold_active(p, barrier);
+}
+
+static bool walk_inside(interior *p)
+{
+    for (int n = 0; n < p->count; ++n) p->lambda[n] = p->s[n] = 1;
+    double error = error_of(p, find_rest(p));
+    for (int round = 0; round < ROUNDS && error > 1e-17; ++round) {
+        const double before = error;
+        take_step(p);
+        error = error_of(p, find_rest(p));
+        if (error <= 1e-15 && error >= 0.5 * before) break; /* what is left is rounding */
+    }
+    cross_over(p);
+    return error <= 1e-11;
+}
+
+bool joint_solve_interior(joint_system *system, int bandwidth, double *room)
+{
+    interior p = open_interior(system, bandwidth, room);
+    double largest = 0;
+    for (int n = 0; n < p.count; ++n) {
+        p.scale[n] = 1 / system->lines[n].length;
+        largest = fmax(largest, fabs(p.scale[n] * system->lines[n].wanted));
+    }
+    for (int n = 0; n < p.count; ++n)
+        p.want[n] = largest > 0 ? p.scale[n] * system->lines[n].wanted / largest : 0;
+    fill_band(&p, system);
+    const bool solved = try_known(&p, system->lambda, largest) || walk_inside(&p);
+    for (int e = 0; e < system->end_count; ++e) system->z[e] = (fw_vec2){0, 0};
+    for (int n = 0; n < p.count; ++n) {
+        const joint_line *line = &system->lines[n];
+        system->lambda[n] = p.lambda[n] * p.scale[n] * largest;
+        for (int k = 0; k < line->count; ++k)
+            system->z[line->end[k]] =
+                fw_vec2_add(system->z[line->end[k]], fw_vec2_scale(system->lambda[n], line->c[k]));
+    }
+    return solved;
+}

@@ -1,0 +1,409 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* joint.c - contact of many particles: island after island, the fixed point of displacements and
+ * midpoint normals. State: memory only. Start reading at fw_joint_solve(). */
+#include "contact/constraint/joint.h"
+
+#include "island.h"
+#include "joint_system.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* Rows that are solved one by one as a set of active ones; more of them as a band. */
+enum { FEW = 30 };
+enum { ROUNDS = 100 };
+#define ARRIVED    1e-13
+#define NEARLY     1e-8
+#define LEAST_PART 0.1
+#define MOST_PART  1.5
+
+struct fw_joint {
+    joint_islands islands;
+    int end_capacity, row_capacity;
+    int *local;      /* per end of the problem: its number in the island, or -1 */
+    int *global;     /* and back */
+    int *first;      /* per end of the island */
+    fw_vec2 *w;      /* per end of the island, with which the weights are found */
+    fw_vec2 *change; /* of w in the last iteration */
+    fw_vec2 *z;      /* per end of the island */
+    int *line_of;    /* per row of the island: its line, or -1 */
+    joint_line *lines;
+    double *lambda;
+    double *room;
+    size_t room_size;
+};
+
+fw_joint *fw_joint_create(void)
+{
+    return calloc(1, sizeof(fw_joint));
+}
+
+void fw_joint_destroy(fw_joint *joint)
+{
+    if (!joint) return;
+    joint_islands_release(&joint->islands);
+    free(joint->local);
+    free(joint->global);
+    free(joint->first);
+    free(joint->w);
+    free(joint->change);
+    free(joint->z);
+    free(joint->line_of);
+    free(joint->lines);
+    free(joint->lambda);
+    free(joint->room);
+    free(joint);
+}
+
+int fw_joint_end_count(const fw_joint_row *row)
+{
+    switch (row->kind) {
+    case FW_JOINT_PLANE:
+    case FW_JOINT_ROUND:
+        return 1;
+    case FW_JOINT_POINT:
+        return 2;
+    case FW_JOINT_SEGMENT:
+        return 3;
+    }
+    assert(false);
+    return 0;
+}
+
+double fw_joint_motion(const fw_joint_row *row, const fw_joint_end *ends)
+{
+    double sum = 0;
+    for (int k = 0; k < fw_joint_end_count(row); ++k)
+        sum += fw_vec2_dot(row->weight[k], ends[row->end[k]].displacement);
+    return sum;
+}
+
+static void *enlarge(void *list, size_t count, size_t size, bool *failed)
+{
+    void *larger = realloc(list, (count + 1) * size);
+    *failed |= !larger;
+    return larger ? larger : list;
+}
+
+static fw_status reserve(fw_joint *joint, int end_count, int row_count, fw_error *error)
+{
+    bool failed = false;
+    if (end_count > joint->end_capacity) {
+        const size_t size = 2 * (size_t)end_count + 64;
+        joint->local = enlarge(joint->local, size, sizeof *joint->local, &failed);
+        joint->global = enlarge(joint->global, size, sizeof *joint->global, &failed);
+        joint->first = enlarge(joint->first, size, sizeof *joint->first, &failed);
+        joint->w = enlarge(joint->w, size, sizeof *joint->w, &failed);
+        joint->change = enlarge(joint->change, size, sizeof *joint->change, &failed);
+        joint->z = enlarge(joint->z, size, sizeof *joint->z, &failed);
+        if (!failed) joint->end_capacity = (int)size;
+    }
+    if (row_count > joint->row_capacity) {
+        const size_t size = 2 * (size_t)row_count + 64;
+        joint->line_of = enlarge(joint->line_of, size, sizeof *joint->line_of, &failed);
+        joint->lines = enlarge(joint->lines, size, sizeof *joint->lines, &failed);
+        joint->lambda = enlarge(joint->lambda, size, sizeof *joint->lambda, &failed);
+        if (!failed) joint->row_capacity = (int)size;
+    }
+    return failed ? fw_fail_memory(error, "the contact of bodies") : FW_OK;
+}
+
+static fw_status reserve_room(fw_joint *joint, size_t size, fw_error *error)
+{
+    if (size <= joint->room_size) return FW_OK;
+    bool failed = false;
+    joint->room = enlarge(joint->room, 2 * size, sizeof *joint->room, &failed);
+    if (failed) return fw_fail_memory(error, "the contact of bodies");
+    joint->room_size = 2 * size;
+    return FW_OK;
+}
+
+/* Where an end is at the middle of the step. */
+static fw_vec2 middle_of(const fw_joint *joint, const fw_joint_end *ends, int end)
+{
+    const int local = joint->local[end];
+    const fw_vec2 w = local >= 0 ? joint->w[local] : ends[end].displacement;
+    return fw_vec2_add(ends[end].position, fw_vec2_scale(0.5, w));
+}
+
+static fw_vec2 scaled_to(fw_vec2 v, double length)
+{
+    return length > 0 ? fw_vec2_scale(1 / length, v) : v;
+}
+
+static double length_of(fw_vec2 v)
+{
+    return sqrt(fw_vec2_dot(v, v));
+}
+
+/* Area (k - j) x (i - j), whose gradient at the middle gives its change over the step exactly;
+ * divided by the length at the start. */
+static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
+{
+    const fw_vec2 i = middle_of(joint, ends, row->end[0]), j = middle_of(joint, ends, row->end[1]),
+                  k = middle_of(joint, ends, row->end[2]);
+    const double length =
+        length_of(fw_vec2_subtract(ends[row->end[2]].position, ends[row->end[1]].position));
+    row->weight[0] = scaled_to(fw_vec2_turn(fw_vec2_subtract(k, j)), length);
+    row->weight[2] = scaled_to(fw_vec2_turn(fw_vec2_subtract(j, i)), length);
+    row->weight[1] = fw_vec2_scale(-1, fw_vec2_add(row->weight[0], row->weight[2]));
+    row->bound = 0;
+}
+
+/* Along i - j at the start: distances grow from there, whatever the ends do across it. (The middle
+ * would leave another way out: i and j exchange their places.) */
+static void weigh_point(const fw_joint_end *ends, fw_joint_row *row)
+{
+    const fw_vec2 apart = fw_vec2_subtract(ends[row->end[0]].position, ends[row->end[1]].position);
+    row->weight[0] = scaled_to(apart, length_of(apart));
+    row->weight[1] = fw_vec2_scale(-1, row->weight[0]);
+    row->bound = 0;
+}
+
+static void weigh(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
+{
+    if (row->kind == FW_JOINT_SEGMENT) {
+        weigh_segment(joint, ends, row);
+        return;
+    }
+    if (row->kind == FW_JOINT_POINT) {
+        weigh_point(ends, row);
+        return;
+    }
+    row->weight[0] = row->normal;
+    if (row->kind == FW_JOINT_ROUND) {
+        const fw_vec2 centre = fw_vec2_add(row->centre, fw_vec2_scale(0.5, row->motion));
+        const fw_vec2 from = fw_vec2_subtract(middle_of(joint, ends, row->end[0]), centre);
+        const fw_vec2 outward = scaled_to(from, length_of(from));
+        row->weight[0] = row->inside ? fw_vec2_scale(-1, outward) : outward;
+    }
+    row->bound = fw_vec2_dot(row->weight[0], row->motion) + row->behind;
+}
+
+/* L L^T = A; L^T v and L v. */
+typedef struct root {
+    double xx, yx, yy;
+} root;
+
+static root root_of(fw_sym2 mobility)
+{
+    const double xx = sqrt(mobility.xx), yx = mobility.xy / xx;
+    return (root){xx, yx, sqrt(mobility.yy - yx * yx)};
+}
+
+static fw_vec2 apply_transposed(root l, fw_vec2 v)
+{
+    return (fw_vec2){l.xx * v.x + l.yx * v.y, l.yy * v.y};
+}
+
+static fw_vec2 apply(root l, fw_vec2 v)
+{
+    return (fw_vec2){l.xx * v.x, l.yx * v.x + l.yy * v.y};
+}
+
+/* The row as a line of numbers. False where no end can give way to it. */
+static bool make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
+                      joint_line *line)
+{
+    double squared = 0;
+    *line = (joint_line){.wanted = row->bound};
+    for (int k = 0; k < fw_joint_end_count(row); ++k) {
+        const fw_joint_end *end = &ends[row->end[k]];
+        line->wanted -= fw_vec2_dot(row->weight[k], end->free);
+        if (!joint_moves(end)) continue;
+        const fw_vec2 c = apply_transposed(root_of(end->mobility), row->weight[k]);
+        if (c.x == 0 && c.y == 0) continue;
+        line->end[line->count] = joint->local[row->end[k]];
+        line->c[line->count++] = c;
+        squared += fw_vec2_dot(c, c);
+    }
+    line->length = sqrt(squared);
+    return squared > 0;
+}
+
+/* Ends of the island in the order in which its rows name them. Returns how many can move. */
+static int list_ends(fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *rows,
+                     const int *list, int count)
+{
+    int found = 0;
+    for (int n = 0; n < count; ++n)
+        for (int k = 0; k < fw_joint_end_count(&rows[list[n]]); ++k) {
+            const int end = rows[list[n]].end[k];
+            if (joint->local[end] >= 0 || !joint_moves(&ends[end])) continue;
+            joint->local[end] = found;
+            joint->w[found] = ends[end].displacement;
+            joint->global[found++] = end;
+        }
+    return found;
+}
+
+static fw_status solve_system(fw_joint *joint, joint_system *system, bool *solved, fw_error *error)
+{
+    const size_t room = joint_nearest_room(system->line_count, system->end_count);
+    *solved = false;
+    if (system->line_count > FEW) {
+        const int bandwidth = joint_bandwidth(system, joint->first);
+        FW_TRY(reserve_room(joint, joint_interior_room(system->line_count, bandwidth), error));
+        *solved = joint_solve_interior(system, bandwidth, joint->room);
+        if (*solved) return FW_OK;
+    }
+    FW_TRY(reserve_room(joint, room, error));
+    *solved = joint_solve_nearest(system, joint->room);
+    return FW_OK;
+}
+
+/* Moves from w to what the weights there give. Returns how far the furthest end goes. */
+static double follow(fw_joint *joint, fw_joint_end *ends, const joint_system *system)
+{
+    double furthest = 0;
+    for (int e = 0; e < system->end_count; ++e) {
+        fw_joint_end *end = &ends[joint->global[e]];
+        end->displacement = fw_vec2_add(end->free, apply(root_of(end->mobility), system->z[e]));
+        const fw_vec2 change = fw_vec2_subtract(end->displacement, joint->w[e]);
+        furthest = fmax(furthest, fabs(change.x) + fabs(change.y));
+    }
+    return furthest;
+}
+
+/* How much of a change is taken (Aitken's extrapolation, as Irons and Tuck do it for vectors, 1969:
+ * changes that alternate are damped, changes that creep are stretched). */
+static double next_part(const fw_joint *joint, const fw_joint_end *ends, int end_count, double part)
+{
+    double along = 0, squared = 0;
+    for (int e = 0; e < end_count; ++e) {
+        const fw_vec2 change = fw_vec2_subtract(ends[joint->global[e]].displacement, joint->w[e]);
+        const fw_vec2 turn = fw_vec2_subtract(change, joint->change[e]);
+        along += fw_vec2_dot(joint->change[e], turn);
+        squared += fw_vec2_dot(turn, turn);
+    }
+    return squared > 0 ? fmin(fmax(-part * along / squared, LEAST_PART), MOST_PART) : part;
+}
+
+static void relax(fw_joint *joint, const fw_joint_end *ends, int end_count,
+                  const fw_joint_springs *springs, double part)
+{
+    for (int e = 0; e < end_count; ++e) {
+        const int end = joint->global[e];
+        const double softening = springs ? springs->softening(springs->context, end) : 0;
+        joint->change[e] = fw_vec2_subtract(ends[end].displacement, joint->w[e]);
+        joint->w[e] =
+            fw_vec2_add(joint->w[e], fw_vec2_scale(part / (1 + softening), joint->change[e]));
+    }
+}
+
+static bool depends_on_displacement(const fw_joint_row *rows, const int *list, int count,
+                                    const fw_joint_springs *springs)
+{
+    for (int n = 0; n < count; ++n)
+        if (rows[list[n]].kind != FW_JOINT_PLANE) return true;
+    return springs != NULL;
+}
+
+/* Lines of the island for the present w; lambda of its rows is where the solver begins. */
+static void make_system(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                        int count, const fw_joint_springs *springs, joint_system *system)
+{
+    for (int e = 0; springs && e < system->end_count; ++e) {
+        const int end = joint->global[e];
+        ends[end].free = springs->free(springs->context, end, joint->w[e]);
+    }
+    system->line_count = 0;
+    for (int n = 0; n < count; ++n) {
+        fw_joint_row *row = &rows[list[n]];
+        weigh(joint, ends, row);
+        joint_line *line = &joint->lines[system->line_count];
+        joint->line_of[n] = -1;
+        if (!make_line(joint, ends, row, line)) continue;
+        joint->line_of[n] = system->line_count;
+        joint->lambda[system->line_count++] = row->lambda;
+    }
+}
+
+/* Weights at w itself say what becomes of each gap: is none passed by more than rounding? Then it
+ * does not matter that ends still move along the tangent. */
+static bool keeps_gaps(fw_joint *joint, const fw_joint_end *ends, int end_count, fw_joint_row *rows,
+                       const int *list, int count)
+{
+    bool keeps = true;
+    for (int e = 0; e < end_count; ++e) {
+        joint->z[e] = joint->w[e];
+        joint->w[e] = ends[joint->global[e]].displacement;
+    }
+    for (int n = 0; n < count && keeps; ++n) {
+        fw_joint_row there = rows[list[n]];
+        weigh(joint, ends, &there);
+        keeps = fw_joint_motion(&there, ends) - there.bound >= -ARRIVED;
+    }
+    for (int e = 0; e < end_count; ++e) joint->w[e] = joint->z[e];
+    return keeps;
+}
+
+static double residual_of(const fw_joint_end *ends, const fw_joint_row *rows, const int *list,
+                          int count)
+{
+    double sum = 0;
+    for (int n = 0; n < count; ++n) {
+        const fw_joint_row *row = &rows[list[n]];
+        if (row->lambda > 0) sum += row->lambda * (fw_joint_motion(row, ends) - row->bound);
+    }
+    return fabs(sum);
+}
+
+static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
+                              const int *list, int count, const fw_joint_springs *springs,
+                              fw_joint_outcome *outcome, fw_error *error)
+{
+    joint_system system = {.lines = joint->lines, .lambda = joint->lambda, .z = joint->z};
+    const bool iterates = depends_on_displacement(rows, list, count, springs);
+    system.end_count = list_ends(joint, ends, rows, list, count);
+    double change = INFINITY, part = 1;
+    bool arrived = false, solved = true;
+    for (int round = 0; round < ROUNDS && !arrived && solved; ++round) {
+        if (round > 1) part = next_part(joint, ends, system.end_count, part);
+        if (round > 0) relax(joint, ends, system.end_count, springs, part);
+        make_system(joint, ends, rows, list, count, springs, &system);
+        FW_TRY(solve_system(joint, &system, &solved, error));
+        change = follow(joint, ends, &system);
+        for (int n = 0; n < count; ++n)
+            rows[list[n]].lambda = joint->line_of[n] < 0 ? 0 : joint->lambda[joint->line_of[n]];
+        outcome->iterations += 1;
+        arrived = change <= ARRIVED || !iterates ||
+                  (change <= NEARLY && !springs &&
+                   keeps_gaps(joint, ends, system.end_count, rows, list, count));
+    }
+    outcome->islands += 1;
+    outcome->unconverged += !arrived || !solved;
+    if (iterates) outcome->change = fmax(outcome->change, change);
+    outcome->residual = fmax(outcome->residual, residual_of(ends, rows, list, count));
+    for (int e = 0; e < system.end_count; ++e) joint->local[joint->global[e]] = -1;
+    for (int n = 0; n < count; ++n) rows[list[n]].fresh = false;
+    return FW_OK;
+}
+
+fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_joint_row *rows,
+                         int row_count, const fw_joint_springs *springs, fw_joint_outcome *outcome,
+                         fw_error *error)
+{
+    *outcome = (fw_joint_outcome){0};
+    FW_TRY(reserve(joint, end_count, row_count, error));
+    FW_TRY(joint_islands_begin(&joint->islands, ends, end_count, rows, row_count, error));
+    for (int e = 0; e < end_count; ++e) {
+        joint->local[e] = -1;
+        if (!joint_moves(&ends[e])) ends[e].displacement = ends[e].free;
+    }
+    int first = 0, count;
+    for (;;) {
+        const int *list =
+            joint_islands_next(&joint->islands, ends, rows, row_count, &first, &count);
+        if (!list) break;
+        FW_TRY(solve_island(joint, ends, rows, list, count, springs, outcome, error));
+    }
+    for (int e = 0; e < end_count; ++e) ends[e].force = (fw_vec2){0, 0};
+    for (int n = 0; n < row_count; ++n)
+        for (int k = 0; rows[n].lambda > 0 && k < fw_joint_end_count(&rows[n]); ++k) {
+            fw_vec2 *force = &ends[rows[n].end[k]].force;
+            *force = fw_vec2_add(*force, fw_vec2_scale(rows[n].lambda, rows[n].weight[k]));
+        }
+    return FW_OK;
+}

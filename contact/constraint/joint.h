@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* joint.h - one contact problem of many particles: bodies against bodies, and walls on the same
+ * particles.
+ *
+ * An end is what moves: a particle with its mobility A, or something on a prescribed way (A = 0). A
+ * row is what must not happen: it weighs the displacements w of at most three ends,
+ *     G w >= bound,   lambda >= 0,   lambda (G w - bound) = 0,   w = w_p + A G^T lambda,
+ * so that w is the point nearest to the free displacement w_p in the norm of the masses. Since
+ * lambda . G w = lambda . bound, contact without prescribed motion does no work, and since the
+ * weights of a row between bodies add up to zero, it gives no momentum.
+ *
+ * The area between a point and a segment is quadratic in the displacements, and so is a squared
+ * distance. With the gradient taken at the middle of the step, G(r + w/2) w is exactly its change:
+ * the gap is held while energy is kept. That makes it a fixed point, w and G in turn. An iterate
+ * that has not arrived costs gap only, never energy or momentum. */
+#ifndef FW_JOINT_H
+#define FW_JOINT_H
+
+#include "core/status.h"
+#include "core/vec2.h"
+
+#include <stdbool.h>
+
+typedef struct fw_joint_end {
+    fw_vec2 position;     /* at the start of the step */
+    fw_vec2 free;         /* displacement without any row */
+    fw_sym2 mobility;     /* dw/dF, positive definite; zero: `free` is prescribed */
+    fw_vec2 displacement; /* in: where to begin, as near as is known; out: w */
+    fw_vec2 force;        /* out: of all rows; w = free + mobility force */
+} fw_joint_end;
+
+typedef enum fw_joint_kind {
+    FW_JOINT_PLANE,   /* end 0 stays before a plane of that normal */
+    FW_JOINT_ROUND,   /* end 0 keeps its distance from a centre: outside, or inside */
+    FW_JOINT_SEGMENT, /* end 0 stays to the left of the segment from end 1 to end 2 */
+    FW_JOINT_POINT    /* end 0 comes no nearer to end 1, which lies elsewhere */
+} fw_joint_kind;
+
+typedef struct fw_joint_row {
+    fw_joint_kind kind;
+    int end[3];        /* of a segment's ends, none is the point */
+    fw_vec2 normal;    /* of a plane, a unit vector to the free side */
+    fw_vec2 centre;    /* of a circle, at the start of the step */
+    bool inside;       /* of a circle */
+    fw_vec2 motion;    /* of a plane or circle in this step */
+    double behind;     /* by how much a plane or circle is to push end 0 back, >= 0 */
+    bool fresh;        /* in: its island has to be solved (again) */
+    double lambda;     /* in: as near as is known, or 0; out: its force, >= 0 */
+    fw_vec2 weight[3]; /* out: the gradient G; zero where there is no end */
+    double bound;      /* out */
+} fw_joint_row;
+
+/* What one call of fw_joint_solve has done. */
+typedef struct fw_joint_outcome {
+    int islands, iterations; /* solved; and of all of them together */
+    int unconverged;         /* islands whose fixed point was not reached, or not solved */
+    double change;           /* how far the last iteration still moved an end, the worst island */
+    double residual;         /* |sum lambda (G w - bound)|, the worst island: energy */
+} fw_joint_outcome;
+
+/* Where an end would go freely depends on where it goes: springs act on it. NULL: on none. */
+typedef struct fw_joint_springs {
+    fw_vec2 (*free)(void *context, int end, fw_vec2 displacement);
+    double (*softening)(void *context, int end); /* A K/2 >= 0: steps are divided by 1 + this */
+    void *context;
+} fw_joint_springs;
+
+/* Memory for the solver; it grows as problems do and is kept. */
+typedef struct fw_joint fw_joint;
+fw_joint *fw_joint_create(void); /* NULL: no memory */
+void fw_joint_destroy(fw_joint *joint);
+
+/* Solves all islands that have a fresh row: rows that share an end that can move belong together.
+ * The displacements of the others' ends stay as they are. The result depends on the order of rows,
+ * in its last bits, and on nothing else. FW_SYSTEM_FAILED without memory. */
+fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_joint_row *rows,
+                         int row_count, const fw_joint_springs *springs, fw_joint_outcome *outcome,
+                         fw_error *error);
+
+/* G w of a row with the weights that it has. */
+double fw_joint_motion(const fw_joint_row *row, const fw_joint_end *ends);
+
+/* Ends that a row weighs. */
+int fw_joint_end_count(const fw_joint_row *row);
+
+#endif

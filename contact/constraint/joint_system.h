@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* joint_system.h - the rows of one island as a problem of numbers: z is the point nearest to the
+ * origin with C z >= wanted, and z = C^T lambda with lambda >= 0. A row c of C is G A^(1/2), wanted
+ * is bound - G w_p, and w = w_p + A^(1/2) z. Shared by joint.c (which makes it), nearest.c and
+ * interior.c (which solve it), and by nobody else. */
+#ifndef FW_JOINT_SYSTEM_H
+#define FW_JOINT_SYSTEM_H
+
+#include "core/vec2.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+typedef struct joint_line {
+    int count; /* of ends that can move */
+    int end[3];
+    fw_vec2 c[3];
+    double wanted;
+    double length; /* |c| > 0 */
+} joint_line;
+
+typedef struct joint_system {
+    int line_count, end_count;
+    joint_line *lines; /* those that share an end lie near each other */
+    double *lambda;    /* in: where to begin; out */
+    fw_vec2 *z;        /* out, per end */
+} joint_system;
+
+static inline double joint_dot(const joint_line *line, const fw_vec2 *z)
+{
+    double sum = 0;
+    for (int n = 0; n < line->count; ++n) sum += fw_vec2_dot(line->c[n], z[line->end[n]]);
+    return sum;
+}
+
+/* c_a . c_b */
+static inline double joint_product(const joint_line *a, const joint_line *b)
+{
+    double sum = 0;
+    for (int n = 0; n < a->count; ++n)
+        for (int m = 0; m < b->count; ++m)
+            if (a->end[n] == b->end[m]) sum += fw_vec2_dot(a->c[n], b->c[m]);
+    return sum;
+}
+
+/* Doubles that nearest and interior need for their work. */
+size_t joint_nearest_room(int line_count, int end_count);
+size_t joint_interior_room(int line_count, int bandwidth);
+/* The largest distance between two lines that share an end. */
+int joint_bandwidth(const joint_system *system, int *first_of_end);
+
+/* For few lines: exact to rounding, whatever depends on what. False where rounding kept it from an
+ * end, or where no point suits all lines. */
+bool joint_solve_nearest(joint_system *system, double *room);
+/* For many lines that form a band. False as above. */
+bool joint_solve_interior(joint_system *system, int bandwidth, double *room);
+
+#endif
