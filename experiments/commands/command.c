@@ -21,8 +21,9 @@
     }
 
 const fw_command fw_commands[] = {
-    {"list", "list [WORD]", "named experiments, or those that speak of a word", 0, 1,
-     FW_COMPLETE_NAME, OPTIONS(&fw_option_names, &fw_option_json), .run = fw_command_list},
+    {"list", "list [WORD...]", "named experiments, or those that speak of all words", 0,
+     FW_WORDS_MAX, FW_COMPLETE_NAME, OPTIONS(&fw_option_names, &fw_option_json),
+     .run = fw_command_list},
     {"show", "show NAME", "its scenario file, ready to copy and edit", 1, 1, FW_COMPLETE_NAME,
      NO_OPTIONS, .run = fw_command_show},
     {"check", "check NAME|FILE",
@@ -52,11 +53,13 @@ const fw_command fw_commands[] = {
     {"profile", "profile DIR",
      "what a result says across the contact: profile and layer; with --field beside the control", 1,
      1, FW_COMPLETE_FOLDER, OPTIONS(&fw_option_field, &fw_option_axis), .run = fw_command_profile},
-    {"quantities", "quantities [NAME]",
-     "what can be measured, recorded and expected: all, or one by name", 0, 1, FW_COMPLETE_QUANTITY,
-     OPTIONS(&fw_option_json), .run = fw_command_quantities},
-    {"reference", "reference [KEY]", "every key of a scenario file, or those of a name or path", 0,
-     1, FW_COMPLETE_KEY, OPTIONS(&fw_option_json), .run = fw_command_reference},
+    {"quantities", "quantities [WORD...]",
+     "what can be measured, recorded and expected: all, one by name, or those that speak of all "
+     "words",
+     0, FW_WORDS_MAX, FW_COMPLETE_QUANTITY, OPTIONS(&fw_option_json), .run = fw_command_quantities},
+    {"reference", "reference [WORD...]",
+     "every key of a scenario file, those of a name or path, or those that speak of all words", 0,
+     FW_WORDS_MAX, FW_COMPLETE_KEY, OPTIONS(&fw_option_json), .run = fw_command_reference},
     {"cite", "cite NAME|FILE|DIR", "BibTeX of the papers that an experiment or a result rests on",
      1, 1, FW_COMPLETE_EXPERIMENT, NO_OPTIONS, .run = fw_command_cite},
     {"completion", "completion", "what makes bash complete its words", 0, 0, FW_COMPLETE_NOTHING,
@@ -87,7 +90,7 @@ void fw_command_print_help(FILE *out)
 {
     fputs("fretwork: contact and friction experiments on lattice solids\n\n", out);
     for (const fw_command *c = fw_commands; c->name; ++c)
-        if (!c->hidden) fprintf(out, "  fretwork %-19s %s\n", c->usage, c->summary);
+        if (!c->hidden) fprintf(out, "  fretwork %-20s %s\n", c->usage, c->summary);
     fputs("\nfretwork COMMAND --help tells the options of a command; fretwork --version the "
           "version.\n\nExit codes:\n",
           out);

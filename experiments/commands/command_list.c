@@ -5,9 +5,8 @@
 #include "experiments/scenario/catalogue.h"
 #include "experiments/text/json.h"
 #include "experiments/text/spelling.h"
-#include "experiments/text/text.h"
+#include "lookup.h"
 
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -50,37 +49,25 @@ static fw_status load(catalogue *c, fw_error *error)
 
 /* --- which ones --- */
 
-/* Is the word in the text, whatever its capitals? */
-static bool speaks_of(const char *text, const char *word)
-{
-    const size_t length = strlen(word);
-    for (; text && *text; ++text) {
-        size_t n = 0;
-        while (n < length && tolower((unsigned char)text[n]) == tolower((unsigned char)word[n]))
-            ++n;
-        if (n == length) return true;
-    }
-    return false;
-}
-
-static fw_status choose(catalogue *c, const char *word, fw_error *error)
+static fw_status choose(catalogue *c, const fw_arguments *arguments, fw_error *error)
 {
     int found = 0;
+    const char *word = arguments->word_count > 0 ? arguments->words[0] : "";
     fw_suggestion suggestion = fw_suggestion_begin(word);
     for (int n = 0; n < c->count; ++n) {
         const fw_scenario *s = c->scenarios[n];
-        c->wanted[n] = speaks_of(fw_catalogue[n].name, word) || speaks_of(s->title, word) ||
-                       speaks_of(s->source, word) || speaks_of(groups[s->group], word);
+        const char *const texts[] = {fw_catalogue[n].name, s->title, s->source, groups[s->group]};
+        c->wanted[n] = fw_lookup_fits(arguments, texts, 4);
         found += c->wanted[n];
         fw_suggestion_offer(&suggestion, fw_catalogue[n].name);
     }
     if (found > 0) return FW_OK;
-    const fw_quote quote = fw_text_quote(word, strlen(word));
-    if (suggestion.best)
+    const fw_quote quote = fw_lookup_quote(arguments);
+    if (suggestion.best && arguments->word_count == 1)
         return fw_fail(error, FW_BAD_INPUT, "no experiment speaks of '%s'; did you mean '%s'?",
                        quote.text, suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
-                   "no experiment speaks of '%s', expected a word of those that `fretwork list` "
+                   "no experiment speaks of '%s', expected words of those that `fretwork list` "
                    "shows",
                    quote.text);
 }
@@ -166,11 +153,11 @@ static int find_name(const char *word)
 
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error)
 {
-    const char *word = arguments->word_count > 0 ? arguments->words[0] : "";
+    const char *word = arguments->word_count == 1 ? arguments->words[0] : "";
     const int named = find_name(word);
     catalogue c = {0};
     fw_status status = load(&c, error);
-    if (status == FW_OK && named < 0) status = choose(&c, word, error);
+    if (status == FW_OK && named < 0) status = choose(&c, arguments, error);
     if (status == FW_OK && named >= 0) c.wanted[named] = true;
     if (status == FW_OK && arguments->json)
         write_json(&c);

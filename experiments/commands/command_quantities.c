@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_quantities.c - what can be measured, recorded and expected: all of it, or one by name.
- * Keeps no state. Start reading at fw_command_quantities(). */
+/* command_quantities.c - what can be measured, recorded and expected: all of it, one by name, or
+ * what speaks of words. Keeps no state. Start reading at fw_command_quantities(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/quantity.h"
 #include "experiments/setup/solids.h"
 #include "experiments/text/json.h"
 #include "experiments/text/spelling.h"
-#include "experiments/text/text.h"
+#include "lookup.h"
 
 #include <string.h>
 
@@ -23,51 +23,58 @@ static const fw_solid_model *model_at(int kind)
     return fw_solid_kind_at((fw_material_kind)kind)->model;
 }
 
-/* NULL: all of them. */
-static bool is_wanted(const char *name, const char *word)
+typedef struct wanted {
+    const fw_arguments *arguments;
+    const char *name; /* exactly that; NULL: all that speaks of the words */
+} wanted;
+
+/* `models`: whose it is; NULL: any body's. */
+static bool is_wanted(const wanted *w, const char *name, const char *meaning, const char *models)
 {
-    return !word || strcmp(name, word) == 0;
+    const char *const texts[] = {name, meaning, models};
+    return w->name ? strcmp(name, w->name) == 0 : fw_lookup_fits(w->arguments, texts, 3);
 }
 
-static fw_status check_word(const char *word, fw_error *error)
+/* What the words ask for, and that there is any. */
+static fw_status choose(wanted *w, const fw_arguments *arguments, fw_error *error)
 {
-    if (!word) return FW_OK;
-    const char *first = NULL; /* that has the word in its name or meaning */
+    const char *word = arguments->word_count == 1 ? arguments->words[0] : "";
     fw_suggestion suggestion = fw_suggestion_begin(word);
+    bool named = false, found = false;
+    *w = (wanted){arguments, NULL};
     for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q)) {
-        if (strcmp(q->name, word) == 0) return FW_OK;
+        named |= strcmp(q->name, word) == 0;
+        found |= is_wanted(w, q->name, q->meaning, q->model);
         fw_suggestion_offer(&suggestion, q->name);
-        if (!first && (strstr(q->name, word) || strstr(q->meaning, word))) first = q->name;
     }
     for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
         for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
-            if (strcmp(field->name, word) == 0) return FW_OK;
+            named |= strcmp(field->name, word) == 0;
+            found |= is_wanted(w, field->name, field->meaning, model_at(m)->name);
             fw_suggestion_offer(&suggestion, field->name);
         }
-    const fw_quote quote = fw_text_quote(word, strlen(word));
-    if (!suggestion.best && first && word[0])
-        return fw_fail(error, FW_BAD_INPUT,
-                       "there is no quantity and no field '%s'; %s is one that speaks of it, "
-                       "`fretwork quantities | grep %s` shows all",
-                       quote.text, first, quote.text);
+    if (named) w->name = word;
+    if (named || found) return FW_OK;
+    const fw_quote quote = fw_lookup_quote(arguments);
     if (suggestion.best)
         return fw_fail(error, FW_BAD_INPUT,
                        "there is no quantity and no field '%s'; did you mean '%s'?", quote.text,
                        suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
-                   "there is no quantity and no field '%s', expected one of `fretwork quantities`",
+                   "there is no quantity and no field '%s', and none speaks of it; expected one of "
+                   "`fretwork quantities`",
                    quote.text);
 }
 
 /* {quantities: [{name, of, components: [...], unit, meaning, models}],
  *  fields: [{name, model, meaning}]}; models null: any; no components: a number. */
-static void write_json(const char *word)
+static void write_json(const wanted *w)
 {
     fw_json json = {.out = stdout};
     fw_json_begin(&json, NULL, '{');
     fw_json_begin(&json, "quantities", '[');
     for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q)) {
-        if (!is_wanted(q->name, word)) continue;
+        if (!is_wanted(w, q->name, q->meaning, q->model)) continue;
         fw_json_begin(&json, NULL, '{');
         fw_json_text(&json, "name", q->name);
         fw_json_text(&json, "of", scopes[q->scope]);
@@ -87,7 +94,7 @@ static void write_json(const char *word)
     fw_json_begin(&json, "fields", '[');
     for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
         for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
-            if (!is_wanted(field->name, word)) continue;
+            if (!is_wanted(w, field->name, field->meaning, model_at(m)->name)) continue;
             fw_json_begin(&json, NULL, '{');
             fw_json_text(&json, "name", field->name);
             fw_json_text(&json, "model", model_at(m)->name);
@@ -113,30 +120,41 @@ static void print_one(const char *word)
                 printf("%s, a field of a %s solid: %s\n", word, model_at(m)->name, field->meaning);
 }
 
-static void print_all(void)
+static void print_table(const wanted *w)
 {
-    printf("Quantities (measure, expect.quantity, plot --observable):\n");
-    printf("  %-20s %-14s %-12s %-16s %s\n", "name", "measured of", "components", "unit",
-           "meaning");
-    for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q))
+    bool begun = false;
+    for (const fw_quantity *q = fw_quantity_first(); q; q = fw_quantity_next(q)) {
+        if (!is_wanted(w, q->name, q->meaning, q->model)) continue;
+        if (!begun)
+            printf("Quantities (measure, expect.quantity, plot --observable):\n"
+                   "  %-20s %-14s %-12s %-16s %s\n",
+                   "name", "measured of", "components", "unit", "meaning");
+        begun = true;
         printf("  %-20s %-14s %-12s %-16s %s\n", q->name, scopes[q->scope],
                q->components[0] ? q->components : "-", q->unit, q->meaning);
+    }
     for (int m = 0; m < FW_MATERIAL_KINDS; ++m) {
-        printf("\nFields of a %s solid (record.fields, plot --field):\n", model_at(m)->name);
-        for (const fw_field *field = model_at(m)->fields; field->name; ++field)
+        bool named = false;
+        for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
+            if (!is_wanted(w, field->name, field->meaning, model_at(m)->name)) continue;
+            if (!named)
+                printf("%sFields of a %s solid (record.fields, plot --field):\n", begun ? "\n" : "",
+                       model_at(m)->name);
+            begun = named = true;
             printf("  %-20s %s\n", field->name, field->meaning);
+        }
     }
 }
 
 fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error)
 {
-    const char *word = arguments->word_count > 0 ? arguments->words[0] : NULL;
-    FW_TRY(check_word(word, error));
+    wanted w;
+    FW_TRY(choose(&w, arguments, error));
     if (arguments->json)
-        write_json(word);
-    else if (word)
-        print_one(word);
+        write_json(&w);
+    else if (w.name)
+        print_one(w.name);
     else
-        print_all();
+        print_table(&w);
     return FW_OK;
 }

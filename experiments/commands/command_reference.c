@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_reference.c - the keys of a scenario file: all of them as Markdown, or those of a name
- * (`damping`) or path (`run.steps`, `walls.floor.path`) in plain lines. Keeps no state. Start
- * reading at fw_command_reference(). */
+/* command_reference.c - the keys of a scenario file: all of them as Markdown, those of a name
+ * (`damping`) or path (`run.steps`, `walls.floor.path`) in plain lines, or those that speak of
+ * words, a line each. Keeps no state. Start reading at fw_command_reference(). */
 #include "experiments/commands/command.h"
 #include "experiments/scenario/scenario.h"
 #include "experiments/text/json.h"
 #include "experiments/text/spelling.h"
-#include "experiments/text/text.h"
+#include "lookup.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -47,23 +47,47 @@ static bool ends_in(const char *path, const char *word)
     return end == length || path[length - end - 1] == '.';
 }
 
-static bool is_wanted(const char *word, const char *path, const fw_key *key)
+static bool is_named(const char *word, const char *path, const fw_key *key)
 {
     char named[FW_SCHEMA_PATH + 8];
-    if (!word || ends_in(path, word) || same_path(path, word)) return true;
+    if (ends_in(path, word) || same_path(path, word)) return true;
     if (!key->subsection || !(key->forms & (FW_FORM_NAMED | FW_FORM_LIST))) return false;
     snprintf(named, sizeof named, "%s.%s", path, key->forms & FW_FORM_NAMED ? "NAME" : "N");
     return same_path(named, word);
 }
 
-/* --- how they are printed --- */
-
 typedef struct search {
-    const char *word; /* NULL: all */
+    const fw_arguments *arguments;
+    const char *word; /* the name or path of keys, or NULL: all keys that speak of the words */
     int found;
     fw_suggestion suggestion; /* among names of keys */
     fw_json json;
 } search;
+
+/* Where a key stands may say some of the words, but not all of them. */
+static bool is_wanted(const search *s, const char *path, const fw_key *key, const char *expected)
+{
+    if (s->word) return is_named(s->word, path, key);
+    if (s->arguments->word_count == 0) return true;
+    const char *const texts[] = {key->name, key->meaning, expected, path};
+    fw_arguments one = *s->arguments;
+    bool any = false;
+    one.word_count = 1;
+    for (int w = 0; w < s->arguments->word_count; ++w) {
+        one.words[0] = s->arguments->words[w];
+        any |= fw_lookup_fits(&one, texts, 3);
+    }
+    return any && fw_lookup_fits(s->arguments, texts, 4);
+}
+
+static void note_name(void *object, const char *path, const fw_key *key)
+{
+    search *s = object;
+    fw_suggestion_offer(&s->suggestion, key->name);
+    s->found += is_named(s->word, path, key);
+}
+
+/* --- how they are printed --- */
 
 static const char *default_of(const fw_key *key)
 {
@@ -87,11 +111,14 @@ static void print_key(void *object, const char *path, const fw_key *key)
 {
     search *s = object;
     char expected[EXPECTED_SIZE];
-    fw_suggestion_offer(&s->suggestion, key->name);
-    if (!is_wanted(s->word, path, key)) return;
-    if (s->found > 0) printf("\n");
-    s->found += 1;
     fw_schema_expected(key, expected, sizeof expected);
+    if (!is_wanted(s, path, key, expected)) return;
+    s->found += 1;
+    if (!s->word) {
+        printf("%s: %s\n", path, key->meaning);
+        return;
+    }
+    if (s->found > 1) printf("\n");
     printf("%s: %s\n  %-8s %s\n", path, key->meaning, "value", expected);
     if (key->unit) printf("  %-8s %s\n", "unit", key->unit);
     printf("  %-8s %s\n", "default", default_of(key));
@@ -104,10 +131,9 @@ static void write_key(void *object, const char *path, const fw_key *key)
 {
     search *s = object;
     char expected[EXPECTED_SIZE];
-    fw_suggestion_offer(&s->suggestion, key->name);
-    if (!is_wanted(s->word, path, key)) return;
-    s->found += 1;
     fw_schema_expected(key, expected, sizeof expected);
+    if (!is_wanted(s, path, key, expected)) return;
+    s->found += 1;
     fw_json_begin(&s->json, NULL, '{');
     fw_json_text(&s->json, "path", path);
     fw_json_text(&s->json, "key", key->name);
@@ -124,13 +150,13 @@ static void write_key(void *object, const char *path, const fw_key *key)
 
 static fw_status refuse(const search *s, fw_error *error)
 {
-    const fw_quote quote = fw_text_quote(s->word, strlen(s->word));
+    const fw_quote quote = fw_lookup_quote(s->arguments);
     if (s->suggestion.best)
         return fw_fail(error, FW_BAD_INPUT, "no key is called '%s'; did you mean '%s'?", quote.text,
                        s->suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
-                   "no key is called '%s', expected the name or path of one that `fretwork "
-                   "reference` lists",
+                   "no key is called '%s', and none speaks of it; expected the name or path of one "
+                   "that `fretwork reference` lists",
                    quote.text);
 }
 
@@ -154,11 +180,15 @@ static fw_status write_json(search *s, fw_error *error)
 
 fw_status fw_command_reference(const fw_arguments *arguments, fw_error *error)
 {
-    const char *word = arguments->word_count > 0 ? arguments->words[0] : NULL;
+    const char *word = arguments->word_count == 1 ? arguments->words[0] : NULL;
     const char *last = word && strrchr(word, '.') ? strrchr(word, '.') + 1 : word;
-    search s = {.word = word, .suggestion = fw_suggestion_begin(last ? last : "")};
+    search s = {
+        .arguments = arguments, .word = word, .suggestion = fw_suggestion_begin(last ? last : "")};
+    if (word) fw_schema_walk(&fw_scenario_section, note_name, &s);
+    if (s.found == 0) s.word = NULL;
+    s.found = 0;
     if (arguments->json) return write_json(&s, error);
-    if (!word) return fw_schema_print(&fw_scenario_section, stdout, error);
+    if (arguments->word_count == 0) return fw_schema_print(&fw_scenario_section, stdout, error);
     fw_schema_walk(&fw_scenario_section, print_key, &s);
     return s.found > 0 ? FW_OK : refuse(&s, error);
 }

@@ -48,6 +48,10 @@ static void every_experiment_has_a_group_and_a_time(void **state)
     word = run_program("/", "list chain");
     contains(word.out, "chain: Chains pulled at both ends");
     contains(word.out, "`fretwork run chain` runs it.\n");
+    /* Of several words each must be there. */
+    word = run_program("/", "list dong SPEED");
+    contains(word.out, "wave-diagonal");
+    lacks(word.out, "polarisation");
 }
 
 static void quantities_tells_one(void **state)
@@ -62,6 +66,31 @@ static void quantities_tells_one(void **state)
     seen = run_program("/", "quantities speed");
     contains(seen.out, "speed, a field of a lattice-boltzmann solid: ");
     contains(seen.out, "speed, a field of a movable-particles solid: ");
+}
+
+static void words_that_are_no_name_are_looked_for(void **state)
+{
+    (void)state;
+    outcome seen = run_program("/", "quantities Heat");
+    expect_end(&seen, 0, "");
+    contains(seen.out, "Quantities (measure, ");
+    contains(seen.out, "\n  friction-heat ");
+    contains(seen.out, "\n  energy-error "); /* whose meaning speaks of it */
+    lacks(seen.out, "centre-of-mass");
+    lacks(seen.out, "Fields of");
+    seen = run_program("/", "quantities heat friction");
+    lacks(seen.out, "energy-error");
+    /* Those that only one model has. */
+    seen = run_program("/", "quantities linear-lattice second");
+    contains(seen.out, "\n  bond-angle ");
+    seen = run_program("/", "reference friction");
+    expect_end(&seen, 0, "");
+    contains(seen.out, "walls.NAME.surface.coulomb: friction coefficient");
+    lacks(seen.out, "default");
+    /* The place of a key may say one of the words, but not all. */
+    seen = run_program("/", "reference piston mass");
+    contains(seen.out, "walls.NAME.piston.mass: ");
+    lacks(seen.out, "walls.NAME.piston.damping");
 }
 
 static void reference_finds_a_key_by_name_and_path(void **state)
@@ -135,6 +164,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_experiment_has_a_group_and_a_time),
         cmocka_unit_test(quantities_tells_one),
+        cmocka_unit_test(words_that_are_no_name_are_looked_for),
         cmocka_unit_test(reference_finds_a_key_by_name_and_path),
         cmocka_unit_test(json_says_the_same),
     };
