@@ -28,6 +28,17 @@ fw_average fw_average_of_replicas(const double *values, size_t count)
     return average;
 }
 
+fw_average fw_average_of_known(double *values, size_t count)
+{
+    size_t known = 0;
+    for (size_t k = 0; k < count; ++k)
+        if (isfinite(values[k])) values[known++] = values[k];
+    fw_average average = {.mean = NAN, .correlation = 1};
+    if (known > 0) average = fw_average_of_replicas(values, known);
+    if (known < 2) average.error = NAN;
+    return average;
+}
+
 /* Means of pairs of neighbours, in place; an odd last one is left out. */
 static size_t pair_up(double *values, size_t count)
 {

@@ -30,6 +30,9 @@ fw_status fw_average_of_series(fw_average *average, const double *values, size_t
 
 /* Of independent values (seeds, replicas). */
 fw_average fw_average_of_replicas(const double *values, size_t count);
+/* The same of those that are finite, which are moved to the front; `count` says how many they are.
+ * The mean is NaN where there is none, the error where there are fewer than two. */
+fw_average fw_average_of_known(double *values, size_t count);
 
 /* How many standard errors the means of the first and the second half of a series are apart: a
  * steady state stays below 3. */

@@ -16,6 +16,12 @@ typedef struct fw_probe {
     int components;
 } fw_probe;
 
+/* A number of a study: means over the seeds and their errors, of the experiment and of its control.
+ * Errors of a single seed, and the control where there is none, are NaN. */
+typedef struct fw_outcome {
+    double mean, error, control, control_error;
+} fw_outcome;
+
 typedef struct fw_measurement {
     int probe_count;
     fw_probe *probes;
@@ -26,9 +32,7 @@ typedef struct fw_measurement {
     double *values; /* count rows of `width` */
     int *expected;  /* per expectation: its probe, or -1: it comes out of the study ... */
     int *component; /* ... and component, or number of the layer's measure */
-    /* What came out of the study, by fw_layer_measure: means and their errors. NULL before its end.
-     */
-    const double *outcome, *outcome_error;
+    const fw_outcome *outcome;      /* of the study, by fw_layer_measure; NULL before its end */
     const double *outcome_of_seeds; /* the same numbers of each seed, one seed after the other */
     /* Of all seeds of the study, itself the first. NULL before its end, and of a single run. */
     const struct fw_measurement *const *seeds;

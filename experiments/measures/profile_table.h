@@ -8,12 +8,6 @@
 #include "experiments/measures/layer.h"
 #include "experiments/results/playback.h"
 
-/* One number as it came out. Errors of a single seed, and the control where there is none, are NaN.
- */
-typedef struct fw_outcome {
-    double mean, error, control, control_error;
-} fw_outcome;
-
 typedef struct fw_profile_table {
     char axis; /* 'x' or 'y' */
     int bin_count;

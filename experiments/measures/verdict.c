@@ -214,8 +214,8 @@ static fw_verdict verdict_of_outcome(const fw_expectation *e, const fw_measureme
     const int measure = measurement->component[number];
     fw_verdict verdict = {.expectation = e, .measured = NAN, .error = NAN};
     if (measurement->outcome) {
-        verdict.measured = measurement->outcome[measure];
-        verdict.error = measurement->outcome_error[measure];
+        verdict.measured = measurement->outcome[measure].mean;
+        verdict.error = measurement->outcome[measure].error;
     }
     snprintf(verdict.quantity, sizeof verdict.quantity, "%s", e->quantity.text);
     return verdict;
@@ -259,21 +259,18 @@ double fw_verdict_of_seed(const fw_scenario *scenario, const fw_measurement *mea
     return value_in(of, &scenario->expectations[number], number);
 }
 
-/* Mean over the seeds, and the error that follows from their spread. */
+/* Mean over the seeds, and the error that follows from their spread. A quantity is a number in
+ * every seed, or in none: a single one that is not finite cannot hide among the others. */
 static void average_seeds(fw_verdict *verdict, const fw_measurement *measurement, int number)
 {
-    const int count = measurement->seed_count;
-    double sum = 0, squares = 0;
-    for (int n = 0; n < count; ++n)
-        sum += value_in(measurement->seeds[n], verdict->expectation, number);
-    verdict->measured = sum / count;
-    for (int n = 0; n < count; ++n) {
-        const double off =
-            value_in(measurement->seeds[n], verdict->expectation, number) - verdict->measured;
-        squares += off * off;
-    }
-    verdict->error = sqrt(squares / ((double)count * (count - 1)));
-    verdict->seeds = verdict->seeds_asked = count;
+    const size_t count = (size_t)measurement->seed_count;
+    double values[FW_SEEDS_MAX];
+    for (size_t n = 0; n < count; ++n)
+        values[n] = value_in(measurement->seeds[n], verdict->expectation, number);
+    const fw_average average = fw_average_of_known(values, count);
+    verdict->measured = average.count == count ? average.mean : NAN;
+    verdict->error = average.count == count ? average.error : NAN;
+    verdict->seeds = verdict->seeds_asked = measurement->seed_count;
 }
 
 /* With as many digits as the first two of its error, where that is known. */

@@ -312,12 +312,10 @@ const char *fw_run_warnings(const fw_run *run)
     return run->recorder ? fw_recorder_warnings(run->recorder) : "";
 }
 
-void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
-                        const double *outcome_of_seeds)
+void fw_run_set_outcome(fw_run *run, const fw_outcome *outcome, const double *outcome_of_seeds)
 {
     run->measurement->outcome_of_seeds = outcome_of_seeds;
     run->measurement->outcome = outcome;
-    run->measurement->outcome_error = outcome_error;
 }
 
 void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count)

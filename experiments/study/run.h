@@ -49,8 +49,7 @@ void fw_run_fail(fw_run *run, fw_status status, const char *reason);
 /* What the user was warned of, a line each, as the results keep it; "" without results. */
 const char *fw_run_warnings(const fw_run *run);
 /* For expectations of a study's outcome; all are observed. */
-void fw_run_set_outcome(fw_run *run, const double *outcome, const double *outcome_error,
-                        const double *outcome_of_seeds);
+void fw_run_set_outcome(fw_run *run, const fw_outcome *outcome, const double *outcome_of_seeds);
 /* For all other expectations: what all seeds measured; observed. */
 void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count);
 

@@ -10,7 +10,6 @@
 #include "experiments/storage/folder.h"
 #include "summary.h"
 
-#include <assert.h>
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -35,7 +34,6 @@ struct fw_study {
     const fw_measurement **measurements; /* per seed of the experiment */
     fw_profile_table *table;
     double (*layers)[FW_LAYER_MEASURES]; /* of each run */
-    double outcome[FW_LAYER_MEASURES], outcome_error[FW_LAYER_MEASURES];
 };
 
 /* --- making --- */
@@ -230,33 +228,24 @@ static const fw_observer *observer_of(const fw_study *study, int number)
     return fw_run_observer(study->replicas[number].run);
 }
 
-/* Over the seeds that have a value. */
-static void average(const double *values, int count, double *mean, double *error)
+/* From the values of all runs, over those that have one: of the experiment, and of its control. */
+static fw_outcome outcome_of(const fw_study *study, double *values)
 {
-    double known[FW_SEEDS_MAX];
-    size_t found = 0;
-    assert(count <= FW_SEEDS_MAX);
-    for (int n = 0; n < count; ++n)
-        if (isfinite(values[n])) known[found++] = values[n];
-    *mean = *error = NAN;
-    if (found == 0) return;
-    const fw_average result = fw_average_of_replicas(known, found);
-    *mean = result.mean;
-    if (found > 1) *error = result.error;
+    const size_t seeds = (size_t)study->seed_count, all = (size_t)study->run_count;
+    const fw_average experiment = fw_average_of_known(values, seeds);
+    const fw_average control = fw_average_of_known(values + seeds, all - seeds);
+    return (fw_outcome){experiment.mean, experiment.error, control.mean, control.error};
 }
 
 static void average_columns(fw_study *study, double *values)
 {
-    fw_profile_table *table = study->table;
-    const int seeds = study->seed_count;
+    const fw_profile_table *table = study->table;
     for (int c = 0; c < FW_PROFILE_COLUMNS; ++c)
         for (int b = 0; b < table->bin_count; ++b) {
-            fw_outcome *o = &fw_profile_table_column(table, (fw_profile_column)c)[b];
             for (int n = 0; n < study->run_count; ++n)
                 values[n] =
                     fw_profile_value(observer_of(study, n)->profile, b, (fw_profile_column)c);
-            average(values, seeds, &o->mean, &o->error);
-            average(values + seeds, study->run_count - seeds, &o->control, &o->control_error);
+            fw_profile_table_column(table, (fw_profile_column)c)[b] = outcome_of(study, values);
         }
 }
 
@@ -270,12 +259,8 @@ static fw_status average_layer(fw_study *study, double *values, fw_error *error)
     for (int n = seeds; n < study->run_count; ++n)
         fw_layer_compare(layers[n - seeds], layers[n], observer_of(study, n)->profile);
     for (int m = 0; m < FW_LAYER_MEASURES; ++m) {
-        fw_outcome *o = &study->table->layer[m];
         for (int n = 0; n < study->run_count; ++n) values[n] = layers[n][m];
-        average(values, seeds, &o->mean, &o->error);
-        average(values + seeds, study->run_count - seeds, &o->control, &o->control_error);
-        study->outcome[m] = o->mean;
-        study->outcome_error[m] = o->error;
+        study->table->layer[m] = outcome_of(study, values);
     }
     return FW_OK;
 }
@@ -306,8 +291,7 @@ static fw_status evaluate(fw_study *study, fw_error *error)
     }
     free(values);
     if (status == FW_OK)
-        fw_run_set_outcome(study->replicas[0].run, study->outcome, study->outcome_error,
-                           study->layers[0]);
+        fw_run_set_outcome(study->replicas[0].run, study->table->layer, study->layers[0]);
     return status;
 }
 

@@ -73,6 +73,25 @@ static void replicas_have_the_plain_error(void **state)
     assert_close(average.error, sqrt(5. / 12), 1e-15);
 }
 
+static void only_what_is_known_is_averaged(void **state)
+{
+    (void)state;
+    double values[] = {NAN, 1, INFINITY, 2, 3, -INFINITY, 4}, one[] = {NAN, 7}, none[] = {NAN};
+    fw_average average = fw_average_of_known(values, 7);
+    assert_int_equal(average.count, 4);
+    assert_close(average.mean, 2.5, 1e-15);
+    assert_close(average.error, sqrt(5. / 12), 1e-15);
+    average = fw_average_of_known(one, 2);
+    assert_int_equal(average.count, 1);
+    assert_close(average.mean, 7, 0);
+    assert_true(isnan(average.error));
+    average = fw_average_of_known(none, 1);
+    assert_int_equal(average.count, 0);
+    assert_true(isnan(average.mean) && isnan(average.error));
+    average = fw_average_of_known(NULL, 0);
+    assert_true(isnan(average.mean));
+}
+
 static void drift_tells_a_steady_state(void **state)
 {
     (void)state;
@@ -93,6 +112,7 @@ int main(void)
         cmocka_unit_test(estimated_errors_are_the_spread_of_means),
         cmocka_unit_test(short_series_say_that_they_are),
         cmocka_unit_test(replicas_have_the_plain_error),
+        cmocka_unit_test(only_what_is_known_is_averaged),
         cmocka_unit_test(drift_tells_a_steady_state),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
