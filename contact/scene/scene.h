@@ -75,13 +75,13 @@ fw_status fw_scene_settle(fw_scene *scene, fw_error *error);
 /* Whoever advances settles at least at all multiples of so many steps: what is lost is found. */
 enum { FW_SCENE_SETTLES_EVERY = 16 };
 
-/* The largest energy or work so far, as far as it was looked for: the energies at each
- * fw_scene_check_energy, the sums of the ledger after each step. What errors of the energy are a
- * part of. */
+/* The largest energy or work so far, by the ledger at the start and after each step: what errors of
+ * the energy are a part of. */
 double fw_scene_energy_scale(const fw_scene *scene);
-/* FW_DIVERGED where energy and ledger are apart by a large part of that scale. Scenes with a
- * boundary rule or surface that does not conserve energy pass. As dear as the energies are. */
-fw_status fw_scene_check_energy(fw_scene *scene, fw_error *error);
+/* FW_DIVERGED where energy and ledger are apart by a large part of that, or of the kinetic and the
+ * elastic energy together if these are larger. Scenes with a boundary rule or surface that does not
+ * conserve energy pass. As dear as the energies are. */
+fw_status fw_scene_check_energy(const fw_scene *scene, fw_error *error);
 
 int64_t fw_scene_steps(const fw_scene *scene); /* since the beginning */
 double fw_scene_time(const fw_scene *scene);

@@ -296,6 +296,7 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
     fw_energies energies = fw_scene_energies(scene);
     scene->energy_at_start = energies.kinetic + energies.elastic;
     scene->momentum_at_start = fw_scene_momentum(scene);
+    scene_note_work(scene);
     return FW_OK;
 }
 

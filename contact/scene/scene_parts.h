@@ -105,10 +105,10 @@ struct fw_scene {
     int passable_count;
     double energy_at_start;
     fw_vec2 momentum_at_start;
-    double energy_scale; /* the largest energy or work so far */
+    double energy_scale; /* see fw_scene_energy_scale */
 };
 
-/* Keeps the largest work so far, after a step. */
+/* Keeps the largest energy or work so far, at the start and after a step. */
 void scene_note_work(fw_scene *scene);
 
 /* 3. and 4. of the time step for given motions of the walls: which facets are near which run of

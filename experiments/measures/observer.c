@@ -10,15 +10,6 @@
 #include <stdlib.h>
 
 /* The ledger says in each step what energy there should be. */
-static double largest_in_scene(const fw_scene *scene)
-{
-    const fw_ledger l = fw_scene_ledger(scene);
-    const double gone = fmax(l.dissipated + l.friction_heat, fabs(l.thermostat_heat));
-    const double work = fmax(fabs(l.external_work), fmax(fabs(l.wall_work), fabs(l.grip_work)));
-    return fmax(fmax(fabs(fw_ledger_energy(&l)), fabs(l.energy_at_start)),
-                fmax(fmax(gone, work), l.wall_stored));
-}
-
 static double largest_in_body(const fw_experiment *experiment, int body)
 {
     const fw_solid_ledger *l = &fw_experiment_solid(experiment, body)->ledger;
@@ -32,14 +23,13 @@ static void follow_energy(fw_observer *observer)
 {
     const fw_experiment *experiment = observer->experiment;
     double *scale = observer->energy_scale;
-    scale[0] = fmax(scale[0], largest_in_scene(experiment->scene));
     for (int b = 0; b < experiment->body_count; ++b)
-        scale[1 + b] = fmax(scale[1 + b], largest_in_body(experiment, b));
+        scale[b] = fmax(scale[b], largest_in_body(experiment, b));
 }
 
 static fw_status begin_following(fw_observer *observer, fw_error *error)
 {
-    observer->energy_scale = fw_array_of_doubles((size_t)observer->experiment->body_count + 1);
+    observer->energy_scale = fw_array_of_doubles((size_t)observer->experiment->body_count);
     if (!observer->energy_scale) return fw_fail_memory(error, "an observer");
     follow_energy(observer);
     return FW_OK;
@@ -47,7 +37,7 @@ static fw_status begin_following(fw_observer *observer, fw_error *error)
 
 void fw_observer_state(fw_observer *observer, fw_state_list *list)
 {
-    fw_state_list_add(list, "energy-scale", FW_F64, (size_t)observer->experiment->body_count + 1,
+    fw_state_list_add(list, "energy-scale", FW_F64, (size_t)observer->experiment->body_count,
                       observer->energy_scale);
     if (!observer->profile) return;
     fw_profile_state(observer->profile, list);

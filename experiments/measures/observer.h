@@ -14,8 +14,8 @@ typedef struct fw_observer {
     fw_experiment *experiment;
     fw_profile *profile; /* NULL where the scenario has none */
     fw_rubbing rubbing;  /* followed where there is a profile */
-    /* The largest energy or work so far, by which what the ledgers lack is judged: of the scene,
-     * then of each body of the scenario. Part of the state. */
+    /* Of each body of the scenario, by its own ledger, what fw_scene_energy_scale is of the scene:
+     * the largest energy or work so far. Part of the state. */
     double *energy_scale;
     int analysis_count;
     fw_analysis **analyses; /* same order as the scenario's */

@@ -54,26 +54,27 @@ static void energy_per_particle(const fw_experiment *experiment, fw_subject subj
 }
 
 /* A difference of energies over the largest energy or work so far, or that of this instant. */
-static double relative(double difference, double now, fw_subject subject)
+static double relative(double difference, double now, double so_far)
 {
-    const double so_far = subject.observer ? subject.observer->energy_scale[subject.body + 1] : 0;
     const double scale = fmax(fabs(now), so_far);
     return scale > 0 ? difference / scale : 0;
 }
 
 static void energy_drift(const fw_experiment *experiment, fw_subject subject, double *out)
 {
+    (void)subject;
     const fw_ledger ledger = fw_scene_ledger(experiment->scene);
     const double now = total(fw_scene_energies(experiment->scene)) + ledger.wall_stored;
-    out[0] = relative(now - ledger.energy_at_start, now, subject);
+    out[0] = relative(now - ledger.energy_at_start, now, fw_scene_energy_scale(experiment->scene));
 }
 
 /* Against what the ledger says that the energy should be. */
-static void energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
+static void energy_error(const fw_experiment *experiment, double *out)
 {
     const fw_ledger ledger = fw_scene_ledger(experiment->scene);
     const double now = total(fw_scene_energies(experiment->scene));
-    out[0] = relative(now - fw_ledger_energy(&ledger), now, subject);
+    out[0] =
+        relative(now - fw_ledger_energy(&ledger), now, fw_scene_energy_scale(experiment->scene));
 }
 
 /* Movable particles of all bodies are one solid, with one ledger: theirs is taken together. */
@@ -85,7 +86,7 @@ static bool goes_with(const fw_experiment *experiment, int body, int other)
 static void body_energy_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     if (subject.body < 0) {
-        energy_error(experiment, subject, out);
+        energy_error(experiment, out);
         return;
     }
     /* The energy of a single body that meets no wall: all it exchanged is in its own ledger. */
@@ -93,7 +94,8 @@ static void body_energy_error(const fw_experiment *experiment, fw_subject subjec
     const double booked = fw_experiment_energy_at_start(experiment, subject.body) +
                           solid->ledger.work - solid->ledger.dissipated + solid->ledger.heat;
     const double now = total(fw_solid_energies(solid));
-    out[0] = relative(now - booked, now, subject);
+    const double so_far = subject.observer ? subject.observer->energy_scale[subject.body] : 0;
+    out[0] = relative(now - booked, now, so_far);
 }
 
 static void momentum(const fw_experiment *experiment, fw_subject subject, double *out)

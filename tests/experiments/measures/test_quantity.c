@@ -74,6 +74,7 @@ static void errors_of_energy_have_the_scale_of_what_went_through(void **state)
         if (step == 0) assert_true(is_plain_nan(now("kinetic-fraction.b", 0)));
         if (step == 0) assert_true(is_plain_nan(now("friction-ratio.floor", 0)));
     }
+    assert_close(fw_scene_energy_scale(observer->experiment->scene), highest, .3 * highest);
     assert_close(observer->energy_scale[0], highest, .3 * highest);
     assert_close(now("friction-ratio.floor", 0), 0, 1e-12);
     end();
