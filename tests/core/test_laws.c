@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_laws.c - the same laws asked of every solid: momentum, energy, free translation, the ledger,
- * static equilibrium, wave speed, walls, restart, threads. What a solid keeps only up to the error
- * of its time step says so in its row of tests/support/solids.h. */
+ * static equilibrium, wave speed, walls, restart, threads, instructions. What a solid keeps only up
+ * to the error of its time step says so in its row of tests/support/solids.h. */
 #include "tests/support/laws.h"
 
 #include "contact/scene/scene.h"
+#include "core/instruction_set.h"
 #include "tests/support/solids.h"
 #include "tests/support/standing_wave.h"
 #include "tests/support/steps.h"
@@ -293,6 +294,26 @@ static uint64_t hash_with(const solid_kind *kind, int threads)
     return hash;
 }
 
+/* Whatever kernels run. */
+static void bytes_do_not_depend_on_instructions(void **state)
+{
+    (void)state;
+    const int before = fw_instruction_set();
+    fw_error error;
+    for (int k = 0; k < KINDS; ++k) {
+        uint64_t hash = 0;
+        for (int set = 0; set < FW_INSTRUCTION_SETS; ++set) {
+            const char *name = fw_instruction_set_name(set);
+            if (!fw_instruction_set_runs(set)) continue;
+            assert_int_equal(fw_instruction_set_use(name, &error), FW_OK);
+            const uint64_t here = hash_with(&kinds[k], 1);
+            if (set > 0 && here != hash) fail_msg("%s: other bytes with %s", kinds[k].name, name);
+            hash = here;
+        }
+    }
+    assert_int_equal(fw_instruction_set_use(fw_instruction_set_name(before), &error), FW_OK);
+}
+
 static void bytes_do_not_depend_on_threads(void **state)
 {
     (void)state;
@@ -317,6 +338,7 @@ int main(void)
         cmocka_unit_test(walls_hold_without_loss),
         cmocka_unit_test(restored_bodies_go_on_to_the_bit),
         cmocka_unit_test(bytes_do_not_depend_on_threads),
+        cmocka_unit_test(bytes_do_not_depend_on_instructions),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
