@@ -151,6 +151,34 @@ FW_INLINE bool fw_any(fw_mask mask)
     return fw_mask_bits(mask, 0) != 0;
 }
 
+/* Lanes where the mask is true; the others are +0. */
+FW_INLINE fw_vector fw_load_some(const double *from, fw_mask mask)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_maskz_loadu_pd(mask, from);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_maskload_pd(from, (__m256i)mask);
+#else
+    fw_vector v = {0};
+    for (int lane = 0; lane < FW_WIDTH; ++lane)
+        if (mask[lane]) v[lane] = from[lane];
+    return v;
+#endif
+}
+
+/* Where the mask is false nothing is written. */
+FW_INLINE void fw_store_some(double *to, fw_mask mask, fw_vector v)
+{
+#if defined(__AVX512F__)
+    _mm512_mask_storeu_pd(to, mask, (__m512d)v);
+#elif defined(__AVX2__)
+    _mm256_maskstore_pd(to, (__m256i)mask, (__m256d)v);
+#else
+    for (int lane = 0; lane < FW_WIDTH; ++lane)
+        if (mask[lane]) to[lane] = v[lane];
+#endif
+}
+
 /* v where the mask is true, +0 elsewhere. */
 FW_INLINE fw_vector fw_keep(fw_mask mask, fw_vector v)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* automaton_body.c - what a cell of the automaton feels from its neighbours, whether it stands in a
- * span or at a rim. Keeps no state. Start reading at fw_automaton_span_pull().
+ * span or at a rim. Keeps no state. Start reading at fw_automaton_cell_pull().
  *
  * Pulls are sums over differences, not -b + sum B w as the paper writes it: a rigid shift of the
  * body, however large, then leaves no rounding behind. */
@@ -14,7 +14,9 @@ void fw_automaton_release(fw_automaton *body)
         fw_automaton_colour *colour = &body->colour[c];
         free(colour->span);
         free(colour->rim);
+        free(colour->row);
     }
+    free(body->run);
     free(body->cell);
     free(body->white);
     free(body->border);
@@ -52,33 +54,6 @@ bool fw_automaton_rim_weigh(const fw_automaton *body, int colour, fw_automaton_r
     return true;
 }
 
-void fw_automaton_span_pull(const fw_automaton *body, int colour, const fw_automaton_span *span,
-                            double *restrict x, double *restrict y)
-{
-    const fw_automaton_colour *own = &body->colour[colour], *other = &body->colour[!colour];
-    const fw_sym2 e = *own->matrix[FW_EAST], n = *own->matrix[FW_NORTH];
-    const fw_sym2 w = *own->matrix[FW_WEST], s = *own->matrix[FW_SOUTH];
-    const double *restrict own_x = own->x + span->begin, *restrict own_y = own->y + span->begin;
-    const double *restrict east_x = other->x + span->begin + span->offset[FW_EAST];
-    const double *restrict east_y = other->y + span->begin + span->offset[FW_EAST];
-    const double *restrict north_x = other->x + span->begin + span->offset[FW_NORTH];
-    const double *restrict north_y = other->y + span->begin + span->offset[FW_NORTH];
-    const double *restrict west_x = other->x + span->begin + span->offset[FW_WEST];
-    const double *restrict west_y = other->y + span->begin + span->offset[FW_WEST];
-    const double *restrict south_x = other->x + span->begin + span->offset[FW_SOUTH];
-    const double *restrict south_y = other->y + span->begin + span->offset[FW_SOUTH];
-    for (int k = 0; k < span->count; ++k) {
-        const double ex = east_x[k] - own_x[k], ey = east_y[k] - own_y[k];
-        const double nx = north_x[k] - own_x[k], ny = north_y[k] - own_y[k];
-        const double wx = west_x[k] - own_x[k], wy = west_y[k] - own_y[k];
-        const double sx = south_x[k] - own_x[k], sy = south_y[k] - own_y[k];
-        x[k] = ((e.xx * ex + e.xy * ey) + (n.xx * nx + n.xy * ny)) +
-               ((w.xx * wx + w.xy * wy) + (s.xx * sx + s.xy * sy));
-        y[k] = ((e.xy * ex + e.yy * ey) + (n.xy * nx + n.yy * ny)) +
-               ((w.xy * wx + w.yy * wy) + (s.xy * sx + s.yy * sy));
-    }
-}
-
 fw_vec2 fw_automaton_rim_pull(const fw_automaton *body, int colour, const fw_automaton_rim *rim)
 {
     const fw_automaton_colour *other = &body->colour[!colour];
@@ -95,15 +70,18 @@ fw_vec2 fw_automaton_rim_pull(const fw_automaton *body, int colour, const fw_aut
 
 fw_vec2 fw_automaton_cell_pull(const fw_automaton *body, int colour, int cell)
 {
-    const fw_automaton_colour *own = &body->colour[colour];
+    const fw_automaton_colour *own = &body->colour[colour], *other = &body->colour[!colour];
     const int place = own->place[cell];
     if (place >= 0) return fw_automaton_rim_pull(body, colour, &own->rim[place]);
-    fw_automaton_span alone = own->span[~place];
-    alone.begin = cell;
-    alone.count = 1;
-    fw_vec2 sum;
-    fw_automaton_span_pull(body, colour, &alone, &sum.x, &sum.y);
-    return sum;
+    const fw_vec2 self = fw_automaton_at(own, cell);
+    fw_vec2 pull[FW_DIRECTIONS];
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        const int neighbour = cell + own->span[~place].offset[d];
+        pull[d] = fw_sym2_apply(*own->matrix[d],
+                                fw_vec2_subtract(fw_automaton_at(other, neighbour), self));
+    }
+    return fw_vec2_add(fw_vec2_add(pull[FW_EAST], pull[FW_NORTH]),
+                       fw_vec2_add(pull[FW_WEST], pull[FW_SOUTH]));
 }
 
 fw_sym2 fw_automaton_cell_mass(const fw_automaton *body, int colour, int cell)

@@ -16,11 +16,24 @@ enum { FW_BLACK, FW_WHITE, FW_COLOURS };
 /* Cells begin .. begin + count - 1 of a colour: neighbours of cell n in direction d are cells
  * n + offset[d] of the other colour, with the full matrices; their particles are
  * particle + 2 (n - begin). */
-enum { FW_SPAN_MAX = 512 };
 typedef struct fw_automaton_span {
     int begin, count, particle;
     int offset[FW_DIRECTIONS];
+    bool held; /* in this tick a constraint decides for one of its cells */
 } fw_automaton_span;
+
+/* The first span and the first rim entry of a row of the lattice; the next row has those past the
+ * last. */
+typedef struct fw_automaton_row {
+    int span, rim;
+} fw_automaton_row;
+
+/* Sites side by side, and their particles: black and white in turn. */
+typedef struct fw_automaton_run {
+    fw_site site;
+    int particle, count;
+    int cell[2]; /* of the first two particles */
+} fw_automaton_run;
 
 /* A cell with its own rule: s = sum_d pull[d] (neighbour - self), free displacement
  * (1 + reflection)/2 inverse_mass s. */
@@ -42,6 +55,7 @@ typedef struct fw_automaton_colour {
     int span_count, rim_count;
     fw_automaton_span *span;
     fw_automaton_rim *rim;
+    fw_automaton_row *row;                /* row_count of the body and one more */
     const fw_sym2 *matrix[FW_DIRECTIONS]; /* B for black, D for white */
 } fw_automaton_colour;
 
@@ -58,6 +72,11 @@ typedef struct fw_automaton {
     double reflection;
     double break_at; /* stretch of a bond that breaks it */
     bool breaks;     /* break_at is finite: every cell then has a rim entry */
+    fw_lattice lattice;
+    fw_vec2 turn; /* cosine and sine of its angle */
+    int run_count;
+    fw_automaton_run *run; /* ascending: all particles */
+    int row_count;         /* rows of the lattice that have cells, ascending */
     fw_automaton_colour colour[FW_COLOURS];
     fw_arena cells;   /* of the arrays of both colours but spans and rims */
     int *cell;        /* of each particle: its number within its colour */
@@ -70,7 +89,7 @@ typedef struct fw_automaton {
                        * whole; else NULL */
     int (*built)[FW_DIRECTIONS]; /* breakable bodies: white neighbours of each black cell as made */
     fw_vec2 *moved; /* breakable bodies: displacement of each cell of the colour that moved */
-    fw_automaton_share *share; /* one per span or block of rim cells */
+    fw_automaton_share *share; /* of each row in a half-step */
 } fw_automaton;
 
 static inline fw_automaton *fw_automaton_of(fw_solid *solid)
@@ -99,9 +118,7 @@ void fw_automaton_release(fw_automaton *body);
  */
 bool fw_automaton_rim_weigh(const fw_automaton *body, int colour, fw_automaton_rim *rim);
 
-/* s = sum_d pull[d] (neighbour - self): of all cells of a span, of one rim cell, of any cell. */
-void fw_automaton_span_pull(const fw_automaton *body, int colour, const fw_automaton_span *span,
-                            double *restrict x, double *restrict y);
+/* s = sum_d pull[d] (neighbour - self): of one rim cell, of any cell. */
 fw_vec2 fw_automaton_rim_pull(const fw_automaton *body, int colour, const fw_automaton_rim *rim);
 fw_vec2 fw_automaton_cell_pull(const fw_automaton *body, int colour, int cell);
 
@@ -118,6 +135,10 @@ static inline fw_vec2 fw_automaton_at(const fw_automaton_colour *colour, int cel
 {
     return (fw_vec2){colour->x[cell], colour->y[cell]};
 }
+
+/* Positions of all particles, of those of the boundary: automaton_place.c. */
+void fw_automaton_place(fw_solid *solid);
+void fw_automaton_place_boundary(fw_automaton *body);
 
 /* The half-step: automaton_sweep.c. */
 void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { RIM_BLOCK = 64, EDGE = 1 << FW_DIRECTIONS };
+enum { EDGE = 1 << FW_DIRECTIONS };
 
 /* Neighbours by particle; -1: none. `seam` has bit d set where the neighbour lies across the seam
  * of a periodic lattice. */
@@ -151,19 +151,15 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
         for (int d = 0; d < FW_DIRECTIONS; ++d)
             colour->matrix[d] = &body->matrices.bond[c == FW_BLACK ? d : fw_opposite(d)];
     }
-    for (int p = 0; p < body->head.count; ++p) {
+    for (int p = 0; p < body->head.count; ++p)
         body->colour[body->white[p]].particle[body->cell[p]] = p;
-        const fw_vec2 home = fw_lattice_position(&def->lattice, def->sites->site[p]);
-        body->head.x[p] = home.x;
-        body->head.y[p] = home.y;
-    }
     return FW_OK;
 }
 
 static bool continues(const fw_automaton_span *span, const fw_automaton *body, const int *next,
                       int cell, int particle)
 {
-    if (span->count == 0 || span->count == FW_SPAN_MAX) return false;
+    if (span->count == 0) return false;
     if (span->begin + span->count != cell || span->particle + 2 * span->count != particle)
         return false;
     for (int d = 0; d < FW_DIRECTIONS; ++d)
@@ -171,27 +167,67 @@ static bool continues(const fw_automaton_span *span, const fw_automaton *body, c
     return true;
 }
 
-/* Cuts the inside of a colour into spans and counts its rim; fills colour->place, and the spans
- * where there is room for them already. */
+/* Numbers rows and lists the runs of sites side by side, where there is room for them already. */
+static void cut_runs(fw_automaton *body, const fw_sites *sites)
+{
+    body->run_count = body->row_count = 0;
+    for (int p = 0; p < sites->count; ++p) {
+        const fw_site site = sites->site[p];
+        const bool same_row = p > 0 && site.j == sites->site[p - 1].j;
+        body->row_count += !same_row;
+        if (same_row && site.i == sites->site[p - 1].i + 1) {
+            fw_automaton_run *run = body->run ? &body->run[body->run_count - 1] : NULL;
+            if (run && run->count == 1) run->cell[1] = body->cell[p];
+            if (run) run->count += 1;
+            continue;
+        }
+        if (body->run)
+            body->run[body->run_count] = (fw_automaton_run){
+                .site = site, .particle = p, .count = 1, .cell = {body->cell[p]}};
+        body->run_count += 1;
+    }
+}
+
+static fw_status list_runs(fw_automaton *body, const fw_sites *sites, fw_error *error)
+{
+    cut_runs(body, sites);
+    body->run = fw_array_allocate((size_t)body->run_count, sizeof *body->run);
+    body->share = fw_array_allocate((size_t)body->row_count, sizeof *body->share);
+    if (!body->run || !body->share) return fw_fail_memory(error, "the rows of an automaton");
+    cut_runs(body, sites);
+    return FW_OK;
+}
+
+/* Cuts the inside of a colour into spans, each in one row, and counts its rim; fills colour->place
+ * and the rows, and the spans where there is room for them already. */
 static void cut_spans(fw_automaton *body, const surroundings *around, fw_automaton_colour *colour)
 {
     fw_automaton_span span = {0};
     colour->span_count = colour->rim_count = 0;
-    for (int n = 0; n < colour->count; ++n) {
-        const int particle = colour->particle[n], *next = around->next[particle];
-        if (!is_inside(body, around, particle)) {
-            colour->place[n] = colour->rim_count++;
-            continue;
+    int n = 0, row = 0;
+    for (int r = 0; r < body->run_count; ++r) {
+        const fw_automaton_run *run = &body->run[r];
+        if (r == 0 || run->site.j != run[-1].site.j) {
+            colour->row[row++] = (fw_automaton_row){colour->span_count, colour->rim_count};
+            span.count = 0;
         }
-        if (!continues(&span, body, next, n, particle)) {
-            colour->span_count += 1;
-            span = (fw_automaton_span){.begin = n, .particle = particle};
-            for (int d = 0; d < FW_DIRECTIONS; ++d) span.offset[d] = body->cell[next[d]] - n;
+        for (; n < colour->count && colour->particle[n] < run->particle + run->count; ++n) {
+            const int particle = colour->particle[n], *next = around->next[particle];
+            if (!is_inside(body, around, particle)) {
+                colour->place[n] = colour->rim_count++;
+                continue;
+            }
+            if (!continues(&span, body, next, n, particle)) {
+                colour->span_count += 1;
+                span = (fw_automaton_span){.begin = n, .particle = particle};
+                for (int d = 0; d < FW_DIRECTIONS; ++d) span.offset[d] = body->cell[next[d]] - n;
+            }
+            span.count += 1;
+            colour->place[n] = ~(colour->span_count - 1);
+            if (colour->span) colour->span[colour->span_count - 1] = span;
         }
-        span.count += 1;
-        colour->place[n] = ~(colour->span_count - 1);
-        if (colour->span) colour->span[colour->span_count - 1] = span;
     }
+    colour->row[row] = (fw_automaton_row){colour->span_count, colour->rim_count};
 }
 
 static fw_status fill_rim(fw_automaton *body, const surroundings *around, int c,
@@ -229,6 +265,8 @@ static fw_status lay_out_colour(fw_automaton *body, const surroundings *around, 
                                 const fw_sites *sites, fw_error *error)
 {
     fw_automaton_colour *colour = &body->colour[c];
+    colour->row = fw_array_allocate((size_t)body->row_count + 1, sizeof *colour->row);
+    if (!colour->row) return fw_fail_memory(error, "the rows of an automaton");
     cut_spans(body, around, colour);
     colour->span = fw_array_allocate((size_t)colour->span_count, sizeof *colour->span);
     colour->rim = fw_array_allocate((size_t)colour->rim_count, sizeof *colour->rim);
@@ -310,18 +348,12 @@ fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_de
                            : fw_fail_memory(error, "the neighbours of an automaton");
     if (status == FW_OK) status = surround(&around, def, error);
     if (status == FW_OK) status = deal_colours(body, def, error);
-    size_t pieces = 0;
-    for (int c = 0; c < FW_COLOURS && status == FW_OK; ++c) {
+    if (status == FW_OK) status = list_runs(body, def->sites, error);
+    for (int c = 0; c < FW_COLOURS && status == FW_OK; ++c)
         status = lay_out_colour(body, &around, c, def->sites, error);
-        const fw_automaton_colour *colour = &body->colour[c];
-        const size_t here = (size_t)colour->span_count + (size_t)colour->rim_count / RIM_BLOCK + 1;
-        if (here > pieces) pieces = here;
-    }
     if (status == FW_OK) status = find_borders(body, &around, error);
     if (status == FW_OK && body->breaks) status = lay_out_breakable(body, error);
     free(around.next);
     free(around.seam);
-    if (status != FW_OK) return status;
-    body->share = fw_array_allocate(pieces, sizeof *body->share);
-    return body->share ? FW_OK : fw_fail_memory(error, "the ledger of an automaton");
+    return status;
 }

@@ -64,8 +64,5 @@ void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def)
         white->x[n] = u.x;
         white->y[n] = u.y;
     }
-    for (int p = 0; p < head->count; ++p) {
-        head->x[p] += body->colour[body->white[p]].x[body->cell[p]];
-        head->y[p] += body->colour[body->white[p]].y[body->cell[p]];
-    }
+    fw_automaton_place(head);
 }

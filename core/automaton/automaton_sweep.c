@@ -2,18 +2,18 @@
 /* automaton_sweep.c - one half-step: the cells of one colour are reflected about the means
  * of their neighbours of the resting colour. Start reading at fw_automaton_advance().
  *
- * Cells gather and write only their own entry, so pieces can be shared among threads and the result
- * does not depend on how many there are; what pieces add to the ledger is added up in their
- * order.
+ * Cells gather and write only their own entry, so rows can be shared among threads and the result
+ * does not depend on how many there are; what rows add to the ledger is added up in their order.
  *
  * Displacements are kept small: a body that has drifted far has its common part moved from x, y
  * into the integers `drift`. Otherwise the last bit of a displacement of 400 spacings would be all
  * that is left of the precision of the differences, on which the energy stands. */
 #include "automaton_body.h"
+#include "automaton_kernels.h"
 
 #include <math.h>
 
-enum { RIM_BLOCK = 64, THREADS_FROM = 16384 };
+enum { THREADS_FROM = 16384, RECENTRE_EVERY = 16 };
 
 /* What is the same for all cells in a half-step. */
 typedef struct half_step {
@@ -22,15 +22,30 @@ typedef struct half_step {
     const fw_constraint *constraints; /* NULL: nothing is held */
     double share_of_pull;             /* (1 + a)/2 */
     double loss;                      /* (1 - a)/(1 + a) */
+    const fw_automaton_kernels *kernels;
+    fw_automaton_move move; /* for the kernels */
 } half_step;
 
 static half_step half_step_of(const fw_automaton *body)
 {
     const double a = body->reflection;
-    return (half_step){.body = body,
-                       .colour = fw_automaton_moving(body),
-                       .share_of_pull = (1 + a) / 2,
-                       .loss = (1 - a) / (1 + a)};
+    const int moving = fw_automaton_moving(body);
+    const fw_automaton_colour *own = &body->colour[moving], *other = &body->colour[!moving];
+    half_step step = {.body = body,
+                      .colour = moving,
+                      .share_of_pull = (1 + a) / 2,
+                      .loss = (1 - a) / (1 + a),
+                      .kernels = FW_KERNELS_CHOSEN(fw_automaton_kernels)};
+    step.move = (fw_automaton_move){.x = own->x,
+                                    .y = own->y,
+                                    .other_x = other->x,
+                                    .other_y = other->y,
+                                    .share_of_pull = step.share_of_pull,
+                                    .loss = step.loss,
+                                    .force_x = body->head.loaded ? body->head.external_x : NULL,
+                                    .force_y = body->head.loaded ? body->head.external_y : NULL};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) step.move.matrix[d] = *own->matrix[d];
+    return step;
 }
 
 /* (1 + a)/2 m^-1, how far a unit of force moves a cell. */
@@ -94,8 +109,6 @@ static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw
         d = step->constraints[colour->held[cell]].displacement;
     colour->x[cell] += d.x;
     colour->y[cell] += d.y;
-    head->x[particle] += d.x;
-    head->y[particle] += d.y;
     if (step->body->moved) step->body->moved[cell] = d;
     /* dE = F.d - k d.m d, dp = F - k m d: see the header. A cell without mass takes nothing up. */
     if (head->loaded && inverse_mass.xx > 0) {
@@ -109,46 +122,39 @@ static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw
     }
 }
 
-static void move_span(const half_step *step, const fw_automaton_span *span,
-                      fw_automaton_share *share)
+/* Cell by cell, since constraints decide for some. */
+static void move_held_span(const half_step *step, const fw_automaton_span *span,
+                           fw_automaton_share *share)
 {
-    double dx[FW_SPAN_MAX], dy[FW_SPAN_MAX];
-    fw_automaton_span_pull(step->body, step->colour, span, dx, dy);
-    const fw_solid *head = &step->body->head;
-    if (step->constraints || head->loaded || step->loss > 0) {
-        for (int k = 0; k < span->count; ++k) {
-            const fw_vec2 d = {step->share_of_pull * dx[k], step->share_of_pull * dy[k]};
-            move(step, span->begin + k, span->particle + 2 * k, fw_sym2_scalar(1),
-                 fw_sym2_scalar(1), d, share);
-        }
-        return;
-    }
-    /* The ledger does not change: the same moves as a stream. */
-    const fw_automaton_colour *colour = &step->body->colour[step->colour];
-    double *restrict own_x = colour->x + span->begin, *restrict own_y = colour->y + span->begin;
-    double *restrict position_x = head->x + span->particle;
-    double *restrict position_y = head->y + span->particle;
     for (int k = 0; k < span->count; ++k) {
-        own_x[k] += dx[k];
-        own_y[k] += dy[k];
-    }
-    for (int k = 0; k < span->count; ++k) {
-        position_x[2 * k] += dx[k];
-        position_y[2 * k] += dy[k];
+        const fw_vec2 pull = fw_automaton_cell_pull(step->body, step->colour, span->begin + k);
+        move(step, span->begin + k, span->particle + 2 * k, fw_sym2_scalar(1), fw_sym2_scalar(1),
+             fw_vec2_scale(step->share_of_pull, pull), share);
     }
 }
 
-static void move_rim(const half_step *step, int block, fw_automaton_share *share)
+static void move_rim(const half_step *step, const fw_automaton_rim *rim, fw_automaton_share *share)
+{
+    const fw_vec2 pull = fw_automaton_rim_pull(step->body, step->colour, rim);
+    const int particle = step->body->colour[step->colour].particle[rim->cell];
+    move(step, rim->cell, particle, rim->mass, rim->inverse_mass, rim_displacement(step, rim, pull),
+         share);
+}
+
+static void move_row(const half_step *step, int number)
 {
     const fw_automaton_colour *colour = &step->body->colour[step->colour];
-    const int begin = block * RIM_BLOCK;
-    const int end = begin + RIM_BLOCK < colour->rim_count ? begin + RIM_BLOCK : colour->rim_count;
-    for (int n = begin; n < end; ++n) {
-        const fw_automaton_rim *rim = &colour->rim[n];
-        const fw_vec2 pull = fw_automaton_rim_pull(step->body, step->colour, rim);
-        move(step, rim->cell, colour->particle[rim->cell], rim->mass, rim->inverse_mass,
-             rim_displacement(step, rim, pull), share);
+    const fw_automaton_row *row = &colour->row[number];
+    fw_automaton_share share = {0, 0, {0, 0}, {0, 0}};
+    for (int n = row[0].span; n < row[1].span; ++n) {
+        const fw_automaton_span *span = &colour->span[n];
+        if (span->held)
+            move_held_span(step, span, &share);
+        else
+            step->kernels->move(&step->move, span, &share);
     }
+    for (int n = row[0].rim; n < row[1].rim; ++n) move_rim(step, &colour->rim[n], &share);
+    step->body->share[number] = share;
 }
 
 static void add_share(fw_solid_ledger *ledger, const fw_automaton_share *share)
@@ -161,9 +167,11 @@ static void add_share(fw_solid_ledger *ledger, const fw_automaton_share *share)
 }
 
 /* Moves whole quanta of displacement into the drift, for all cells alike, once the first cell has
- * gone that far. Differences of displacements change at most in their last bit. */
+ * gone that far. Differences of displacements change at most in their last bit. Looked for now and
+ * then only, by the ticks alone, so that it does not matter how many ticks are taken at once. */
 static void recentre(fw_automaton *body)
 {
+    if (body->head.ticks % RECENTRE_EVERY != 0) return;
     const fw_automaton_colour *black = &body->colour[FW_BLACK];
     const double first[2] = {black->x[0], black->y[0]};
     for (int axis = 0; axis < 2; ++axis) {
@@ -177,35 +185,37 @@ static void recentre(fw_automaton *body)
     }
 }
 
+/* Notes which cells of the moving colour constraints decide for, or forgets it. */
+static void note_constraints(half_step *step, const fw_constraint *constraints, int count,
+                             bool held)
+{
+    const fw_automaton *body = step->body;
+    const fw_automaton_colour *colour = &body->colour[step->colour];
+    for (int h = 0; h < count; ++h) {
+        if (body->white[constraints[h].particle] != step->colour) continue;
+        const int cell = body->cell[constraints[h].particle], place = colour->place[cell];
+        colour->held[cell] = held ? h : -1;
+        if (place < 0) colour->span[~place].held = held;
+        step->constraints = constraints;
+    }
+}
+
 fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints,
                                int constraint_count, fw_error *error)
 {
     (void)error;
     fw_automaton *body = fw_automaton_of(solid);
     half_step step = half_step_of(body);
-    fw_automaton_colour *colour = &body->colour[step.colour];
-    for (int h = 0; h < constraint_count; ++h) {
-        if (body->white[constraints[h].particle] != step.colour) continue;
-        colour->held[body->cell[constraints[h].particle]] = h;
-        step.constraints = constraints;
-    }
-    const int spans = colour->span_count;
-    const int pieces = spans + (colour->rim_count + RIM_BLOCK - 1) / RIM_BLOCK;
-#pragma omp parallel for schedule(static) if (colour->count >= THREADS_FROM)
-    for (int piece = 0; piece < pieces; ++piece) {
-        body->share[piece] = (fw_automaton_share){0, 0, {0, 0}, {0, 0}};
-        if (piece < spans)
-            move_span(&step, &colour->span[piece], &body->share[piece]);
-        else
-            move_rim(&step, piece - spans, &body->share[piece]);
-    }
+    note_constraints(&step, constraints, constraint_count, true);
+#pragma omp parallel for schedule(static) if (solid->count >= 2 * THREADS_FROM)
+    for (int row = 0; row < body->row_count; ++row) move_row(&step, row);
     if (solid->loaded || step.loss > 0)
-        for (int piece = 0; piece < pieces; ++piece) add_share(&solid->ledger, &body->share[piece]);
-    for (int h = 0; h < constraint_count; ++h)
-        if (body->white[constraints[h].particle] == step.colour)
-            colour->held[body->cell[constraints[h].particle]] = -1;
+        for (int row = 0; row < body->row_count; ++row)
+            add_share(&solid->ledger, &body->share[row]);
+    note_constraints(&step, constraints, constraint_count, false);
     if (body->breaks) fw_automaton_break_stretched(body);
     solid->ticks += 1;
     recentre(body);
+    fw_automaton_place_boundary(body);
     return FW_OK;
 }

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* elastic_automaton.c - a solid of black and white cells that move in turn: making it, and what can
  * be observed of it.
- * State: displacements of both colours, positions, which bonds are whole, the tick, whose parity
- * says which colour moves next. Invariant: E and p of the header change only by what the ledger
- * says. Start reading at fw_elastic_automaton_create(); the half-step is in automaton_sweep.c. */
+ * State: displacements of both colours, from which positions are made, which bonds are whole, the
+ * tick, whose parity says which colour moves next. Invariant: E and p of the header change only by
+ * what the ledger says. Start reading at fw_elastic_automaton_create(); the half-step is in
+ * automaton_sweep.c. */
 #include "automaton_body.h"
 #include "automaton_stability.h"
 
@@ -82,6 +83,9 @@ static fw_status build(fw_automaton **made, const fw_elastic_automaton_def *def,
     body->boundary = def->boundary;
     body->reflection = def->reflection;
     body->break_at = def->break_at;
+    body->lattice = def->lattice;
+    const double angle = def->lattice.angle;
+    body->turn = angle == 0 ? (fw_vec2){1, 0} : (fw_vec2){cos(angle), sin(angle)};
     body->breaks = isfinite(def->break_at);
     int exponent;
     (void)frexp(def->lattice.spacing, &exponent);
@@ -93,6 +97,7 @@ static fw_status build(fw_automaton **made, const fw_elastic_automaton_def *def,
         destroy(&body->head);
         return status;
     }
+    fw_automaton_place(&body->head);
     body->head.tick = 0.5;
     body->head.conserves = body->boundary != FW_BOUNDARY_MIRROR;
     *made = body;
@@ -166,6 +171,7 @@ static fw_status restored(fw_solid *solid, fw_error *error)
                                "black cell %d has a bond in direction %d, where no cell lies", n,
                                d);
     fw_automaton_rebuild_bonds(body);
+    fw_automaton_place(solid);
     return FW_OK;
 }
 
@@ -175,6 +181,7 @@ const fw_solid_model fw_elastic_automaton_model = {
     .destroy = destroy,
     .predict = fw_automaton_predict,
     .advance = fw_automaton_advance,
+    .place = fw_automaton_place,
     .energies = fw_automaton_energies,
     .momentum = fw_automaton_momentum,
     .angular_momentum = fw_automaton_angular_momentum,

@@ -39,7 +39,8 @@ typedef struct fw_elastic_automaton_def {
      * the shape must fit in. Positions are not wrapped. */
     int period_columns, period_rows;
     bool black_is_odd; /* black, which moves first, are the sites with i + j odd, else even */
-    double reflection; /* a, 0 < a <= 1; in terms of the LB solid's damping factor, mu = (1 + a)/2 */
+    double
+        reflection; /* a, 0 < a <= 1; in terms of the LB solid's damping factor, mu = (1 + a)/2 */
     /* A bond breaks when its ends are displaced against each other by more than this (length; mean
      * over the half-step); INFINITY: never. Needs `bond` and matrices that are positive definite.
      */

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_automaton_bodies.c - which bodies of the elastic automaton are accepted, how they break, and
- * that threads and restarts change no bit. */
+ * that restarts change no bit. */
 #include "tests/support/laws.h"
 #include "tests/support/steps.h"
 
 #include "core/automaton/elastic_automaton.h"
 
-#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -292,34 +291,6 @@ static void cell_without_bonds_freezes(void **state)
     fw_sites_clear(&sites);
 }
 
-static void threads_change_no_bit(void **state)
-{
-    (void)state;
-    /* 40000 cells: enough for the loops to be shared. */
-    fw_sites sites = rectangle(200, 200);
-    uint64_t hash[2];
-    for (int threads = 1; threads <= 2; ++threads) {
-        omp_set_num_threads(threads);
-        fw_elastic_automaton_def def = def_of(&sites, 1, 0.9);
-        def.reflection = 0.99;
-        fw_solid *solid = stirred(def, 0.1);
-        solid->loaded = true;
-        uint64_t seed = 4;
-        for (int p = 0; p < solid->count; ++p) {
-            solid->external_x[p] = 0.01 * random_number(&seed);
-            solid->external_y[p] = 0.01 * random_number(&seed);
-        }
-        for (int tick = 0; tick < 21; ++tick) advance_free(solid);
-        fw_state_list list = {0};
-        solid->model->state(solid, &list);
-        hash[threads - 1] = fw_state_list_hash(&list);
-        assert_true(solid->ledger.work != 0 && solid->ledger.dissipated > 0);
-        fw_solid_destroy(solid);
-    }
-    assert_true(hash[0] == hash[1]);
-    fw_sites_clear(&sites);
-}
-
 static uint64_t hash_after(fw_solid *solid, int ticks)
 {
     const fw_constraint constraints[] = {{3, {0, 0.01}, {0, 0}}, {17, {0, 0}, {0, 0}}};
@@ -412,7 +383,6 @@ int main(void)
         cmocka_unit_test(breaking_takes_energy_into_the_ledger),
         cmocka_unit_test(rigid_motion_breaks_nothing),
         cmocka_unit_test(cell_without_bonds_freezes),
-        cmocka_unit_test(threads_change_no_bit),
         cmocka_unit_test(saved_state_goes_on_exactly),
         cmocka_unit_test(periodic_strip_has_no_seam),
     };

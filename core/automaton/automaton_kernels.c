@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* automaton_kernels.c - the half-step of cells that have all their neighbours (Dong Eq 3); compiled
+ * once for each instruction set. Keeps no state. Start reading at move_part(). */
+#include "automaton_kernels.h"
+
+#include "core/vectors.h"
+
+/* What the loop has to do; constant where it is inlined, so that each combination is a loop of its
+ * own without branches. */
+typedef struct kind {
+    bool loaded, damped;
+} kind;
+
+/* What passed, lane by lane. */
+typedef struct passed {
+    fw_vector work[FW_PARTS], impulse_x[FW_PARTS], impulse_y[FW_PARTS];
+    fw_vector dissipated[FW_PARTS], drag_x[FW_PARTS], drag_y[FW_PARTS];
+} passed;
+
+/* The arrays of a move from the span's first cell on. */
+typedef struct stream {
+    double *x, *y;
+    const double *neighbour_x[FW_DIRECTIONS], *neighbour_y[FW_DIRECTIONS];
+    const double *force_x, *force_y; /* of every second particle */
+} stream;
+
+typedef struct pair {
+    fw_vector x, y;
+} pair;
+
+/* All lanes of a register, or some. */
+typedef struct lanes {
+    bool all;
+    fw_mask mask;
+} lanes;
+
+FW_INLINE pair load(const double *x, const double *y, int k, lanes l)
+{
+    if (l.all) return (pair){fw_load(x + k), fw_load(y + k)};
+    return (pair){fw_load_some(x + k, l.mask), fw_load_some(y + k, l.mask)};
+}
+
+FW_INLINE void store(double *x, double *y, int k, lanes l, pair v)
+{
+    if (l.all) {
+        fw_store(x + k, v.x);
+        fw_store(y + k, v.y);
+    } else {
+        fw_store_some(x + k, l.mask, v.x);
+        fw_store_some(y + k, l.mask, v.y);
+    }
+}
+
+/* B (neighbour - self) */
+FW_INLINE pair pull_of(fw_sym2 b, pair neighbour, pair self)
+{
+    const fw_vector x = neighbour.x - self.x, y = neighbour.y - self.y;
+    return (pair){b.xx * x + b.xy * y, b.xy * x + b.yy * y};
+}
+
+/* Of `count` cells from k on. */
+FW_INLINE pair load_force(const stream *s, int k, int count)
+{
+    double x[FW_WIDTH] = {0}, y[FW_WIDTH] = {0};
+    for (int lane = 0; lane < FW_WIDTH && lane < count; ++lane) {
+        x[lane] = s->force_x[2 * (k + lane)];
+        y[lane] = s->force_y[2 * (k + lane)];
+    }
+    return (pair){fw_load(x), fw_load(y)};
+}
+
+/* The cells of part `part` of a block, from k on; of them `count` are there. */
+FW_INLINE void move_part(const fw_automaton_move *move, const stream *s, int k, int part, int count,
+                         lanes l, kind has, passed *sum)
+{
+    const pair self = load(s->x, s->y, k, l);
+    pair pull[FW_DIRECTIONS], force = {0};
+    for (int d = 0; d < FW_DIRECTIONS; ++d)
+        pull[d] = pull_of(move->matrix[d], load(s->neighbour_x[d], s->neighbour_y[d], k, l), self);
+    const pair all = {(pull[FW_EAST].x + pull[FW_NORTH].x) + (pull[FW_WEST].x + pull[FW_SOUTH].x),
+                      (pull[FW_EAST].y + pull[FW_NORTH].y) + (pull[FW_WEST].y + pull[FW_SOUTH].y)};
+
+    /* d = (1 + a)/2 (s + F) */
+    pair way = {move->share_of_pull * all.x, move->share_of_pull * all.y};
+    if (has.loaded) {
+        force = load_force(s, k, count);
+        way.x += move->share_of_pull * force.x;
+        way.y += move->share_of_pull * force.y;
+    }
+    store(s->x, s->y, k, l, (pair){self.x + way.x, self.y + way.y});
+
+    /* dE = F.d - k d.d, dp = F - k d */
+    if (has.loaded) {
+        sum->work[part] += force.x * way.x + force.y * way.y;
+        sum->impulse_x[part] += force.x;
+        sum->impulse_y[part] += force.y;
+    }
+    if (has.damped) {
+        const pair drag = {-move->loss * way.x, -move->loss * way.y};
+        sum->dissipated[part] -= drag.x * way.x + drag.y * way.y;
+        sum->drag_x[part] += drag.x;
+        sum->drag_y[part] += drag.y;
+    }
+}
+
+FW_INLINE void move_span(const fw_automaton_move *moved, const fw_automaton_span *span,
+                         fw_automaton_share *share, kind has)
+{
+    /* A copy, which no store into the arrays can change. */
+    const fw_automaton_move here = *moved, *move = &here;
+    passed sum = {0};
+    stream s = {.x = move->x + span->begin, .y = move->y + span->begin};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        s.neighbour_x[d] = move->other_x + span->begin + span->offset[d];
+        s.neighbour_y[d] = move->other_y + span->begin + span->offset[d];
+    }
+    if (has.loaded) {
+        s.force_x = move->force_x + span->particle;
+        s.force_y = move->force_y + span->particle;
+    }
+    int k = 0;
+    for (; k + FW_BLOCK <= span->count; k += FW_BLOCK)
+        for (int part = 0; part < FW_PARTS; ++part)
+            move_part(move, &s, k + part * FW_WIDTH, part, FW_WIDTH, (lanes){.all = true}, has,
+                      &sum);
+    const int left = span->count - k;
+    const uint8_t bits = (uint8_t)((1u << left) - 1);
+    for (int part = 0; part * FW_WIDTH < left; ++part)
+        move_part(move, &s, k + part * FW_WIDTH, part, left - part * FW_WIDTH,
+                  (lanes){.mask = fw_mask_of(bits, part)}, has, &sum);
+    if (has.loaded) {
+        share->work += fw_sum_block(sum.work);
+        share->impulse.x += fw_sum_block(sum.impulse_x);
+        share->impulse.y += fw_sum_block(sum.impulse_y);
+    }
+    if (has.damped) {
+        share->dissipated += fw_sum_block(sum.dissipated);
+        share->drag.x += fw_sum_block(sum.drag_x);
+        share->drag.y += fw_sum_block(sum.drag_y);
+    }
+}
+
+static void move_cells(const fw_automaton_move *move, const fw_automaton_span *span,
+                       fw_automaton_share *share)
+{
+    const bool loaded = move->force_x != NULL, damped = move->loss > 0;
+    if (!loaded && !damped)
+        move_span(move, span, share, (kind){false, false});
+    else if (!damped)
+        move_span(move, span, share, (kind){true, false});
+    else if (!loaded)
+        move_span(move, span, share, (kind){false, true});
+    else
+        move_span(move, span, share, (kind){true, true});
+}
+
+const fw_automaton_kernels FW_KERNELS_HERE(fw_automaton_kernels) = {.move = move_cells};

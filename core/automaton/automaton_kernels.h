@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* automaton_kernels.h - the loops of a half-step over cells that have all their neighbours. */
+#ifndef FW_AUTOMATON_KERNELS_H
+#define FW_AUTOMATON_KERNELS_H
+
+#include "automaton_body.h"
+
+#include "core/instruction_set.h"
+
+/* What is the same for all cells of the colour that moves. */
+typedef struct fw_automaton_move {
+    double *x, *y;                   /* displacements of that colour ... */
+    const double *other_x, *other_y; /* ... and of the one that rests */
+    fw_sym2 matrix[FW_DIRECTIONS];
+    double share_of_pull;            /* (1 + a)/2 */
+    double loss;                     /* (1 - a)/(1 + a) */
+    const double *force_x, *force_y; /* of each particle; NULL: no loads */
+} fw_automaton_move;
+
+typedef struct fw_automaton_kernels {
+    /* Moves the cells of a span by (1 + a)/2 (s + F), s = sum_d matrix[d] (neighbour - self), and
+     * adds what passed to the share. */
+    void (*move)(const fw_automaton_move *move, const fw_automaton_span *span,
+                 fw_automaton_share *share);
+} fw_automaton_kernels;
+
+FW_KERNELS(fw_automaton_kernels, fw_automaton_kernels);
+
+#endif
