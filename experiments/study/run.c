@@ -106,15 +106,31 @@ static fw_status record_start(fw_run *run, fw_error *error)
     return checkpoint(run, error);
 }
 
+fw_status fw_run_make(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                      fw_error *error)
+{
+    const fw_status status = create(run, scenario, options, error);
+    if (status != FW_OK) {
+        fw_run_destroy(*run);
+        *run = NULL;
+    }
+    return status;
+}
+
+fw_status fw_run_start(fw_run *run, fw_error *error)
+{
+    const fw_run_options *options = &run->options;
+    if (options->directory)
+        FW_TRY(fw_recorder_create(&run->recorder, run->observer, run->measurement,
+                                  options->directory, options->overwrite, options->threads, error));
+    return record_start(run, error);
+}
+
 fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
                        fw_error *error)
 {
-    fw_status status = create(run, scenario, options, error);
-    if (status == FW_OK && options->directory)
-        status =
-            fw_recorder_create(&(*run)->recorder, (*run)->observer, (*run)->measurement,
-                               options->directory, options->overwrite, options->threads, error);
-    if (status == FW_OK) status = record_start(*run, error);
+    FW_TRY(fw_run_make(run, scenario, options, error));
+    const fw_status status = fw_run_start(*run, error);
     if (status != FW_OK) {
         fw_run_abandon(*run);
         *run = NULL;

@@ -24,7 +24,12 @@ typedef struct fw_run_options {
 
 typedef struct fw_run fw_run;
 
-/* From the beginning. On failure nothing of it stays on disk. */
+/* Builds what is run, which shows whether it can be: no folder is taken, nothing is measured. */
+fw_status fw_run_make(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
+                      fw_error *error);
+/* Takes the folder and measures the start. After a failure the run is there to be abandoned. */
+fw_status fw_run_start(fw_run *run, fw_error *error);
+/* Both: from the beginning. On failure nothing of it stays on disk. */
 fw_status fw_run_begin(fw_run **run, const fw_scenario *scenario, const fw_run_options *options,
                        fw_error *error);
 /* From the newest checkpoint in options->directory. FW_BAD_INPUT: the run is finished, or there is

@@ -116,29 +116,25 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     return FW_OK;
 }
 
-/* What only shows when a run begins, before any folder is taken: a body of the control that starts
- * in a wall, a seed that finds no place for its particles. The first run comes first: what is wrong
- * with all of them is told of it, at its own place. */
-static fw_status check_runs(const fw_study *study, fw_error *error)
+/* All runs from that number on, before any folder is taken: what only shows when a run is built, a
+ * body of the control that starts in a wall, a seed that finds no place for its particles. The
+ * first run comes first: what is wrong with all of them is told of it, at its own place. */
+static fw_status make_runs(fw_study *study, int first, fw_error *error)
 {
-    for (int n = 0; study->run_count > 1 && n < study->run_count; ++n) {
-        fw_run *run;
+    for (int n = first; n < study->run_count; ++n) {
+        fw_replica *replica = &study->replicas[n];
         const fw_status status =
-            fw_run_begin(&run, study->replicas[n].scenario, &(fw_run_options){.threads = 1}, error);
+            fw_run_make(&replica->run, replica->scenario, &replica->options, error);
         FW_TRY(n > 0 ? fail_replica(study, n, status, error) : status);
-        fw_run_destroy(run);
     }
     return FW_OK;
 }
 
-/* Replicas that leave results begin here, one after the other, as their folders are made. */
-static fw_status begin_others(fw_study *study, fw_error *error)
+/* One after the other, as folders are made. */
+static fw_status start_runs(fw_study *study, int first, fw_error *error)
 {
-    for (int n = 1; n < study->run_count; ++n) {
-        fw_replica *replica = &study->replicas[n];
-        if (replica->options.directory)
-            FW_TRY(fw_run_begin(&replica->run, replica->scenario, &replica->options, error));
-    }
+    for (int n = first; n < study->run_count; ++n)
+        FW_TRY(fw_run_start(study->replicas[n].run, error));
     return FW_OK;
 }
 
@@ -158,12 +154,8 @@ fw_status fw_study_begin(fw_study **study, const fw_scenario *scenario,
                          const fw_run_options *options, fw_error *error)
 {
     fw_status status = create(study, scenario, options, error);
-    if (status == FW_OK) status = check_runs(*study, error);
-    if (status == FW_OK) {
-        fw_replica *first = &(*study)->replicas[0];
-        status = fw_run_begin(&first->run, scenario, &first->options, error);
-    }
-    if (status == FW_OK) status = begin_others(*study, error);
+    if (status == FW_OK) status = make_runs(*study, 0, error);
+    if (status == FW_OK) status = start_runs(*study, 0, error);
     return give_up(study, true, status);
 }
 
@@ -176,7 +168,8 @@ fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
         fw_replica *first = &(*study)->replicas[0];
         status = fw_run_resume(&first->run, scenario, &first->options, note, error);
     }
-    if (status == FW_OK) status = begin_others(*study, error);
+    if (status == FW_OK) status = make_runs(*study, 1, error);
+    if (status == FW_OK) status = start_runs(*study, 1, error);
     return give_up(study, false, status);
 }
 
@@ -198,10 +191,7 @@ void fw_study_destroy(fw_study *study)
 
 static void run_replica(fw_replica *replica)
 {
-    if (!replica->run)
-        replica->status =
-            fw_run_begin(&replica->run, replica->scenario, &replica->options, &replica->error);
-    if (replica->status == FW_OK) replica->status = fw_run_to_end(replica->run, &replica->error);
+    replica->status = fw_run_to_end(replica->run, &replica->error);
 }
 
 static fw_status run_all(fw_study *study, fw_error *error)
