@@ -14,8 +14,8 @@ enum { LINE = 64, PAGE = 4096, STAGGER = 5 * LINE };
 /* Where array number `index` begins, if everything before it ends at `end`. */
 static size_t start_of(size_t end, int index)
 {
-    const size_t wanted = (size_t)index * STAGGER % PAGE;
-    return end + (PAGE + wanted - end % PAGE) % PAGE;
+    const size_t wanted = (size_t)index * STAGGER % PAGE, free = end + LINE;
+    return free + (PAGE + wanted - free % PAGE) % PAGE;
 }
 
 void fw_arena_add(fw_arena *arena, void *pointer, size_t count, size_t element_size)
@@ -35,7 +35,7 @@ static void set(const fw_arena_array *array, void *address)
 fw_status fw_arena_allocate(fw_arena *arena, const char *what, fw_error *error)
 {
     assert(!arena->memory);
-    const size_t pages = arena->bytes / PAGE + 1;
+    const size_t pages = (arena->bytes + LINE) / PAGE + 1;
     if (arena->bytes < SIZE_MAX / 4) arena->memory = aligned_alloc(PAGE, pages * PAGE);
     if (!arena->memory) {
         for (int n = 0; n < arena->count; ++n) set(&arena->array[n], NULL);

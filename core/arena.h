@@ -4,7 +4,9 @@
  * Arrays that are allocated one by one start at the same place of a page when they are large, and a
  * loop over a dozen of them meets itself in a single set of the nearest cache: the LB solid's step
  * takes 3 to 5 times as long. In an arena each array starts STAGGER bytes further into its page
- * than the one before, and their common size is known before anything is allocated.
+ * than the one before, and their common size is known before anything is allocated. A cache line
+ * before each array and one behind it belong to nobody: kernels may read and write there, and treat
+ * the ends of arrays like all the rest.
  *
  * Use: add every array, then allocate. Until then the pointers are untouched; after a failure they
  * are all NULL. */

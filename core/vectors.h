@@ -151,6 +151,35 @@ FW_INLINE bool fw_any(fw_mask mask)
     return fw_mask_bits(mask, 0) != 0;
 }
 
+FW_INLINE fw_mask fw_and(fw_mask a, fw_mask b)
+{
+    return (fw_mask)(a & b);
+}
+
+FW_INLINE fw_vector fw_larger(fw_vector a, fw_vector b)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_max_pd((__m512d)a, (__m512d)b);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_max_pd((__m256d)a, (__m256d)b);
+#else
+    const fw_mask first = a > b;
+    return (fw_vector)((first & (fw_integers)a) | (~first & (fw_integers)b));
+#endif
+}
+
+FW_INLINE fw_vector fw_smaller(fw_vector a, fw_vector b)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_min_pd((__m512d)a, (__m512d)b);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_min_pd((__m256d)a, (__m256d)b);
+#else
+    const fw_mask first = a < b;
+    return (fw_vector)((first & (fw_integers)a) | (~first & (fw_integers)b));
+#endif
+}
+
 /* Lanes where the mask is true; the others are +0. */
 FW_INLINE fw_vector fw_load_some(const double *from, fw_mask mask)
 {

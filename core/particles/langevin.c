@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* langevin.c - the BAOAB step over blocks of particles.
+/* langevin.c - the BAOAB step over blocks of particles; its loops are in
+ * langevin_kernels.c.
  * State: positions (head), velocities, controls; forces follow from them. Invariant between steps:
  * force_x/y belong to the present positions, constraint_x/y are zero. Particles are cut into blocks
  * of fixed size, each summed by itself and the blocks in order: the ledger does not depend on how
  * many threads there are. Start reading at fw_langevin_advance(). */
 #include "core/particles/langevin.h"
+
+#include "langevin_kernels.h"
 
 #include "core/noise.h"
 
@@ -165,15 +168,6 @@ void fw_langevin_reverse(fw_solid *head)
 
 /* --- the step --- */
 
-/* The numbers of one step. */
-typedef struct fw_baoab {
-    double half;     /* dt/2 */
-    double keep;     /* c = e^{-damping dt} */
-    double lose;     /* 1 - c^2, exact for small damping */
-    double shake;    /* s sqrt(m) */
-    bool thermostat; /* damping acts */
-} fw_baoab;
-
 static fw_baoab baoab_of(const fw_langevin_controls *controls)
 {
     const double decay = controls->damping * controls->time_step;
@@ -228,73 +222,11 @@ void fw_langevin_predict(const fw_solid *head, const int *particles, int count, 
     }
 }
 
-/* Kick, drift, mix, drift of particles begin to end - 1; what passed through the bounds is added
- * up. */
-static fw_langevin_sums move_block(fw_langevin *solid, const fw_baoab *baoab, bool held, int begin,
-                                   int end)
-{
-    fw_solid *head = &solid->head;
-    double noise_x[BLOCK] = {0}, noise_y[BLOCK] = {0};
-    if (baoab->shake > 0)
-        fw_noise_gaussians(solid->seed, (uint32_t)begin, (uint64_t)head->ticks, FW_NOISE_THERMOSTAT,
-                           end - begin, noise_x, noise_y);
-    fw_langevin_sums sums = {0};
-    for (int i = begin; i < end; ++i) {
-        fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
-        fw_vec2 external = {0, 0};
-        if (head->loaded) {
-            external = (fw_vec2){head->external_x[i], head->external_y[i]};
-            force = fw_vec2_add(force, external);
-        }
-        if (held)
-            force = fw_vec2_add(force, (fw_vec2){solid->constraint_x[i], solid->constraint_y[i]});
-        const fw_vec2 kicked = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
-                                    baoab->half * solid->inverse_mass[i], force);
-        fw_vec2 mixed = kicked;
-        if (baoab->thermostat) {
-            const fw_vec2 noise = {noise_x[i - begin], noise_y[i - begin]};
-            const double mass = solid->mass[i];
-            mixed = mix(baoab, kicked, solid->root_inverse_mass[i], noise);
-            const double drag = 0.5 * mass * baoab->lose * fw_vec2_dot(kicked, kicked);
-            const double change =
-                0.5 * mass * (fw_vec2_dot(mixed, mixed) - fw_vec2_dot(kicked, kicked));
-            sums.dissipated += drag;
-            sums.heat += change + drag;
-            sums.drag =
-                fw_vec2_add(sums.drag, fw_vec2_scale(mass, fw_vec2_subtract(mixed, kicked)));
-        }
-        const fw_vec2 path = fw_vec2_scale(baoab->half, fw_vec2_add(kicked, mixed));
-        sums.work += fw_vec2_dot(external, path);
-        sums.external = fw_vec2_add(sums.external, external);
-        head->x[i] += path.x;
-        head->y[i] += path.y;
-        solid->velocity_x[i] = mixed.x;
-        solid->velocity_y[i] = mixed.y;
-    }
-    return sums;
-}
-
-static void kick_block(fw_langevin *solid, const fw_baoab *baoab, bool held, int begin, int end)
-{
-    const fw_solid *head = &solid->head;
-    for (int i = begin; i < end; ++i) {
-        fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
-        if (head->loaded)
-            force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
-        if (held)
-            force = fw_vec2_add(force, (fw_vec2){solid->constraint_x[i], solid->constraint_y[i]});
-        const fw_vec2 velocity = kick((fw_vec2){solid->velocity_x[i], solid->velocity_y[i]},
-                                      baoab->half * solid->inverse_mass[i], force);
-        solid->velocity_x[i] = velocity.x;
-        solid->velocity_y[i] = velocity.y;
-    }
-}
-
 static void add_to_ledger(fw_langevin *solid, int blocks)
 {
     const double dt = solid->controls.time_step;
     for (int b = 0; b < blocks; ++b) {
-        const fw_langevin_sums *sums = &solid->sums[b];
+        const fw_move_sums *sums = &solid->sums[b];
         const fw_solid_ledger part = {.work = sums->work,
                                       .dissipated = sums->dissipated,
                                       .heat = sums->heat,
@@ -304,13 +236,52 @@ static void add_to_ledger(fw_langevin *solid, int blocks)
     }
 }
 
+static fw_move_task task_of(const fw_langevin *solid, bool held)
+{
+    const fw_solid *head = &solid->head;
+    fw_move_task task = {.baoab = baoab_of(&solid->controls),
+                         .seed = solid->seed,
+                         .ticks = (uint64_t)head->ticks,
+                         .x = head->x,
+                         .y = head->y,
+                         .velocity_x = solid->velocity_x,
+                         .velocity_y = solid->velocity_y,
+                         .force_x = solid->force_x,
+                         .force_y = solid->force_y,
+                         .mass = solid->mass,
+                         .inverse_mass = solid->inverse_mass,
+                         .root_inverse_mass = solid->root_inverse_mass,
+                         .common = solid->common};
+    if (head->loaded) task.external_x = head->external_x, task.external_y = head->external_y;
+    if (held) task.constraint_x = solid->constraint_x, task.constraint_y = solid->constraint_y;
+    return task;
+}
+
+/* How much closer two particles may have come in this step: twice what the one that strays most
+ * went beside the common path, which is the mean of the step before. */
+static double travel_of(fw_langevin *solid, const fw_constraint *constraints, int constraint_count)
+{
+    double stray = 0;
+    fw_vec2 path = {0, 0};
+    for (int b = 0; b < block_count(solid); ++b) {
+        stray = fmax(stray, solid->sums[b].stray);
+        path = fw_vec2_add(path, solid->sums[b].path);
+    }
+    for (int k = 0; k < constraint_count; ++k) {
+        const fw_vec2 off = fw_vec2_subtract(constraints[k].displacement, solid->common);
+        stray = fmax(stray, fw_vec2_dot(off, off));
+    }
+    solid->common = fw_vec2_scale(1. / solid->head.count, path);
+    return 2 * sqrt(stray);
+}
+
 fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
                               int constraint_count, fw_error *error)
 {
     fw_langevin *solid = (fw_langevin *)head;
-    const fw_baoab baoab = baoab_of(&solid->controls);
     const int blocks = block_count(solid), count = head->count;
-    const bool held = constraint_count > 0;
+    const fw_move_task task = task_of(solid, constraint_count > 0);
+    const fw_langevin_kernels *kernels = FW_KERNELS_CHOSEN(fw_langevin_loops);
     for (int k = 0; k < constraint_count; ++k) {
         const int i = constraints[k].particle;
         solid->constraint_x[i] = constraints[k].force.x;
@@ -320,7 +291,7 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
     for (int b = 0; b < blocks; ++b) {
         const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
-        solid->sums[b] = move_block(solid, &baoab, held, begin, end);
+        kernels->move(&task, begin, end, &solid->sums[b]);
     }
     /* The force brings a held particle where it belongs up to rounding; here it is put there. */
     for (int k = 0; k < constraint_count; ++k) {
@@ -328,11 +299,11 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
         head->x[i] = solid->held_at[k].x + constraints[k].displacement.x;
         head->y[i] = solid->held_at[k].y + constraints[k].displacement.y;
     }
-    FW_TRY(solid->find_forces(solid, error));
+    FW_TRY(solid->find_forces(solid, travel_of(solid, constraints, constraint_count), error));
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
     for (int b = 0; b < blocks; ++b) {
         const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
-        kick_block(solid, &baoab, held, begin, end);
+        kernels->kick(&task, begin, end);
     }
     for (int k = 0; k < constraint_count; ++k)
         solid->constraint_x[constraints[k].particle] =
@@ -388,5 +359,5 @@ fw_status fw_langevin_refresh(fw_solid *head, fw_error *error)
 {
     fw_langevin *solid = (fw_langevin *)head;
     head->tick = solid->controls.time_step;
-    return solid->find_forces(solid, error);
+    return solid->find_forces(solid, INFINITY, error);
 }

@@ -24,11 +24,6 @@ typedef struct fw_langevin_controls {
     double temperature; /* kB T in units of energy */
 } fw_langevin_controls;
 
-typedef struct fw_langevin_sums {
-    double work, dissipated, heat;
-    fw_vec2 external, drag;
-} fw_langevin_sums;
-
 struct fw_langevin {
     fw_solid head;
     fw_langevin_controls controls;
@@ -36,9 +31,10 @@ struct fw_langevin {
     double *velocity_x, *velocity_y;
     double *force_x, *force_y; /* the solid's own forces at its present positions */
     double *mass;              /* to be filled by the model before fw_langevin_start() */
-    /* Makes force_x/y for the positions of the head; the only part in which models differ.
-     * FW_SYSTEM_FAILED without memory. */
-    fw_status (*find_forces)(fw_langevin *solid, fw_error *error);
+    /* Makes force_x/y for the positions of the head; the only part in which models differ. No two
+     * particles have come closer by more than `travel` since the last time. FW_SYSTEM_FAILED
+     * without memory. */
+    fw_status (*find_forces)(fw_langevin *solid, double travel, fw_error *error);
     /* The largest temperature that steps of that length follow; NULL: any. */
     double (*hottest)(const fw_langevin *solid, double time_step);
 
@@ -47,7 +43,8 @@ struct fw_langevin {
     double *constraint_x, *constraint_y; /* constraint forces; zero between steps */
     fw_vec2 *held_at;                    /* where held particles were; as many as particles */
     double *scratch;                     /* one number per particle, for whoever sums */
-    fw_langevin_sums *sums;              /* of each block of particles */
+    struct fw_move_sums *sums;           /* of each block of particles */
+    fw_vec2 common;                      /* mean path of the last step; only `travel` hangs on it */
 };
 
 /* Allocates head and arrays; on failure everything is released. */

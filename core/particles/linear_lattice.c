@@ -78,8 +78,9 @@ static inline fw_vec2 stretch_of(const fw_linear_lattice *lattice, int i, int j)
                      (head->y[j] - head->y[i]) - (lattice->home[j].y - lattice->home[i].y)};
 }
 
-static fw_status find_forces(fw_langevin *solid, fw_error *error)
+static fw_status find_forces(fw_langevin *solid, double travel, fw_error *error)
 {
+    (void)travel;
     (void)error;
     const fw_linear_lattice *lattice = (const fw_linear_lattice *)solid;
 #pragma omp parallel for schedule(static) if (solid->head.count > PARALLEL_FROM)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* neighbours.c - cells on a torus, and from them one ascending list per particle.
+/* neighbours.c - from cells on a torus one ascending list per particle.
  * State: the list and the positions it was made for. Invariant: as long as `valid`, every pair
  * closer than `radius` is in the list of both. Start reading at fw_neighbours_refresh(). */
 #include "core/particles/neighbours.h"
@@ -13,12 +13,8 @@
 
 enum {
     PARALLEL_FROM = 4096, /* particles; below it threads cost more than they bring */
-    ROOM_EACH = 20,       /* neighbours per particle to begin with; a dense solid has 16 */
-    SIDE_LEAST = 4        /* buckets: the 3 x 3 around one must be different ones */
+    ROOM_EACH = 20        /* neighbours per particle to begin with; a dense solid has 16 */
 };
-
-/* Where cell coordinates end: beyond it, and for what is not a number, all share one cell. */
-#define COORDINATE_MAX 1e15
 
 fw_status fw_neighbours_create(fw_neighbours **neighbours, int count, double radius, double skin,
                                fw_error *error)
@@ -32,18 +28,12 @@ fw_status fw_neighbours_create(fw_neighbours **neighbours, int count, double rad
     made->radius = radius;
     made->skin = skin;
     made->capacity = size * ROOM_EACH;
-    made->bucket_most = SIDE_LEAST * SIDE_LEAST;
-    while (made->bucket_most < 2 * (int64_t)count && made->bucket_most < 1 << 29)
-        made->bucket_most *= 2;
     made->begin = fw_array_allocate(size + 1, sizeof *made->begin);
     made->list = fw_array_allocate(made->capacity, sizeof *made->list);
     made->built_x = fw_array_of_doubles(size);
     made->built_y = fw_array_of_doubles(size);
-    made->cell = fw_array_allocate(size, sizeof *made->cell);
-    made->cell_begin = fw_array_allocate((size_t)made->bucket_most + 1, sizeof *made->cell_begin);
-    made->member = fw_array_allocate(size, sizeof *made->member);
-    if (!made->begin || !made->list || !made->built_x || !made->built_y || !made->cell ||
-        !made->cell_begin || !made->member) {
+    const bool sortable = fw_cells_create(&made->cells, count, error) == FW_OK;
+    if (!sortable || !made->begin || !made->list || !made->built_x || !made->built_y) {
         fw_neighbours_destroy(made);
         return fw_fail(error, FW_SYSTEM_FAILED,
                        "not enough memory for the neighbours of %d particles", count);
@@ -59,9 +49,7 @@ void fw_neighbours_destroy(fw_neighbours *neighbours)
     free(neighbours->list);
     free(neighbours->built_x);
     free(neighbours->built_y);
-    free(neighbours->cell);
-    free(neighbours->cell_begin);
-    free(neighbours->member);
+    fw_cells_release(&neighbours->cells);
     free(neighbours);
 }
 
@@ -88,93 +76,20 @@ static bool may_have_met(const fw_neighbours *neighbours, const double *restrict
     return !(hypot(right - left, high - low) <= neighbours->skin * (1 - 1e-9));
 }
 
-typedef struct fw_torus {
-    double inverse_size;   /* of a cell */
-    int64_t columns, rows; /* powers of two */
-} fw_torus;
-
-static int64_t coordinate(const fw_torus *torus, double position)
-{
-    double place = position * torus->inverse_size;
-    if (!(fabs(place) <= COORDINATE_MAX)) return 0;
-    return (int64_t)floor(place);
-}
-
-static int bucket_of(const fw_torus *torus, int64_t column, int64_t row)
-{
-    /* On two's complement the mask is the remainder, for negative numbers too. */
-    return (int)((row & (torus->rows - 1)) * torus->columns + (column & (torus->columns - 1)));
-}
-
-static double span(const double *values, int count)
-{
-    double low = INFINITY, high = -INFINITY;
-    for (int i = 0; i < count; ++i) {
-        low = values[i] < low ? values[i] : low;
-        high = values[i] > high ? values[i] : high;
-    }
-    return high - low;
-}
-
-static int64_t power_of_two_from(double least)
-{
-    int64_t power = SIDE_LEAST;
-    while ((double)power < least && power < (int64_t)1 << 40) power *= 2;
-    return power;
-}
-
-/* As many cells as the body is wide and high, if there are not too many; else the longer side is
- * wrapped. */
-static fw_torus choose_torus(const fw_neighbours *neighbours, const double *x, const double *y)
-{
-    const double size = neighbours->radius + neighbours->skin;
-    fw_torus torus = {.inverse_size = 1 / size,
-                      .columns = power_of_two_from(span(x, neighbours->count) / size + 2),
-                      .rows = power_of_two_from(span(y, neighbours->count) / size + 2)};
-    while (torus.columns > neighbours->bucket_most / torus.rows) {
-        if (torus.columns >= torus.rows)
-            torus.columns /= 2;
-        else
-            torus.rows /= 2;
-    }
-    return torus;
-}
-
-static void sort_into_cells(fw_neighbours *neighbours, const fw_torus *torus, const double *x,
-                            const double *y)
-{
-    const int buckets = (int)(torus->columns * torus->rows);
-    int *begin = neighbours->cell_begin;
-    memset(begin, 0, ((size_t)buckets + 1) * sizeof *begin);
-    for (int i = 0; i < neighbours->count; ++i) {
-        neighbours->cell[i] = bucket_of(torus, coordinate(torus, x[i]), coordinate(torus, y[i]));
-        begin[neighbours->cell[i] + 1] += 1;
-    }
-    for (int b = 0; b < buckets; ++b) begin[b + 1] += begin[b];
-    /* Downwards, so that each bucket's beginning ends where it belongs and its members ascend. */
-    for (int i = neighbours->count - 1; i >= 0; --i) {
-        const int bucket = neighbours->cell[i];
-        neighbours->member[--begin[bucket + 1]] = i;
-    }
-    memmove(begin, begin + 1, (size_t)buckets * sizeof *begin);
-    begin[buckets] = neighbours->count;
-}
-
 /* Calls for all members of the 3 x 3 cells around particle i that are near: counts them, and
  * writes them down if there is somewhere to. */
-static size_t visit(const fw_neighbours *neighbours, const fw_torus *torus,
-                    const double *restrict x, const double *restrict y, int i, int *restrict out)
+static size_t visit(const fw_neighbours *neighbours, const double *restrict x,
+                    const double *restrict y, int i, int *restrict out)
 {
     const double reach = neighbours->radius + neighbours->skin;
-    const int row = neighbours->cell[i] / (int)torus->columns;
-    const int column = neighbours->cell[i] % (int)torus->columns;
+    const fw_cells *cells = &neighbours->cells;
+    const int row = cells->cell[i] / cells->columns, column = cells->cell[i] % cells->columns;
     size_t found = 0;
     for (int dj = -1; dj <= 1; ++dj)
         for (int di = -1; di <= 1; ++di) {
-            const int bucket = bucket_of(torus, column + di, row + dj);
-            for (int k = neighbours->cell_begin[bucket]; k < neighbours->cell_begin[bucket + 1];
-                 ++k) {
-                const int j = neighbours->member[k];
+            const int cell = fw_cell_at(cells, column + di, row + dj);
+            for (int k = cells->begin[cell]; k < cells->begin[cell + 1]; ++k) {
+                const int j = cells->member[k];
                 const double dx = x[i] - x[j], dy = y[i] - y[j];
                 const bool near = dx * dx + dy * dy < reach * reach && j != i;
                 if (out && near) out[found] = j;
@@ -211,11 +126,10 @@ static bool make_room(fw_neighbours *neighbours, size_t needed)
 static bool make_list(fw_neighbours *neighbours, const double *x, const double *y)
 {
     const int count = neighbours->count;
-    const fw_torus torus = choose_torus(neighbours, x, y);
-    sort_into_cells(neighbours, &torus, x, y);
+    fw_cells_sort(&neighbours->cells, neighbours->radius + neighbours->skin, x, y);
     size_t *begin = neighbours->begin;
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int i = 0; i < count; ++i) begin[i + 1] = visit(neighbours, &torus, x, y, i, NULL);
+    for (int i = 0; i < count; ++i) begin[i + 1] = visit(neighbours, x, y, i, NULL);
     for (int i = 0; i < count; ++i) begin[i + 1] += begin[i];
     if (!make_room(neighbours, begin[count])) {
         memset(begin, 0, ((size_t)count + 1) * sizeof *begin);
@@ -223,7 +137,7 @@ static bool make_list(fw_neighbours *neighbours, const double *x, const double *
     }
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
     for (int i = 0; i < count; ++i) {
-        visit(neighbours, &torus, x, y, i, neighbours->list + begin[i]);
+        visit(neighbours, x, y, i, neighbours->list + begin[i]);
         sort_ascending(neighbours->list + begin[i], begin[i + 1] - begin[i]);
     }
     return true;

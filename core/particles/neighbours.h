@@ -4,12 +4,11 @@
  * For each particle the list of all others within `radius + skin`, ascending; made anew when two
  * particles may have come closer to each other by more than `skin`. Whoever sums over a list must
  * let what lies beyond `radius` contribute exact zeros: then no result depends on when the list
- * was made. Space is cut into cells that are wrapped onto a torus of bounded size: particles that
- * fly far away cost nothing, and whom they share a cell with, the distance rules out. */
+ * was made. */
 #ifndef FW_NEIGHBOURS_H
 #define FW_NEIGHBOURS_H
 
-#include "core/status.h"
+#include "core/particles/cells.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -27,10 +26,7 @@ typedef struct fw_neighbours {
     bool valid;
     size_t capacity;           /* of list */
     double *built_x, *built_y; /* positions at the last making */
-    int *cell;                 /* of each particle */
-    int *cell_begin;           /* bucket_most + 1 */
-    int *member;               /* particles by cell, ascending within each */
-    int bucket_most;
+    fw_cells cells;
 } fw_neighbours;
 
 /* radius > 0, skin >= 0. FW_SYSTEM_FAILED without memory. */

@@ -98,11 +98,11 @@ fw_status fw_particles_check(const fw_particles_def *def, fw_error *error)
     if (!(def->bond_radius > 0 && isfinite(def->bond_radius)))
         return fw_fail(error, FW_BAD_INPUT, "bonds reach up to %g, expected a number > 0",
                        def->bond_radius);
-    if (!(def->skin >= 0 && isfinite(def->skin)))
+    if (!(def->margin >= 0 && isfinite(def->margin)))
         return fw_fail(error, FW_BAD_INPUT,
-                       "the neighbour list reaches %g further than the forces, expected a number "
+                       "the neighbour lists reach %g further than the forces, expected a number "
                        ">= 0",
-                       def->skin);
+                       def->margin);
     if (!(def->overlap_energy >= 0))
         return fw_fail(error, FW_BAD_INPUT, "the overlap energy is %g, expected a number >= 0",
                        def->overlap_energy);
@@ -122,10 +122,9 @@ static double strength_of(const fw_particles *particles, int i, int j)
 static double stiffness_around(const fw_particles *particles, int i)
 {
     const fw_solid *head = &particles->langevin.head;
-    const fw_neighbours *neighbours = particles->neighbours;
+    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
     fw_sym2 sum = {0, 0, 0};
-    for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-        const int j = neighbours->list[k];
+    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
         const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
         const double r2 = dx * dx + dy * dy, strength = strength_of(particles, i, j);
         if (!(strength * particles->potential.depth > 0)) continue;
@@ -191,10 +190,9 @@ double fw_particles_hottest(const fw_solid *solid)
 fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error)
 {
     const fw_solid *head = &particles->langevin.head;
-    const fw_neighbours *neighbours = particles->neighbours;
-    for (int i = 0; i < head->count; ++i)
-        for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-            const int j = neighbours->list[k];
+    for (int i = 0; i < head->count; ++i) {
+        fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
+        for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
             if (j < i) continue;
             const fw_particle_group *a = &particles->groups[particles->group_of[i]];
             const fw_particle_group *b = &particles->groups[particles->group_of[j]];
@@ -209,5 +207,6 @@ fw_status fw_particles_check_overlaps(const fw_particles *particles, double limi
                            "distance %.4g their energy is %.4g, expected at most %g",
                            i - a->first, a->name, j - b->first, b->name, sqrt(r2), energy, limit);
         }
+    }
     return FW_OK;
 }

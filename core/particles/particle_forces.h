@@ -7,6 +7,8 @@
 
 #include "core/particles/particles.h"
 
+#include "particle_kernels.h"
+
 struct fw_particles {
     fw_langevin langevin; /* first: an fw_particles is an fw_langevin is an fw_solid */
     int group_count;
@@ -17,18 +19,18 @@ struct fw_particles {
     double strength_across;
     double bond_radius;
 
-    fw_neighbours *neighbours;
-    /* The neighbours of i in its own body are list[own_begin[i]] .. list[own_end[i] - 1]. */
-    size_t *own_begin, *own_end;
-    int64_t generation; /* of the list that own_begin and own_end belong to */
+    fw_neighbour_lists *lists;
 
     /* Return forces of bodies whose axes turn, before the turn is known; NULL if there are none. */
     double *first_x, *first_y, *second_x, *second_y, *sum_cosine, *sum_sine;
     double *virial[4]; /* of each particle: scratch */
 };
 
+/* What the kernels are told about the particles of a body. */
+fw_pair_task fw_particles_task(const fw_particles *particles, int group);
+
 /* As fw_langevin.find_forces. */
-fw_status fw_particles_find_forces(fw_langevin *solid, fw_error *error);
+fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *error);
 
 /* Whatever fw_particles_create refuses before it builds. */
 fw_status fw_particles_check(const fw_particles_def *def, fw_error *error);

@@ -2,6 +2,8 @@
 /* particle_observables.c - sums over the particles and bonds of one instant. Keeps no state. */
 #include "core/particles/particle_observables.h"
 
+#include "core/particles/neighbours.h"
+
 #include <math.h>
 #include <stdlib.h>
 

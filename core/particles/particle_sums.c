@@ -15,10 +15,11 @@ static inline fw_return_pair return_sums(const fw_particles *particles, int i)
     const fw_return_force rule = group->return_force;
     const fw_phase axes = group->axes;
     const double *restrict x = particles->langevin.head.x, *restrict y = particles->langevin.head.y;
-    const int *restrict list = particles->neighbours->list;
+    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
     fw_return_pair sums = {.energy = 0};
-    for (size_t k = particles->own_begin[i]; k < particles->own_end[i]; ++k) {
-        const double dx = x[i] - x[list[k]], dy = y[i] - y[list[k]];
+    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
+        if (particles->group_of[j] != particles->group_of[i]) continue;
+        const double dx = x[i] - x[j], dy = y[i] - y[j];
         const fw_return_pair pair = fw_return_pair_at(&rule, axes, dx, dy, dx * dx + dy * dy);
         sums.first = fw_vec2_add(sums.first, pair.first);
         sums.second = fw_vec2_add(sums.second, pair.second);
@@ -57,8 +58,9 @@ void fw_particles_bond_return_forces(const fw_solid *solid, double *lengths)
         const fw_particle_group *group = &particles->groups[particles->group_of[i]];
         double sum = 0;
         int bonds = 0;
-        for (size_t k = particles->own_begin[i]; k < particles->own_end[i]; ++k) {
-            const int j = particles->neighbours->list[k];
+        fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
+        for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
+            if (particles->group_of[j] != particles->group_of[i]) continue;
             const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
             const double r2 = dx * dx + dy * dy;
             if (!(r2 < radius * radius)) continue;
@@ -77,41 +79,40 @@ fw_vec2 fw_particles_force_on(const fw_solid *solid, int group, int by_group)
     const fw_particles *particles = (const fw_particles *)solid;
     const fw_particle_group *body = &particles->groups[group];
     fw_vec2 sum = {0, 0};
-    for (int i = body->first; i < body->first + body->count; ++i)
-        for (size_t k = particles->neighbours->begin[i]; k < particles->neighbours->begin[i + 1];
-             ++k) {
-            const int j = particles->neighbours->list[k];
+    for (int i = body->first; i < body->first + body->count; ++i) {
+        fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
+        for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
             if (particles->group_of[j] != by_group) continue;
             const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
             const double push = particles->strength_across *
                                 fw_pair_at(&particles->potential, dx * dx + dy * dy).push;
             sum = fw_vec2_add(sum, (fw_vec2){push * dx, push * dy});
         }
+    }
     return sum;
 }
 
 /* Calls for each neighbour of i whether it is in the same body, and how strong the potential is. */
-static double strength_of(const fw_particles *particles, int i, size_t k)
+static double strength_of(const fw_particles *particles, int i, int j)
 {
-    const bool own = k >= particles->own_begin[i] && k < particles->own_end[i];
+    const bool own = particles->group_of[i] == particles->group_of[j];
     return own ? particles->groups[particles->group_of[i]].strength : particles->strength_across;
 }
 
 void fw_particles_pair_energies(const fw_solid *solid, double *energies)
 {
     const fw_particles *particles = (const fw_particles *)solid;
-    const fw_neighbours *neighbours = particles->neighbours;
 #pragma omp parallel for schedule(static) if (solid->count > PARALLEL_FROM)
     for (int i = 0; i < solid->count; ++i) {
         const fw_turn turn = particles->groups[particles->group_of[i]].turn;
         const fw_return_pair sums = return_sums(particles, i);
         /* Surface axes add a force that has no potential; what is left is V for fixed axes. */
         double energy = turn.first * sums.energy + turn.second * sums.energy_second;
-        for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-            const int j = neighbours->list[k];
+        fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
+        for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
             const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
             const fw_pair pair = fw_pair_at(&particles->potential, dx * dx + dy * dy);
-            energy += strength_of(particles, i, k) * pair.energy;
+            energy += strength_of(particles, i, j) * pair.energy;
         }
         energies[i] = 0.5 * energy;
     }
@@ -121,15 +122,14 @@ void fw_particles_pair_energies(const fw_solid *solid, double *energies)
 static fw_tensor virial_of(const fw_particles *particles, int i)
 {
     const fw_solid *head = &particles->langevin.head;
-    const fw_neighbours *neighbours = particles->neighbours;
     const fw_particle_group *group = &particles->groups[particles->group_of[i]];
     fw_tensor sum = {0};
-    for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-        const int j = neighbours->list[k];
+    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
+    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
         const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
         const double r2 = dx * dx + dy * dy;
         const double push =
-            strength_of(particles, i, k) * fw_pair_at(&particles->potential, r2).push;
+            strength_of(particles, i, j) * fw_pair_at(&particles->potential, r2).push;
         fw_vec2 force = {push * dx, push * dy};
         if (particles->group_of[j] == particles->group_of[i]) {
             const fw_return_pair pair =
@@ -167,12 +167,11 @@ fw_tensor fw_particles_virial(const fw_solid *solid, int group)
 fw_phase fw_particles_bond_order(const fw_solid *solid, int particle, int *bonds)
 {
     const fw_particles *particles = (const fw_particles *)solid;
-    const fw_neighbours *neighbours = particles->neighbours;
     const int fold = particles->groups[particles->group_of[particle]].return_force.fold;
     fw_phase sum = {0, 0};
     *bonds = 0;
-    for (size_t k = neighbours->begin[particle]; k < neighbours->begin[particle + 1]; ++k) {
-        const int j = neighbours->list[k];
+    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, particle);
+    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
         const double dx = solid->x[particle] - solid->x[j], dy = solid->y[particle] - solid->y[j];
         const double r2 = dx * dx + dy * dy;
         if (!(r2 < particles->bond_radius * particles->bond_radius)) continue;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particles.c - movable lattice particles: building, changing, and the model's table.
  * State: that of langevin.c, and the return amplitude of each body. Invariant between steps: the
- * neighbour list holds for the present positions. The step is in langevin.c, the forces are in
+ * neighbour lists hold for the present positions. The step is in langevin.c, the forces are in
  * particle_forces.c. Start reading at fw_particles_create(). */
 #include "core/particles/particles.h"
 
@@ -25,7 +25,7 @@ fw_particles_def fw_particles_def_default(void)
                               .controls = {.time_step = 0.005},
                               .overlap_energy = 100,
                               .bond_radius = 1.25,
-                              .skin = 0.3};
+                              .margin = 0.6};
 }
 
 /* --- life --- */
@@ -38,9 +38,7 @@ static void destroy(fw_solid *solid)
     free(particles->groups);
     free(particles->amplitudes);
     free(particles->group_of);
-    fw_neighbours_destroy(particles->neighbours);
-    free(particles->own_begin);
-    free(particles->own_end);
+    fw_neighbour_lists_destroy(particles->lists);
     free(particles->first_x);
     free(particles->first_y);
     free(particles->second_x);
@@ -150,10 +148,7 @@ static bool allocate_arrays(fw_particles *particles, bool turning)
     particles->groups = calloc(groups, sizeof *particles->groups);
     particles->amplitudes = fw_array_of_doubles(groups);
     particles->group_of = fw_array_allocate(count, sizeof *particles->group_of);
-    particles->own_begin = fw_array_allocate(count, sizeof *particles->own_begin);
-    particles->own_end = fw_array_allocate(count, sizeof *particles->own_end);
-    bool complete = particles->groups && particles->amplitudes && particles->group_of &&
-                    particles->own_begin && particles->own_end;
+    bool complete = particles->groups && particles->amplitudes && particles->group_of;
     for (int v = 0; v < 4; ++v) {
         particles->virial[v] = fw_array_of_doubles(count);
         complete = complete && particles->virial[v];
@@ -177,6 +172,18 @@ static double longest_reach(const fw_particles_def *def)
     return reach;
 }
 
+static fw_status list_neighbours(fw_particles *particles, const fw_particles_def *def,
+                                 fw_error *error)
+{
+    int *counts = fw_array_allocate((size_t)def->group_count, sizeof *counts);
+    if (!counts) return fw_fail_memory(error, "neighbour lists");
+    for (int g = 0; g < def->group_count; ++g) counts[g] = def->groups[g].count;
+    const fw_status status = fw_neighbour_lists_create(&particles->lists, counts, def->group_count,
+                                                       longest_reach(def), def->margin, error);
+    free(counts);
+    return status;
+}
+
 static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_error *error)
 {
     bool turning = false;
@@ -195,8 +202,7 @@ static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_
         FW_TRY(fill_group(particles, g, &def->groups[g], first, error));
         first += def->groups[g].count;
     }
-    FW_TRY(
-        fw_neighbours_create(&particles->neighbours, count, longest_reach(def), def->skin, error));
+    FW_TRY(list_neighbours(particles, def, error));
     /* A body that flows brings any particle to its surface. */
     for (int i = 0; i < count; ++i) langevin->head.boundary[i] = i;
     langevin->head.boundary_count = count;
@@ -318,9 +324,9 @@ int fw_particles_group_of(const fw_solid *solid, int particle)
     return read_only(solid)->group_of[particle];
 }
 
-const fw_neighbours *fw_particles_neighbours(const fw_solid *solid)
+const fw_neighbour_lists *fw_particles_neighbours(const fw_solid *solid)
 {
-    return read_only(solid)->neighbours;
+    return read_only(solid)->lists;
 }
 
 const fw_langevin_controls *fw_particles_controls(const fw_solid *solid)

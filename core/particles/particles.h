@@ -12,7 +12,7 @@
 #define FW_PARTICLES_H
 
 #include "core/particles/langevin.h"
-#include "core/particles/neighbours.h"
+#include "core/particles/neighbour_lists.h"
 #include "core/particles/pair_potential.h"
 #include "core/particles/return_force.h"
 
@@ -36,7 +36,7 @@ typedef struct fw_particles_def {
     uint64_t seed;
     double overlap_energy; /* a pair whose energy is above that at the start is refused */
     double bond_radius;    /* what counts as a bond for order and coordination */
-    double skin;           /* of the neighbour list; results do not depend on it */
+    double margin;         /* of the neighbour lists; results do not depend on it */
 } fw_particles_def;
 
 extern const fw_solid_model fw_particles_model;
@@ -44,7 +44,7 @@ extern const fw_solid_model fw_particles_model;
 /* Mass 1, strength 1, no return force. */
 fw_particle_group_def fw_particle_group_def_default(void);
 /* Default potential, strength across 1, time step .005, no damping, temperature 0, overlap energy
- * 100, bonds up to 1.25, skin .3. */
+ * 100, bonds up to 1.25, margin .6. */
 fw_particles_def fw_particles_def_default(void);
 
 /* FW_BAD_INPUT with a sentence for whatever the parts refuse (pair_potential.h, return_force.h,
@@ -101,7 +101,7 @@ int fw_particles_find_group(const fw_solid *solid, const char *name);
 int fw_particles_group_of(const fw_solid *solid, int particle);
 /* Neighbours within at least the reach of all forces and the bond radius, for the present
  * positions; valid until the next step. */
-const fw_neighbours *fw_particles_neighbours(const fw_solid *solid);
+const fw_neighbour_lists *fw_particles_neighbours(const fw_solid *solid);
 const fw_langevin_controls *fw_particles_controls(const fw_solid *solid);
 double fw_particles_bond_radius(const fw_solid *solid);
 

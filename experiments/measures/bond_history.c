@@ -112,11 +112,10 @@ static bool holds(const int32_t *bonds, int length, int j)
 
 static void add_new(const fw_solid *solid, int i, int32_t *bonds)
 {
-    const fw_neighbours *neighbours = fw_particles_neighbours(solid);
+    fw_neighbour_walk walk = fw_neighbours_around(fw_particles_neighbours(solid), i);
     const double radius = fw_particles_bond_radius(solid);
     int length = length_of(bonds);
-    for (size_t k = neighbours->begin[i]; k < neighbours->begin[i + 1]; ++k) {
-        const int j = neighbours->list[k];
+    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
         if (length == FW_HISTORY_BONDS || square_between(solid, i, j) >= radius * radius) continue;
         if (!holds(bonds, length, j)) bonds[length++] = j;
     }

@@ -266,7 +266,7 @@ static fw_solid *three_bodies(double skin)
     fw_particles_def def = fw_particles_def_default();
     def.groups = groups;
     def.group_count = 3;
-    def.skin = skin;
+    def.margin = skin;
     def.controls = (fw_langevin_controls){0.005, 0.5, 0.4};
     def.seed = 123456789;
     fw_solid *solid;

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* langevin_kernels.c - the BAOAB step of langevin.h, eight particles at a time; compiled once for
+ * each instruction set. Keeps no state. Sums are made in eight lanes whatever the width of vectors.
+ * Start reading at move_lanes(). */
+#include "langevin_kernels.h"
+
+#include "core/noise.h"
+#include "core/noise_vectors.h"
+#include "core/vectors.h"
+
+/* Sums in lanes, FW_PARTS registers each. */
+typedef struct fw_lane_ledger {
+    fw_vector work[FW_PARTS], dissipated[FW_PARTS], heat[FW_PARTS];
+    fw_vector external_x[FW_PARTS], external_y[FW_PARTS], drag_x[FW_PARTS], drag_y[FW_PARTS];
+    fw_vector path_x[FW_PARTS], path_y[FW_PARTS], stray[FW_PARTS];
+} fw_lane_ledger;
+
+FW_INLINE fw_vector square_of(fw_vector_pair v)
+{
+    return v.x * v.x + v.y * v.y;
+}
+
+FW_INLINE fw_vector_pair load_pair(const double *x, const double *y, int at)
+{
+    return (fw_vector_pair){fw_load(x + at), fw_load(y + at)};
+}
+
+/* All forces at particles `at` and on. */
+FW_INLINE fw_vector_pair force_at(const fw_move_task *task, bool loaded, int at)
+{
+    fw_vector_pair force = load_pair(task->force_x, task->force_y, at);
+    if (loaded) {
+        force.x += fw_load(task->external_x + at);
+        force.y += fw_load(task->external_y + at);
+    }
+    if (task->constraint_x) {
+        force.x += fw_load(task->constraint_x + at);
+        force.y += fw_load(task->constraint_y + at);
+    }
+    return force;
+}
+
+/* v1 = v + dt/2m F */
+FW_INLINE fw_vector_pair kicked_at(const fw_move_task *task, bool loaded, int at)
+{
+    const fw_vector_pair force = force_at(task, loaded, at);
+    const fw_vector push = task->baoab.half * fw_load(task->inverse_mass + at);
+    return (fw_vector_pair){fw_load(task->velocity_x + at) + push * force.x,
+                            fw_load(task->velocity_y + at) + push * force.y};
+}
+
+/* v2 = c v1 + s xi */
+FW_INLINE fw_vector_pair mixed_of(const fw_move_task *task, fw_vector_pair kicked, int at,
+                                  fw_naturals lane)
+{
+    const fw_baoab *baoab = &task->baoab;
+    fw_vector_pair mixed = {baoab->keep * kicked.x, baoab->keep * kicked.y};
+    if (!(baoab->shake > 0)) return mixed;
+    const fw_naturals particle = lane + (uint64_t)at;
+    const fw_vector_pair noise =
+        fw_noise_gaussians_of(task->seed, particle, task->ticks, FW_NOISE_THERMOSTAT);
+    const fw_vector shake = baoab->shake * fw_load(task->root_inverse_mass + at);
+    mixed.x += shake * noise.x;
+    mixed.y += shake * noise.y;
+    return mixed;
+}
+
+FW_INLINE void move_lanes(const fw_move_task *task, bool thermostat, bool loaded, int at, int part,
+                          fw_mask held, fw_naturals lane, fw_lane_ledger *ledger)
+{
+    const fw_vector_pair kicked = kicked_at(task, loaded, at);
+    fw_vector_pair mixed = kicked;
+    if (thermostat) {
+        mixed = mixed_of(task, kicked, at, lane);
+        const fw_vector mass = fw_load(task->mass + at);
+        const fw_vector drag = 0.5 * mass * task->baoab.lose * square_of(kicked);
+        const fw_vector change = 0.5 * mass * (square_of(mixed) - square_of(kicked));
+        ledger->dissipated[part] += fw_keep(held, drag);
+        ledger->heat[part] += fw_keep(held, change + drag);
+        ledger->drag_x[part] += fw_keep(held, mass * (mixed.x - kicked.x));
+        ledger->drag_y[part] += fw_keep(held, mass * (mixed.y - kicked.y));
+    }
+    const fw_vector_pair path = {task->baoab.half * (kicked.x + mixed.x),
+                                 task->baoab.half * (kicked.y + mixed.y)};
+    if (loaded) {
+        const fw_vector_pair external = load_pair(task->external_x, task->external_y, at);
+        ledger->work[part] += fw_keep(held, external.x * path.x + external.y * path.y);
+        ledger->external_x[part] += fw_keep(held, external.x);
+        ledger->external_y[part] += fw_keep(held, external.y);
+    }
+    const fw_vector_pair stray = {path.x - task->common.x, path.y - task->common.y};
+    ledger->stray[part] = fw_larger(ledger->stray[part], fw_keep(held, square_of(stray)));
+    ledger->path_x[part] += fw_keep(held, path.x);
+    ledger->path_y[part] += fw_keep(held, path.y);
+    fw_store_some(task->x + at, held, fw_load(task->x + at) + path.x);
+    fw_store_some(task->y + at, held, fw_load(task->y + at) + path.y);
+    fw_store_some(task->velocity_x + at, held, mixed.x);
+    fw_store_some(task->velocity_y + at, held, mixed.y);
+}
+
+FW_INLINE void move_all(const fw_move_task *task, bool thermostat, bool loaded, int begin, int end,
+                        fw_lane_ledger *ledger)
+{
+    fw_naturals lane;
+    for (int k = 0; k < FW_WIDTH; ++k) lane[k] = (uint64_t)k;
+    int at = begin;
+    for (; at + FW_BLOCK <= end; at += FW_BLOCK)
+        for (int part = 0; part < FW_PARTS; ++part)
+            move_lanes(task, thermostat, loaded, at + part * FW_WIDTH, part, fw_mask_of(0xff, part),
+                       lane, ledger);
+    if (at == end) return;
+    const uint8_t rest = (uint8_t)((1 << (end - at)) - 1);
+    for (int part = 0; part < FW_PARTS; ++part)
+        move_lanes(task, thermostat, loaded, at + part * FW_WIDTH, part, fw_mask_of(rest, part),
+                   lane, ledger);
+}
+
+static double largest(const fw_vector *parts)
+{
+    double most = 0;
+    for (int part = 0; part < FW_PARTS; ++part)
+        for (int k = 0; k < FW_WIDTH; ++k) most = parts[part][k] > most ? parts[part][k] : most;
+    return most;
+}
+
+static void move(const fw_move_task *task, int begin, int end, fw_move_sums *sums)
+{
+    fw_lane_ledger ledger = {0};
+    const bool loaded = task->external_x != NULL;
+    if (task->baoab.thermostat) {
+        if (loaded)
+            move_all(task, true, true, begin, end, &ledger);
+        else
+            move_all(task, true, false, begin, end, &ledger);
+    } else {
+        if (loaded)
+            move_all(task, false, true, begin, end, &ledger);
+        else
+            move_all(task, false, false, begin, end, &ledger);
+    }
+    *sums = (fw_move_sums){
+        .work = fw_sum_block(ledger.work),
+        .dissipated = fw_sum_block(ledger.dissipated),
+        .heat = fw_sum_block(ledger.heat),
+        .external = {fw_sum_block(ledger.external_x), fw_sum_block(ledger.external_y)},
+        .drag = {fw_sum_block(ledger.drag_x), fw_sum_block(ledger.drag_y)},
+        .path = {fw_sum_block(ledger.path_x), fw_sum_block(ledger.path_y)},
+        .stray = largest(ledger.stray)};
+}
+
+FW_INLINE void kick_all(const fw_move_task *task, bool loaded, int begin, int end)
+{
+    for (int at = begin; at < end; at += FW_WIDTH) {
+        const int left = end - at;
+        const fw_mask held = fw_mask_of(left >= FW_WIDTH ? 0xff : (uint8_t)((1 << left) - 1), 0);
+        const fw_vector_pair kicked = kicked_at(task, loaded, at);
+        fw_store_some(task->velocity_x + at, held, kicked.x);
+        fw_store_some(task->velocity_y + at, held, kicked.y);
+    }
+}
+
+static void kick(const fw_move_task *task, int begin, int end)
+{
+    if (task->external_x)
+        kick_all(task, true, begin, end);
+    else
+        kick_all(task, false, begin, end);
+}
+
+const fw_langevin_kernels FW_KERNELS_HERE(fw_langevin_loops) = {.move = move, .kick = kick};

@@ -1,0 +1,335 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* neighbour_lists.c - when lists of slots are made and renewed.
+ * State: the lists, the positions that the far ones were made for, and how far particles may still
+ * move before either is to be looked at. Invariant after a refresh: the near lists hold every pair
+ * within reach. Start reading at fw_neighbour_lists_refresh(). */
+#include "core/particles/neighbour_lists.h"
+
+#include "list_guard.h"
+#include "list_kernels.h"
+
+#include "core/array.h"
+
+#include <assert.h>
+#include <math.h>
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    CHUNK = 512,          /* particles */
+    PARALLEL_FROM = 1024, /* particles; below it threads cost more than they bring */
+    SLOTS_EACH = 24       /* of a block, to begin with; a dense solid has 12 to 36 */
+};
+
+/* A gather takes so many times as long as a load. */
+#define FAVOUR 2.5
+
+struct fw_neighbour_lists {
+    int count, chunk_count, body_count;
+    fw_chunk *chunks;
+    int *first_chunk;        /* of each body, and the end */
+    double reach, far, near; /* what the lists hold lies within these */
+    double favour;           /* of offset slots, see list_kernels.h */
+    fw_cells cells;
+    double *built_x, *built_y; /* positions that the far lists were made for */
+    fw_box *boxes;             /* one per cell */
+    int threads;
+    fw_near_words *words; /* of each thread */
+    /* Particles may come closer by so much before the near, the far lists are looked at. */
+    double near_slack, far_slack;
+    int64_t made, renewed;
+};
+
+/* --- memory --- */
+
+static bool longer(void *pointer, size_t count, size_t size)
+{
+    void *old, *made;
+    memcpy(&old, pointer, sizeof old);
+    made = realloc(old, count * size);
+    if (!made) return false;
+    memcpy(pointer, &made, sizeof made);
+    return true;
+}
+
+bool fw_slots_reserve(fw_slots *slots, size_t more, size_t more_rows)
+{
+    const size_t wanted = slots->count + more, rows = slots->row_count + more_rows;
+    if (wanted > slots->capacity) {
+        const size_t capacity = wanted + wanted / 2;
+        if (!longer(&slots->offset, capacity, sizeof *slots->offset) ||
+            !longer(&slots->mask, capacity, sizeof *slots->mask))
+            return false;
+        slots->capacity = capacity;
+    }
+    if (rows > slots->row_capacity) {
+        const size_t capacity = rows + rows / 2;
+        if (!longer(&slots->row, capacity, sizeof *slots->row)) return false;
+        slots->row_capacity = capacity;
+    }
+    return true;
+}
+
+static void release_slots(fw_slots *slots)
+{
+    free(slots->head);
+    free(slots->offset);
+    free(slots->mask);
+    free(slots->row);
+}
+
+void fw_near_words_release(fw_near_words *words)
+{
+    free(words->word);
+    free(words->bytes);
+    free(words->used);
+    *words = (fw_near_words){0};
+}
+
+bool fw_near_words_grow(fw_near_words *words)
+{
+    enum { LEAST = 128 };
+    const int capacity = words->capacity ? 2 * words->capacity : LEAST;
+    fw_near_words grown = {.capacity = capacity,
+                           .word = malloc((size_t)capacity * sizeof *grown.word),
+                           .bytes = calloc((size_t)capacity, sizeof *grown.bytes),
+                           .used = malloc((size_t)capacity * sizeof *grown.used)};
+    if (!grown.word || !grown.bytes || !grown.used) {
+        fw_near_words_release(&grown);
+        words->failed = true;
+        return false;
+    }
+    for (int k = 0; k < capacity; ++k) grown.word[k] = -1;
+    for (int k = 0; k < words->count; ++k) {
+        const int used = words->used[k];
+        int at = fw_near_words_place(&grown, words->word[used]);
+        grown.word[at] = words->word[used];
+        grown.bytes[at] = words->bytes[used];
+        grown.used[grown.count++] = at;
+    }
+    fw_near_words_release(words);
+    *words = grown;
+    return true;
+}
+
+void fw_neighbour_lists_destroy(fw_neighbour_lists *lists)
+{
+    if (!lists) return;
+    for (int c = 0; lists->chunks && c < lists->chunk_count; ++c) {
+        release_slots(&lists->chunks[c].far);
+        release_slots(&lists->chunks[c].near);
+    }
+    for (int t = 0; lists->words && t < lists->threads; ++t)
+        fw_near_words_release(&lists->words[t]);
+    free(lists->chunks);
+    free(lists->first_chunk);
+    fw_cells_release(&lists->cells);
+    free(lists->built_x);
+    free(lists->built_y);
+    free(lists->boxes);
+    free(lists->words);
+    free(lists);
+}
+
+static bool begin_chunk(fw_chunk *chunk)
+{
+    const size_t blocks = (size_t)fw_chunk_blocks(chunk);
+    chunk->far.head = calloc(blocks, sizeof *chunk->far.head);
+    chunk->near.head = calloc(blocks, sizeof *chunk->near.head);
+    return chunk->far.head && chunk->near.head &&
+           fw_slots_reserve(&chunk->far, blocks * SLOTS_EACH, 0);
+}
+
+static bool begin_chunks(fw_neighbour_lists *lists, const int *counts)
+{
+    int first = 0, c = 0;
+    for (int body = 0; body < lists->body_count; ++body) {
+        lists->first_chunk[body] = c;
+        for (int begin = 0; begin < counts[body]; begin += CHUNK) {
+            const int left = counts[body] - begin;
+            lists->chunks[c] = (fw_chunk){.body = body,
+                                          .first = first + begin,
+                                          .count = left < CHUNK ? left : CHUNK,
+                                          .body_first = first,
+                                          .body_end = first + counts[body]};
+            if (!begin_chunk(&lists->chunks[c++])) return false;
+        }
+        first += counts[body];
+    }
+    lists->first_chunk[lists->body_count] = c;
+    return true;
+}
+
+fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *counts, int bodies,
+                                    double reach, double margin, fw_error *error)
+{
+    /* Of the margin, what the near lists get: they are short, and looked through often. */
+    const double near_part = 0.25;
+    assert(reach > 0 && margin >= 0);
+    *lists = NULL;
+    fw_neighbour_lists *made = calloc(1, sizeof *made);
+    if (!made) return fw_fail_memory(error, "neighbour lists");
+    made->reach = reach;
+    made->favour = FAVOUR;
+    made->near = reach + near_part * margin;
+    made->far = reach + margin;
+    made->body_count = bodies;
+    for (int body = 0; body < bodies; ++body) {
+        made->count += counts[body];
+        made->chunk_count += (counts[body] + CHUNK - 1) / CHUNK;
+    }
+    const size_t count = (size_t)made->count;
+    made->threads = omp_get_max_threads();
+    made->chunks = calloc((size_t)made->chunk_count, sizeof *made->chunks);
+    made->first_chunk = calloc((size_t)bodies + 1, sizeof *made->first_chunk);
+    made->words = calloc((size_t)made->threads, sizeof *made->words);
+    made->built_x = fw_array_of_doubles(count);
+    made->built_y = fw_array_of_doubles(count);
+    fw_status status = fw_cells_create(&made->cells, made->count, error);
+    if (status == FW_OK) {
+        made->boxes = fw_array_allocate((size_t)made->cells.most, sizeof *made->boxes);
+        if (!made->chunks || !made->first_chunk || !made->words || !made->built_x ||
+            !made->built_y || !made->boxes || !begin_chunks(made, counts))
+            status = fw_fail(error, FW_SYSTEM_FAILED,
+                             "not enough memory for the neighbours of %d particles", made->count);
+    }
+    if (status != FW_OK) {
+        fw_neighbour_lists_destroy(made);
+        return status;
+    }
+    made->near_slack = made->far_slack = -1;
+    *lists = made;
+    return FW_OK;
+}
+
+void fw_neighbour_lists_favour(fw_neighbour_lists *lists, double favour)
+{
+    lists->favour = favour;
+    lists->near_slack = lists->far_slack = -1;
+    lists->made = 0;
+}
+
+/* --- making and renewing --- */
+
+static bool make_far(fw_neighbour_lists *lists, const double *x, const double *y)
+{
+    const fw_list_kernels *kernels = FW_KERNELS_CHOSEN(fw_lists);
+    fw_cells_sort(&lists->cells, lists->far, x, y);
+    int failed = 0;
+#pragma omp parallel for schedule(dynamic, 8) reduction(+ : failed) num_threads(lists->threads)    \
+    if (lists->count > PARALLEL_FROM)
+    for (int c = 0; c < lists->chunk_count; ++c) {
+        fw_chunk *chunk = &lists->chunks[c];
+        fw_near_words *words = &lists->words[omp_get_thread_num()];
+        chunk->near.count = chunk->near.row_count = 0;
+        failed += !kernels->build(chunk, &lists->cells, x, y, lists->far, lists->favour, words) ||
+                  !fw_slots_reserve(&chunk->near, chunk->far.count, chunk->far.row_count);
+    }
+    const size_t bytes = (size_t)lists->count * sizeof *x;
+    memcpy(lists->built_x, x, bytes);
+    memcpy(lists->built_y, y, bytes);
+    lists->made += 1;
+    return failed == 0;
+}
+
+static void renew_near(fw_neighbour_lists *lists, const double *x, const double *y)
+{
+    const fw_list_kernels *kernels = FW_KERNELS_CHOSEN(fw_lists);
+#pragma omp parallel for schedule(static) if (lists->count > PARALLEL_FROM)
+    for (int c = 0; c < lists->chunk_count; ++c)
+        kernels->renew(&lists->chunks[c], x, y, lists->near);
+    lists->renewed += 1;
+}
+
+fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x, const double *y,
+                                     double travel, fw_error *error)
+{
+    lists->near_slack -= travel;
+    lists->far_slack -= travel;
+    if (lists->near_slack >= 0) return FW_OK;
+    /* What is renewed now must find in the far lists all that the near ones shall hold. */
+    if (!(lists->far_slack >= 0) && lists->made > 0)
+        lists->far_slack = fw_list_guard_slack(&lists->cells, lists->built_x, lists->built_y, x, y,
+                                               lists->far, lists->near, lists->boxes);
+    if (!(lists->far_slack >= 0)) {
+        if (!make_far(lists, x, y)) {
+            lists->made = 0;
+            return fw_fail(error, FW_SYSTEM_FAILED,
+                           "not enough memory for the neighbours of %d particles", lists->count);
+        }
+        lists->far_slack = lists->far - lists->near;
+    }
+    renew_near(lists, x, y);
+    /* A hair less, for the rounding of positions and distances. */
+    lists->near_slack = (lists->near - lists->reach) * (1 - 1e-9);
+    return FW_OK;
+}
+
+/* --- reading --- */
+
+int fw_neighbour_lists_count(const fw_neighbour_lists *lists)
+{
+    return lists->chunk_count;
+}
+
+const fw_chunk *fw_neighbour_lists_chunk(const fw_neighbour_lists *lists, int chunk)
+{
+    return &lists->chunks[chunk];
+}
+
+int fw_neighbour_lists_first(const fw_neighbour_lists *lists, int body)
+{
+    return lists->first_chunk[body];
+}
+
+int64_t fw_neighbour_lists_made(const fw_neighbour_lists *lists)
+{
+    return lists->made;
+}
+
+int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists)
+{
+    return lists->renewed;
+}
+
+static void begin_run(fw_neighbour_walk *walk)
+{
+    walk->run_end = walk->slot + walk->head->count[walk->run];
+}
+
+fw_neighbour_walk fw_neighbours_around(const fw_neighbour_lists *lists, int particle)
+{
+    int low = 0, high = lists->body_count;
+    while (high - low > 1) {
+        const int middle = (low + high) / 2;
+        *(lists->chunks[lists->first_chunk[middle]].body_first <= particle ? &low : &high) = middle;
+    }
+    const int chunk_first = lists->first_chunk[low];
+    const int within = particle - lists->chunks[chunk_first].body_first;
+    const fw_chunk *chunk = &lists->chunks[chunk_first + within / CHUNK];
+    const int block = within % CHUNK / FW_LANES;
+    fw_neighbour_walk walk = {.slots = &chunk->near,
+                              .head = &chunk->near.head[block],
+                              .slot = chunk->near.head[block].begin,
+                              .particle = particle,
+                              .lane = within % FW_LANES};
+    begin_run(&walk);
+    return walk;
+}
+
+int fw_neighbour_next(fw_neighbour_walk *walk)
+{
+    for (;;) {
+        while (walk->slot == walk->run_end) {
+            if (walk->run + 1 == FW_SLOT_RUNS) return -1;
+            walk->run += 1;
+            begin_run(walk);
+        }
+        const uint32_t slot = walk->slot++;
+        if (!(walk->slots->mask[slot] >> walk->lane & 1)) continue;
+        const int32_t offset = walk->slots->offset[slot];
+        return walk->head->gathered[walk->run] ? walk->slots->row[offset][walk->lane]
+                                               : walk->particle + offset;
+    }
+}

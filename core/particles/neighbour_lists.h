@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* neighbour_lists.h - who is near whom while particles move, flow and leave; for kernels.
+ *
+ * Two lists of slots (slots.h) for each block of particles. The far one holds all pairs closer than
+ * `reach` and a wide margin. It is made anew only when two particles that were far from each other
+ * may have come near, which is looked up cell by cell: a body that slides, bends slowly or vibrates
+ * keeps its list for ever. The near list holds those of the far one that are closer than `reach`
+ * and a narrow margin, and is renewed every few steps. Whoever sums over it must let what lies
+ * beyond `reach` contribute exact zeros: then no result depends on when lists were made. */
+#ifndef FW_NEIGHBOUR_LISTS_H
+#define FW_NEIGHBOUR_LISTS_H
+
+#include "core/particles/slots.h"
+#include "core/status.h"
+
+typedef struct fw_neighbour_lists fw_neighbour_lists;
+
+/* Particles are numbered through, body after body. reach > 0, margin >= 0: lists are the longer and
+ * the rarer, the larger the margin. FW_SYSTEM_FAILED without memory. */
+fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *counts, int bodies,
+                                    double reach, double margin, fw_error *error);
+void fw_neighbour_lists_destroy(fw_neighbour_lists *lists);
+
+/* Offset slots are preferred up to so many times as many as gather slots would be; for tests, 0:
+ * never, INFINITY: always. No result depends on it. */
+void fw_neighbour_lists_favour(fw_neighbour_lists *lists, double favour);
+
+/* Makes lists good for the present positions. `travel`: no two particles have come closer to each
+ * other by more than that since the last call; INFINITY, if nothing is known. FW_SYSTEM_FAILED
+ * without memory; the lists are then of no use. */
+fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x, const double *y,
+                                     double travel, fw_error *error);
+
+/* The chunks, body after body. */
+int fw_neighbour_lists_count(const fw_neighbour_lists *lists);
+const fw_chunk *fw_neighbour_lists_chunk(const fw_neighbour_lists *lists, int chunk);
+/* The chunks of a body are those from fw_neighbour_lists_first(body) to the next body's first. */
+int fw_neighbour_lists_first(const fw_neighbour_lists *lists, int body);
+
+/* How often all lists have been made, and the near ones renewed. */
+int64_t fw_neighbour_lists_made(const fw_neighbour_lists *lists);
+int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists);
+
+/* Goes through the neighbours of one particle, ascending: all within reach, and some beyond.
+ *     fw_neighbour_walk walk = fw_neighbours_around(lists, i);
+ *     for (int j; (j = fw_neighbour_next(&walk)) >= 0;) ...
+ * Valid until the lists are refreshed. */
+typedef struct fw_neighbour_walk {
+    const fw_slots *slots;
+    const fw_slot_head *head;
+    uint32_t slot, run_end;
+    int run, particle, lane;
+} fw_neighbour_walk;
+fw_neighbour_walk fw_neighbours_around(const fw_neighbour_lists *lists, int particle);
+/* -1 after the last. */
+int fw_neighbour_next(fw_neighbour_walk *walk);
+
+#endif

@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* pair_vectors.h - what pairs of particles do to each other: pair_potential.h and return_force.h,
+ * a pair in each lane of a vector; for kernels. Start reading at fw_pair_of(). */
+#ifndef FW_PAIR_VECTORS_H
+#define FW_PAIR_VECTORS_H
+
+#include "particle_kernels.h"
+
+#include "core/noise_vectors.h"
+#include "core/vectors.h"
+
+/* A pair in each lane, j seen from i. */
+typedef struct fw_pair_lanes {
+    fw_vector dx, dy;      /* r_i - r_j */
+    fw_vector r2, inverse; /* r^2, 1/r^2 */
+    fw_mask held;          /* there is a pair */
+} fw_pair_lanes;
+
+FW_INLINE fw_pair_lanes fw_pair_lanes_at(fw_vector dx, fw_vector dy, fw_mask held)
+{
+    const fw_vector r2 = dx * dx + dy * dy;
+    return (fw_pair_lanes){dx, dy, r2, 1 / r2, held};
+}
+
+/* e^v for v <= 709; 0 below -708. v = n ln 2 + rest with |rest| <= ln 2/2, where Taylor's series to
+ * the 13th power leaves 4e-18. ln 2 is taken off in two parts, the first of which has few digits:
+ * n times it is exact. */
+FW_INLINE fw_vector fw_exponential(fw_vector v)
+{
+    const fw_vector low = fw_splat(-708), bound = fw_smaller(fw_larger(v, low), fw_splat(709));
+    const fw_vector n = fw_floor(bound * 1.4426950408889634 + 0.5);
+    const fw_vector rest = (bound - n * 0x1.62e42fefa38p-1) - n * 0x1.ef35793c7673p-45;
+    fw_vector series = fw_splat(1. / 6227020800);
+    series = series * rest + 1. / 479001600;
+    series = series * rest + 1. / 39916800;
+    series = series * rest + 1. / 3628800;
+    series = series * rest + 1. / 362880;
+    series = series * rest + 1. / 40320;
+    series = series * rest + 1. / 5040;
+    series = series * rest + 1. / 720;
+    series = series * rest + 1. / 120;
+    series = series * rest + 1. / 24;
+    series = series * rest + 1. / 6;
+    series = series * rest + 1. / 2;
+    series = series * (rest * rest) + rest + 1;
+    /* n + 1023 stands in the last bits of 2^52 + (n + 1023). */
+    const fw_naturals power = (fw_naturals)(n + (0x1p52 + 1023)) << 52;
+    return fw_keep(fw_less(low, v), series * (fw_vector)power);
+}
+
+/* S(r) and its slope, see smooth_cut.h. */
+typedef struct fw_weights {
+    fw_vector value, slope;
+} fw_weights;
+
+FW_INLINE fw_weights fw_weights_at(const fw_smooth_cut *cut, fw_vector r)
+{
+    const fw_vector place = (r - cut->inner) * cut->scale;
+    const fw_vector x = fw_smaller(fw_larger(place, fw_splat(0)), fw_splat(1)), square = x * x;
+    return (fw_weights){1 - x * square * (10 - x * (15 - 6 * x)),
+                        -30 * square * (1 - x) * (1 - x) * cut->scale};
+}
+
+/* --- the potential --- */
+
+/* U and -U'/r. */
+typedef struct fw_pair_terms {
+    fw_vector energy, push;
+} fw_pair_terms;
+
+FW_INLINE fw_pair_terms fw_bare_terms(const fw_pair_rule *rule, fw_pair_kind kind, double depth,
+                                      const fw_pair_lanes *pair)
+{
+    if (kind == FW_LENNARD_JONES) {
+        const fw_vector cube = pair->inverse * pair->inverse * pair->inverse;
+        const fw_vector sixth = rule->distance_6 * cube;
+        return (fw_pair_terms){depth * sixth * (sixth - 2),
+                               12 * depth * sixth * (sixth - 1) * pair->inverse};
+    }
+    const fw_vector r = fw_root(pair->r2);
+    const fw_vector decay = fw_exponential(-rule->steepness * (r - rule->distance));
+    return (fw_pair_terms){depth * decay * (decay - 2),
+                           2 * depth * rule->steepness * decay * (decay - 1) * (pair->inverse * r)};
+}
+
+/* Nothing from the cut on. */
+FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_kind kind, double depth,
+                                   const fw_pair_lanes *pair)
+{
+    const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+    fw_pair_terms terms = fw_bare_terms(rule, kind, depth, pair);
+    const fw_mask fading = fw_and(inside, fw_less(fw_splat(rule->inner_2), pair->r2));
+    if (fw_any(fading)) {
+        const fw_vector r = fw_root(pair->r2);
+        const fw_weights weight = fw_weights_at(&rule->cut, r);
+        const fw_vector push =
+            terms.push * weight.value - terms.energy * weight.slope * (pair->inverse * r);
+        terms.push = fw_select(fading, push, terms.push);
+        terms.energy = fw_select(fading, terms.energy * weight.value, terms.energy);
+    }
+    return (fw_pair_terms){fw_keep(inside, terms.energy), fw_keep(inside, terms.push)};
+}
+
+/* --- the return force --- */
+
+/* A complex number in each lane. */
+typedef struct fw_phases {
+    fw_vector cosine, sine;
+} fw_phases;
+
+FW_INLINE fw_phases fw_phases_product(fw_phases a, fw_phases b)
+{
+    return (fw_phases){a.cosine * b.cosine - a.sine * b.sine,
+                       a.cosine * b.sine + a.sine * b.cosine};
+}
+
+/* e^{i n phi}, for even n: by powers of (dx + i dy)/r, or for n = 6 from the cube of dx + i dy,
+ * c3 + i s3: its square is (c3^2 - s3^2) + 2 i c3 s3. `fold` 0: that of the rule. */
+FW_INLINE fw_phases fw_phases_of(const fw_return_rule *rule, int fold, const fw_pair_lanes *pair)
+{
+    const fw_vector xx = pair->dx * pair->dx, yy = pair->dy * pair->dy;
+    if (fold == 6 || (fold == 0 && rule->fold == 6)) {
+        const fw_vector c3 = pair->dx * (xx - 3 * yy), s3 = pair->dy * (3 * xx - yy);
+        const fw_vector cube = pair->inverse * pair->inverse * pair->inverse;
+        return (fw_phases){(c3 * c3 - s3 * s3) * cube, 2 * c3 * s3 * cube};
+    }
+    fw_phases square = {(xx - yy) * pair->inverse, 2 * pair->dx * pair->dy * pair->inverse};
+    if (fold == 4) return fw_phases_product(square, square);
+    fw_phases power = {fw_splat(1), fw_splat(0)};
+    for (int rest = rule->fold / 2; rest; rest >>= 1) {
+        if (rest & 1) power = fw_phases_product(power, square);
+        square = fw_phases_product(square, square);
+    }
+    return power;
+}
+
+/* Factors of sin n phi e_phi, of cos n phi e_r, both by r, and of cos n phi in the energy. */
+typedef struct fw_return_lanes {
+    fw_vector tangential, radial, energy, weight;
+    fw_phases phase; /* e^{i n (phi - axes)} */
+} fw_return_lanes;
+
+FW_INLINE fw_return_lanes fw_return_of(const fw_return_rule *rule, int fold,
+                                       const fw_pair_lanes *pair, fw_mask inside)
+{
+    const fw_vector one = fw_splat(1), none = fw_splat(0);
+    fw_return_lanes lanes = {-rule->amplitude * rule->distance * pair->inverse, none,
+                             fw_splat(-rule->depth), one, fw_phases_of(rule, fold, pair)};
+    lanes.phase = fw_phases_product(
+        lanes.phase, (fw_phases){fw_splat(rule->axes.cosine), fw_splat(-rule->axes.sine)});
+    const fw_mask fading = fw_and(inside, fw_less(fw_splat(rule->inner_2), pair->r2));
+    if (rule->constant) {
+        const fw_vector r = fw_root(pair->r2);
+        const fw_vector value = fw_select(fading, fw_weights_at(&rule->cut, r).value, one);
+        lanes.tangential = -rule->amplitude * value * (pair->inverse * r);
+        lanes.energy = none;
+        lanes.weight = value * r;
+    } else if (fw_any(fading)) {
+        const fw_vector r = fw_root(pair->r2);
+        const fw_weights cut = fw_weights_at(&rule->cut, r);
+        const fw_vector value = fw_select(fading, cut.value, one);
+        lanes.tangential = lanes.tangential * value;
+        lanes.radial = fw_keep(fading, rule->depth * cut.slope * (pair->inverse * r));
+        lanes.energy = lanes.energy * value;
+        lanes.weight = value;
+    }
+    return lanes;
+}
+
+/* The force along e_r and e_phi that this phase makes. */
+FW_INLINE fw_vector_pair fw_return_force_of(const fw_return_lanes *lanes, fw_vector cosine,
+                                            fw_vector sine, const fw_pair_lanes *pair)
+{
+    const fw_vector tangential = lanes->tangential * sine, radial = lanes->radial * cosine;
+    return (fw_vector_pair){radial * pair->dx - tangential * pair->dy,
+                            radial * pair->dy + tangential * pair->dx};
+}
+
+#endif

@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* particle_kernels.c - the forces of movable lattice particles (Popov & Filippov Eqs 13, 18), eight
+ * particles at a time; compiled once for each instruction set. Keeps no state.
+ *
+ * A pair's values depend on the pair alone, lanes without a pair and pairs beyond a cut add +0, and
+ * every particle adds its neighbours in ascending order: the same bytes whatever the lists hold
+ * beyond the cut, whatever their slots are, and for any width of vectors. Start reading at
+ * add_pair(). */
+#include "particle_kernels.h"
+
+#include "pair_vectors.h"
+
+/* What the pairs of the lanes add up to. */
+typedef struct fw_lane_sums {
+    fw_vector force_x, force_y;
+    fw_vector first_x, first_y, second_x, second_y, sum_cosine, sum_sine;
+} fw_lane_sums;
+
+/* What a loop is compiled for. fold 6 and 4 are, others (0) are read from the rule. */
+typedef enum fw_return_use { FW_NO_RETURN, FW_RETURN_FIXED, FW_RETURN_TURNING } fw_return_use;
+typedef struct fw_pair_use {
+    fw_pair_kind kind;
+    fw_return_use bond;
+    int fold;
+} fw_pair_use;
+
+FW_INLINE void add_turning(const fw_return_rule *rule, const fw_pair_lanes *pair,
+                           const fw_return_lanes *bond, fw_mask inside, fw_lane_sums *sums)
+{
+    const fw_vector cosine = bond->phase.cosine, sine = bond->phase.sine;
+    const fw_vector_pair first = fw_return_force_of(bond, cosine, sine, pair);
+    sums->first_x += fw_keep(inside, first.x);
+    sums->first_y += fw_keep(inside, first.y);
+    if (rule->turning == FW_AXES_COROTATING) {
+        /* sin(a - t) = sin a cos t - cos a sin t, cos(a - t) = cos a cos t + sin a sin t */
+        const fw_vector_pair second = fw_return_force_of(bond, sine, -cosine, pair);
+        sums->second_x += fw_keep(inside, second.x);
+        sums->second_y += fw_keep(inside, second.y);
+        sums->sum_cosine += fw_keep(inside, bond->weight * cosine);
+        sums->sum_sine += fw_keep(inside, bond->weight * sine);
+    } else {
+        sums->second_x += fw_keep(inside, bond->tangential * pair->dy);
+        sums->second_y += fw_keep(inside, -bond->tangential * pair->dx);
+        sums->sum_cosine += fw_keep(inside, bond->weight);
+        sums->sum_sine += fw_keep(inside, bond->weight * sine);
+    }
+}
+
+FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, double depth,
+                        const fw_pair_lanes *pair, fw_lane_sums *sums)
+{
+    const fw_vector push = fw_pair_of(&task->pair, use.kind, depth, pair).push;
+    fw_vector force_x = push * pair->dx, force_y = push * pair->dy;
+    if (use.bond != FW_NO_RETURN) {
+        const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond.outer_2)));
+        if (fw_any(inside)) {
+            const fw_return_lanes bond = fw_return_of(&task->bond, use.fold, pair, inside);
+            if (use.bond == FW_RETURN_TURNING) {
+                add_turning(&task->bond, pair, &bond, inside, sums);
+            } else {
+                const fw_vector_pair pull =
+                    fw_return_force_of(&bond, bond.phase.cosine, bond.phase.sine, pair);
+                force_x += fw_keep(inside, pull.x);
+                force_y += fw_keep(inside, pull.y);
+            }
+        }
+    }
+    sums->force_x += fw_keep(pair->held, force_x);
+    sums->force_y += fw_keep(pair->held, force_y);
+}
+
+/* The lanes of one part of a block. */
+typedef struct fw_part {
+    int first; /* particle of its first lane */
+    int part;
+    fw_vector x, y;
+} fw_part;
+
+FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, double depth,
+                       const fw_slots *slots, uint32_t begin, uint32_t count, bool gathered,
+                       const fw_part *lanes, fw_lane_sums *sums)
+{
+    for (uint32_t s = begin; s < begin + count; ++s) {
+        const fw_mask held = fw_mask_of(slots->mask[s], lanes->part);
+        fw_vector x, y;
+        if (gathered) {
+            const int32_t *row = slots->row[slots->offset[s]] + lanes->part * FW_WIDTH;
+            x = fw_gather(task->x, row, held);
+            y = fw_gather(task->y, row, held);
+        } else {
+            x = fw_load(task->x + lanes->first + slots->offset[s]);
+            y = fw_load(task->y + lanes->first + slots->offset[s]);
+        }
+        const fw_pair_lanes pair = fw_pair_lanes_at(lanes->x - x, lanes->y - y, held);
+        add_pair(task, use, depth, &pair, sums);
+    }
+}
+
+FW_INLINE void add_either(const fw_pair_task *task, fw_pair_use use, double depth,
+                          const fw_slots *slots, uint32_t begin, uint32_t count, bool gathered,
+                          const fw_part *lanes, fw_lane_sums *sums)
+{
+    if (gathered)
+        add_run(task, use, depth, slots, begin, count, true, lanes, sums);
+    else
+        add_run(task, use, depth, slots, begin, count, false, lanes, sums);
+}
+
+/* All neighbours, body after body. */
+FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
+                                 const fw_slot_head *head, const fw_part *lanes)
+{
+    fw_lane_sums sums = {0};
+    const fw_pair_use across = {use.kind, FW_NO_RETURN, 0};
+    uint32_t begin = head->begin;
+    for (int run = 0; run < FW_SLOT_RUNS; ++run) {
+        const uint32_t count = head->count[run];
+        const bool gathered = head->gathered[run];
+        if (run == FW_RUN_OWN && (use.bond != FW_NO_RETURN || task->pair.inside > 0))
+            add_either(task, use, task->pair.inside, slots, begin, count, gathered, lanes, &sums);
+        if (run != FW_RUN_OWN && task->pair.across > 0)
+            add_either(task, across, task->pair.across, slots, begin, count, gathered, lanes,
+                       &sums);
+        begin += count;
+    }
+    return sums;
+}
+
+FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_use use, const fw_chunk *chunk,
+                         const fw_force_arrays *out)
+{
+    for (int block = 0; block < fw_chunk_blocks(chunk); ++block) {
+        const uint8_t mask = fw_chunk_lanes(chunk, block);
+        for (int part = 0; part < FW_PARTS; ++part) {
+            const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
+            const fw_part lanes = {first, part, fw_load(task->x + first), fw_load(task->y + first)};
+            const fw_lane_sums sums =
+                sum_lanes(task, use, &chunk->near, &chunk->near.head[block], &lanes);
+            const fw_mask held = fw_mask_of(mask, part);
+            fw_store_some(out->force_x + first, held, sums.force_x);
+            fw_store_some(out->force_y + first, held, sums.force_y);
+            if (use.bond != FW_RETURN_TURNING) continue;
+            fw_store_some(out->first_x + first, held, sums.first_x);
+            fw_store_some(out->first_y + first, held, sums.first_y);
+            fw_store_some(out->second_x + first, held, sums.second_x);
+            fw_store_some(out->second_y + first, held, sums.second_y);
+            fw_store_some(out->sum_cosine + first, held, sums.sum_cosine);
+            fw_store_some(out->sum_sine + first, held, sums.sum_sine);
+        }
+    }
+}
+
+#define LOOP(name, kind, bond, fold)                                                               \
+    static void name(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out)  \
+    {                                                                                              \
+        sum_chunk(task, (fw_pair_use){kind, bond, fold}, chunk, out);                              \
+    }
+LOOP(lennard_jones, FW_LENNARD_JONES, FW_NO_RETURN, 0)
+LOOP(lennard_jones_fixed_6, FW_LENNARD_JONES, FW_RETURN_FIXED, 6)
+LOOP(lennard_jones_fixed_4, FW_LENNARD_JONES, FW_RETURN_FIXED, 4)
+LOOP(lennard_jones_fixed, FW_LENNARD_JONES, FW_RETURN_FIXED, 0)
+LOOP(lennard_jones_turning_6, FW_LENNARD_JONES, FW_RETURN_TURNING, 6)
+LOOP(lennard_jones_turning, FW_LENNARD_JONES, FW_RETURN_TURNING, 0)
+LOOP(morse, FW_MORSE, FW_NO_RETURN, 0)
+LOOP(morse_fixed_6, FW_MORSE, FW_RETURN_FIXED, 6)
+LOOP(morse_fixed, FW_MORSE, FW_RETURN_FIXED, 0)
+LOOP(morse_turning, FW_MORSE, FW_RETURN_TURNING, 0)
+
+static void forces(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out)
+{
+    const bool jones = task->pair.kind == FW_LENNARD_JONES;
+    const bool turning = task->bond.turning != FW_AXES_LAB;
+    const int fold = task->bond.fold;
+    if (!(task->bond.amplitude > 0))
+        (jones ? lennard_jones : morse)(task, chunk, out);
+    else if (turning)
+        (!jones      ? morse_turning
+         : fold == 6 ? lennard_jones_turning_6
+                     : lennard_jones_turning)(task, chunk, out);
+    else if (jones)
+        (fold == 6   ? lennard_jones_fixed_6
+         : fold == 4 ? lennard_jones_fixed_4
+                     : lennard_jones_fixed)(task, chunk, out);
+    else
+        (fold == 6 ? morse_fixed_6 : morse_fixed)(task, chunk, out);
+}
+
+const fw_particle_kernels FW_KERNELS_HERE(fw_particles_kernels) = {.forces = forces};

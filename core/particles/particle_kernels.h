@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* particle_kernels.h - the loops of particle_forces.c and particle_sums.c. */
+#ifndef FW_PARTICLE_KERNELS_H
+#define FW_PARTICLE_KERNELS_H
+
+#include "core/instruction_set.h"
+#include "core/particles/pair_potential.h"
+#include "core/particles/return_force.h"
+#include "core/particles/slots.h"
+
+/* The potential, as kernels want it. */
+typedef struct fw_pair_rule {
+    fw_pair_kind kind;
+    double inside, across; /* depth in the particle's own body, and between bodies */
+    double distance, distance_6, steepness;
+    fw_smooth_cut cut;
+    double inner_2, outer_2; /* squares */
+} fw_pair_rule;
+
+/* The return force inside a body. */
+typedef struct fw_return_rule {
+    int fold;
+    double amplitude, distance, depth; /* depth: f0 r0/n */
+    bool constant;
+    fw_return_axes turning;
+    fw_phase axes;
+    fw_turn turn; /* only for what is measured */
+    fw_smooth_cut cut;
+    double inner_2, outer_2;
+} fw_return_rule;
+
+typedef struct fw_pair_task {
+    const double *x, *y;
+    fw_pair_rule pair;
+    fw_return_rule bond;
+} fw_pair_task;
+
+/* Entries of the particles of the chunk are written; NULL: not wanted. */
+typedef struct fw_force_arrays {
+    double *force_x, *force_y;
+    /* For axes that turn: the parts of the return force, and what the turn is made of. Else they
+     * are not written. */
+    double *first_x, *first_y, *second_x, *second_y, *sum_cosine, *sum_sine;
+} fw_force_arrays;
+
+typedef struct fw_particle_kernels {
+    /* Sums over the near slots of a chunk. Return forces of fixed axes are part of the force. */
+    void (*forces)(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out);
+} fw_particle_kernels;
+
+FW_KERNELS(fw_particle_kernels, fw_particles_kernels);
+
+#endif
