@@ -42,7 +42,7 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
     FW_TRY(fw_view_key_for(&key, plan->view, 1, plan->colouring, error));
     fw_view_bounds bounds = fw_view_bounds_or_empty(plan->bounds);
     fw_view_bounds_include_bodies(&bounds, plan->view);
-    fw_view_bounds_include_walls(&bounds, plan->view, 4);
+    fw_view_bounds_include_walls(&bounds, plan->view, 1);
     panel.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = "x (length)"};
     panel.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = "y (length)"};
     double right = 3;
@@ -106,9 +106,7 @@ static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
     for (int k = 0; k < plan->view_count; ++k) {
         fw_view_bounds_include_bodies(&layout->bounds, &plan->views[k]);
     }
-    for (int k = 0; k < plan->view_count; ++k) {
-        fw_view_bounds_include_walls(&layout->bounds, &plan->views[k], 4);
-    }
+    fw_view_bounds_include_walls(&layout->bounds, plan->views, plan->view_count);
     layout->bounds.x = fw_range_roomy(layout->bounds.x, .03, false);
     layout->bounds.y = fw_range_roomy(layout->bounds.y, .03, false);
     double x_extent = layout->bounds.x.high - layout->bounds.x.low;

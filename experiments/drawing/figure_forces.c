@@ -255,34 +255,42 @@ typedef struct forces_legend {
     char scale_label[48];
 } forces_legend;
 
-static void describe(forces_legend *legend, double largest, double scale)
+static void add_entry(forces_legend *legend, fw_legend_entry entry)
 {
-    const fw_legend_entry fixed[4] = {
-        {"original", fw_colour_grey(.35), FW_LEGEND_RING, 0},
-        {"deformed", fw_colour_grey(.15), FW_LEGEND_DISC, 0},
-        {"internal force", thin_arrow.colour, FW_LEGEND_ARROW, 0},
-        {"external force", fat_arrow.colour, FW_LEGEND_FAT_ARROW, 0},
-    };
-    legend->count = largest > 0 ? 4 : 2;
-    for (int k = 0; k < legend->count; ++k) legend->entries[k] = fixed[k];
+    legend->entries[legend->count++] = entry;
+}
+
+/* What is drawn, and how long an arrow is. */
+static void describe(forces_legend *legend, double internal, double external, double scale)
+{
+    const double largest = fmax(internal, external);
+    legend->count = 0;
+    add_entry(legend, (fw_legend_entry){"original", fw_colour_grey(.35), FW_LEGEND_RING, 0});
+    add_entry(legend, (fw_legend_entry){"deformed", fw_colour_grey(.15), FW_LEGEND_DISC, 0});
+    if (internal > 0)
+        add_entry(legend,
+                  (fw_legend_entry){"internal force", thin_arrow.colour, FW_LEGEND_ARROW, 0});
+    if (external > 0)
+        add_entry(legend,
+                  (fw_legend_entry){"external force", fat_arrow.colour, FW_LEGEND_FAT_ARROW, 0});
     if (!(largest > 0)) return;
     char number[32];
     fw_ticks_print_number(number, sizeof number, round_down(largest), 3);
     snprintf(legend->scale_label, sizeof legend->scale_label, "force of %s", number);
-    legend->entries[legend->count++] = (fw_legend_entry){
-        legend->scale_label, fw_colour_grey(.1), FW_LEGEND_ARROW, scale * round_down(largest)};
+    add_entry(legend, (fw_legend_entry){legend->scale_label, fw_colour_grey(.1), FW_LEGEND_ARROW,
+                                        scale * round_down(largest)});
 }
 
 static fw_status draw_all(const fw_page *page, const forces_plan *plan, fw_panel *panels,
                           fw_error *error)
 {
     double top = fw_page_top(page), width = page->width - 2 * FW_PAGE_MARGIN;
-    double largest = fmax(largest_force(plan, false), largest_force(plan, true));
+    const double internal = largest_force(plan, false), external = largest_force(plan, true);
     forces_legend legend;
-    describe(&legend, largest, 1);
+    describe(&legend, internal, external, 1);
     lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
     double scale = choose_force_scale(plan, panels);
-    describe(&legend, largest, scale);
+    describe(&legend, internal, external, scale);
     /* The scale arrow may have made the legend higher. */
     double bottom =
         lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));

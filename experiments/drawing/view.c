@@ -68,25 +68,43 @@ void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view)
     }
 }
 
-/* Widens a range by that of a wall, unless the wall and the bodies are more than `most` apart. */
+/* Widens a range by that of a wall, as long as the whole takes no more than `most`. Of a larger one
+ * a fifteenth of that is shown, from where it goes on beyond the bodies, or from its near edge;
+ * what is further away is left out. */
 static void include_near(fw_range *range, fw_range bodies, fw_range wall, double most)
 {
-    const double ends[2] = {wall.low, wall.high};
-    fw_range_include(&bodies, ends, 2, false);
-    if (bodies.high - bodies.low <= most) fw_range_include(range, ends, 2, false);
+    fw_range both = bodies;
+    fw_range_include(&both, (double[]){wall.low, wall.high}, 2, false);
+    if (both.high - both.low > most) {
+        const fw_range near = {fmin(bodies.low, wall.high), fmax(bodies.high, wall.low)};
+        if (near.high - near.low > most) return;
+        wall = (fw_range){fmax(wall.low, near.low - most / 15),
+                          fmin(wall.high, near.high + most / 15)};
+    }
+    fw_range_include(range, (double[]){wall.low, wall.high}, 2, false);
+}
+
+/* The bodies take at least a third of it, or their particles are well apart. */
+static double largest_frame(fw_view_bounds bodies, const fw_view *view)
+{
+    double most = 3 * fmax(bodies.x.high - bodies.x.low, bodies.y.high - bodies.y.low);
+    for (int b = 0; b < view->body_count; ++b)
+        most = fmax(most, 30 * fw_view_spacing(&view->bodies[b]));
+    return most >= 0 ? most : INFINITY;
 }
 
 /* Along x and y by themselves: of a floor without end, the height is worth showing. */
-void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, double most)
+void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *views, int view_count)
 {
     const fw_view_bounds bodies = *bounds;
-    double extent = fmax(bodies.x.high - bodies.x.low, bodies.y.high - bodies.y.low);
-    double longest = extent >= 0 ? most * extent : INFINITY;
-    for (int k = 0; k < view->wall_count; ++k) {
-        fw_view_bounds wall = fw_view_bounds_empty();
-        fw_outline_include(&view->walls[k], &wall.x, &wall.y);
-        include_near(&bounds->x, bodies.x, wall.x, longest);
-        include_near(&bounds->y, bodies.y, wall.y, longest);
+    for (int v = 0; v < view_count; ++v) {
+        const double most = largest_frame(bodies, &views[v]);
+        for (int k = 0; k < views[v].wall_count; ++k) {
+            fw_view_bounds wall = fw_view_bounds_empty();
+            fw_outline_include(&views[v].walls[k], &wall.x, &wall.y);
+            include_near(&bounds->x, bodies.x, wall.x, most);
+            include_near(&bounds->y, bodies.y, wall.y, most);
+        }
     }
 }
 

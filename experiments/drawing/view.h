@@ -46,9 +46,10 @@ fw_view_bounds fw_view_bounds_empty(void);
 fw_view_bounds fw_view_bounds_or_empty(fw_view_bounds bounds);
 /* Widens the bounds by the particles, three quarters of a spacing more on each side. */
 void fw_view_bounds_include_bodies(fw_view_bounds *bounds, const fw_view *view);
-/* Widens them by the walls, along x and along y by themselves, unless that made them more than
- * `most` times as large as what they hold already: a small body in a vast box would vanish. */
-void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *view, double most);
+/* Widens the bounds of bodies by the walls of all views, along x and along y by themselves. In a
+ * vast box a small body would vanish: no more of a wall is shown than leaves the bodies a third of
+ * the frame, or a thirtieth of it between two particles. */
+void fw_view_bounds_include_walls(fw_view_bounds *bounds, const fw_view *views, int view_count);
 
 double fw_view_spacing(const fw_view_body *body);
 /* The name of a view, or "step N". */

@@ -5,6 +5,7 @@
 #include "plot_choice.h"
 
 #include "experiments/drawing/label.h"
+#include "experiments/setup/solids.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
 
@@ -90,6 +91,17 @@ static fw_status find_kind(const char *name, fw_picture_kind *kind, fw_error *er
                    name, known, of_sweeps);
 }
 
+/* The name of the bodies' solids that is nearest; NULL: none is near. */
+static const char *nearest_field(const fw_scenario *scenario, const char *name)
+{
+    fw_suggestion suggestion = fw_suggestion_begin(name);
+    for (int b = 0; b < scenario->body_count; ++b) {
+        const fw_field *field = fw_solid_kind_of(scenario, b)->model->fields;
+        for (; field->name; ++field) fw_suggestion_offer(&suggestion, field->name);
+    }
+    return suggestion.best;
+}
+
 static fw_status find_field(draft *d, const char *name, fw_error *error)
 {
     const fw_playback *playback = d->result->playback;
@@ -105,6 +117,12 @@ static fw_status find_field(draft *d, const char *name, fw_error *error)
     }
     if (suggestion.best)
         return refuse_name(d->result->directory, "field", name, suggestion, known, error);
+    const char *nearest = nearest_field(d->result->scenario, name);
+    if (nearest && strcmp(nearest, name) != 0)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: there is no field %s; did you mean %s? It was not recorded, name it "
+                       "under record.fields and run again",
+                       d->result->directory, name, nearest);
     return fw_fail(error, FW_BAD_INPUT,
                    "%s: the field %s was not recorded (%s%s); to have it, name it under "
                    "record.fields and run again",

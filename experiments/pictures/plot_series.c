@@ -324,6 +324,28 @@ static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
     return FW_OK;
 }
 
+/* A panel whose values are all <= 0 would stay empty on a logarithmic axis. */
+static fw_status check_logarithmic(const series *s, fw_error *error)
+{
+    for (int p = 0; p < s->panel_count; ++p) {
+        fw_range all = fw_range_empty(), above = fw_range_empty();
+        for (int n = 0; n < s->curve_count; ++n) {
+            if (s->curves[n].panel != p) continue;
+            const double *values = s->curves[n].values + s->first;
+            fw_range_include(&all, values, s->shown, false);
+            fw_range_include(&above, values, s->shown, true);
+        }
+        if (fw_range_is_empty(all) || !fw_range_is_empty(above)) continue;
+        const curve *c = facts_of(s, p).first;
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: %s%s%s goes from %.4g to %.4g, expected values above 0 on a "
+                       "logarithmic axis",
+                       s->result->directory, c->quantity, c->subject[0] ? "." : "", c->subject,
+                       all.low, all.high);
+    }
+    return FW_OK;
+}
+
 static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error *error)
 {
     bool by_step = steps_are_times(s);
@@ -342,7 +364,8 @@ fw_status fw_plot_series_find(fw_plot_series *s, const fw_plot_result *result,
     FW_TRY(gather_curves(s, picture, error));
     FW_TRY(read_times(s, picture, error));
     FW_TRY(read_curves(s, error));
-    return lay_out(s, picture->asked.logarithmic, error);
+    FW_TRY(lay_out(s, picture->asked.logarithmic, error));
+    return picture->asked.logarithmic ? check_logarithmic(s, error) : FW_OK;
 }
 
 void fw_plot_series_clear(fw_plot_series *s)

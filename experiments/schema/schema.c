@@ -92,17 +92,18 @@ static void leave(checker *c, size_t before)
 /* --- sentences --- */
 
 typedef struct description {
-    char text[FW_QUOTE_SIZE + 24];
+    char text[FW_QUOTE_SIZE + 32];
 } description;
 
-static description describe(const fw_node *node)
+static description describe(const fw_node *node, const fw_key *key)
 {
     description d;
     if (node->kind == FW_SCALAR && node->length == 0)
         snprintf(d.text, sizeof d.text, "empty");
     else if (node->kind == FW_SCALAR)
-        snprintf(d.text, sizeof d.text, "%s'%s'", node->quoted ? "the text " : "",
-                 fw_text_quote(node->text, node->length).text);
+        snprintf(d.text, sizeof d.text, "%s'%s'%s", node->quoted ? "the text " : "",
+                 fw_text_quote(node->text, node->length).text,
+                 key && key->layout && strchr(node->text, ',') ? " without brackets" : "");
     else
         snprintf(d.text, sizeof d.text, "a %s of %d", node->kind == FW_LIST ? "list" : "mapping",
                  node->count);
@@ -114,7 +115,7 @@ static fw_status refuse(checker *c, const fw_node *node, const fw_key *key)
     char expected[EXPECTED_SIZE];
     fw_schema_expected(key, expected, sizeof expected);
     return fw_document_fail(c->document, node->place, c->error, "%s is %s, expected %s%s%s",
-                            c->path, describe(node).text, expected, key->hint ? "; " : "",
+                            c->path, describe(node, key).text, expected, key->hint ? "; " : "",
                             key->hint ? key->hint : "");
 }
 
@@ -444,6 +445,6 @@ fw_status fw_schema_check(const fw_document *document, const fw_section *section
         return fw_document_fail(document, root->place, error,
                                 "the scenario is %s, expected keys such as 'title: ...' in lines "
                                 "of their own",
-                                describe(root).text);
+                                describe(root, NULL).text);
     return check_mapping(&c, root, section);
 }

@@ -18,7 +18,7 @@ static const char bounce[] = "title: a sheet bounces\n"
                              "  container: {box: [0, 0, 20, 20]}\n"
                              "run: {steps: 60, record-every: 5, checkpoint-every: 10}\n"
                              "record: {fields: [speed]}\n"
-                             "measure: [energy, momentum]\n"
+                             "measure: [energy, momentum, wall-energy]\n"
                              "expect:\n"
                              "  - {quantity: energy-drift, statistic: largest, below: 1e-12}\n";
 
@@ -113,6 +113,7 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set record.fields=[sped]", 2, "--set record.fields=[sped]: no body has a field sped; did you mean speed?"},
     {"run friction-control --set expect.0.quantity=layer-contact-over-control", 2, "--set expect.0.quantity=layer-contact-over-control: layer-contact-over-control is measured against a control, and the study has none"},
     {"run friction --set study.control=[run.stepz=3]", 2, "--set study.control=[run.stepz=3]: control: --set run.stepz=3: unknown key 'stepz' in run; did you mean 'steps'?"},
+    {"run bounce.yaml --set bodies.sheet.shape.rectangle=14,8", 2, "--set bodies.sheet.shape.rectangle=14,8: bodies.sheet.shape.rectangle is '14,8' without brackets, expected [columns, rows], each a whole number of at least 1"},
     {"run bounce.yaml --set record.fields=[colour]", 2, "--set record.fields=[colour]: no body has a field colour, expected one of those that `fretwork quantities` lists"},
     {"run bounce.yaml --set measure=[enrgy]", 2, "--set measure=[enrgy]: quantity enrgy is not known; did you mean energy?"},
     {"run bounce.yaml --set expect.0.quantity=colour", 2, "--set expect.0.quantity=colour: quantity colour is not known, expected one of `fretwork quantities`"},
@@ -160,6 +161,9 @@ static const refusal refusals[] = {
     {"table done --observable energy,", 2, "--observable energy,, expected names with commas between them"},
     {"table done --observable friction-heat", 2, "done: friction-heat was not measured; to have it, name it under measure and run again"},
     {"table done -o nowhere/x.csv", 4, "cannot write 'nowhere/x.csv' *"},
+    {"plot done --field enrgy", 2, "done: there is no field enrgy; did you mean energy? It was not recorded, name it under record.fields and run again"},
+    {"plot done --field spead", 2, "done has no field spead; did you mean speed?"},
+    {"plot done --observable wall-energy --logarithmic", 2, "done: wall-energy goes from 0 to 0, expected values above 0 on a logarithmic axis"},
     {"plot nothing", 2, "cannot open nothing: No such file or directory"},
     {"plot done --kind pie", 2, "no pictures of kind pie, expected one of motion, *"},
     {"plot done --at x", 2, "--at x, expected up to 1024 whole numbers with commas between them"},

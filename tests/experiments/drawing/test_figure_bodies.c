@@ -237,6 +237,31 @@ static void forces_on_a_sheet_are_drawn(void **state)
                     "forces-sheet");
 }
 
+/* In the SVG, by colour: the blue of internal forces and the orange of external ones. */
+static bool shows(const char *name, const char *colour)
+{
+    char path[256];
+    snprintf(path, sizeof path, PICTURES "%s.svg", name);
+    file_bytes file = read_file(path);
+    const bool found = strstr((const char *)file.bytes, colour) != NULL;
+    free(file.bytes);
+    return found;
+}
+
+static void the_legend_names_forces_that_are_drawn(void **state)
+{
+    (void)state;
+    const char *const blue = "rgb(0%,44.7", *const orange = "rgb(83.5";
+    chain nine;
+    pull_chain(&nine, 9, .2, NULL);
+    fw_figure_forces_plan plan = {.panels = &nine.panel, .panel_count = 1};
+    draw_everywhere(draw_forces, &plan, page_with("A chain", NULL), "forces-both");
+    assert_true(shows("forces-both", blue) && shows("forces-both", orange));
+    nine.panel.force_count -= 2;
+    draw_everywhere(draw_forces, &plan, page_with("A chain", NULL), "forces-internal");
+    assert_true(shows("forces-internal", blue) && !shows("forces-internal", orange));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -245,6 +270,7 @@ int main(void)
         cmocka_unit_test(a_sequence_is_drawn_side_by_side),
         cmocka_unit_test(forces_on_chains_are_drawn),
         cmocka_unit_test(forces_on_a_sheet_are_drawn),
+        cmocka_unit_test(the_legend_names_forces_that_are_drawn),
     };
     return cmocka_run_group_tests(tests, make_folder, NULL);
 }
