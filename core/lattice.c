@@ -129,6 +129,15 @@ int fw_sites_find(const fw_sites *sites, fw_site site)
     return found ? (int)(found - sites->site) : -1;
 }
 
+int fw_sites_find_next(const fw_sites *sites, fw_site site, int *at)
+{
+    int n = *at;
+    while (n < sites->count && compare_sites(&sites->site[n], &site) < 0) ++n;
+    while (n > 0 && compare_sites(&sites->site[n - 1], &site) >= 0) --n;
+    *at = n;
+    return n < sites->count && compare_sites(&sites->site[n], &site) == 0 ? n : -1;
+}
+
 fw_site fw_site_neighbour(fw_site site, int direction)
 {
     static const fw_site step[FW_DIRECTIONS] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};

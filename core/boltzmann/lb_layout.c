@@ -6,13 +6,14 @@
 
 void lb_layout_connect(lb_solid *lb, const fw_sites *sites)
 {
+    int beside_at[FW_DIRECTIONS] = {0}, corner_at[FW_DIRECTIONS] = {0};
     for (int l = 0; l < sites->count; ++l) {
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
             fw_site beside = fw_site_neighbour(sites->site[l], d);
-            lb->neighbour[d][l] = fw_sites_find(sites, beside);
+            lb->neighbour[d][l] = fw_sites_find_next(sites, beside, &beside_at[d]);
             if (lb->neighbour[d][l] >= 0) lb->present[l] |= (uint8_t)(1u << d);
             fw_site corner = fw_site_neighbour(beside, (d + 1) % FW_DIRECTIONS);
-            lb->edge[l] |= fw_sites_find(sites, corner) < 0;
+            lb->edge[l] |= fw_sites_find_next(sites, corner, &corner_at[d]) < 0;
         }
     }
 }

@@ -74,6 +74,21 @@ static void hexagonal_neighbours_are_one_spacing_apart(void **state)
     }
 }
 
+static void walking_finds_what_searching_finds(void **state)
+{
+    (void)state;
+    fw_sites sites;
+    fw_error error;
+    assert_int_equal(fw_sites_mask(&sites, "#.##\n\n.#\n####\n", &error), FW_OK);
+    const fw_site asked[] = {{-1, 0}, {0, 0}, {3, 0}, {4, 0}, {0, 1}, {1, 1}, {2, 1},  {3, 2},
+                             {0, 3},  {1, 3}, {3, 3}, {9, 9}, {3, 0}, {0, 0}, {0, -1}, {2, 3}};
+    int at = 0;
+    for (size_t n = 0; n < sizeof asked / sizeof asked[0]; ++n)
+        assert_int_equal(fw_sites_find_next(&sites, asked[n], &at),
+                         fw_sites_find(&sites, asked[n]));
+    fw_sites_clear(&sites);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -81,6 +96,7 @@ int main(void)
         cmocka_unit_test(discs_have_gauss_counts),
         cmocka_unit_test(mask_reads_as_it_looks),
         cmocka_unit_test(listed_twice_is_refused),
+        cmocka_unit_test(walking_finds_what_searching_finds),
         cmocka_unit_test(hexagonal_neighbours_are_one_spacing_apart),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
