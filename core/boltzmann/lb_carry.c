@@ -9,6 +9,8 @@
  * Start reading at lb_carry(). */
 #include "lb_step.h"
 
+#include <assert.h>
+
 /* Entry of a particle, or NULL. */
 static fw_carry *find(fw_carry *carries, int count, int particle)
 {
@@ -86,6 +88,7 @@ static void carry_rest(lb_solid *lb, fw_carry *carry)
 void lb_carry(fw_solid *solid, fw_carry *carries, int count)
 {
     lb_solid *lb = (lb_solid *)solid;
+    assert(!lb->displaced); /* a carried link has hidden modes: see lb_solid.h */
     for (int n = 0; n < count; ++n) {
         const int l = carries[n].particle;
         if (lb->resting) carry_rest(lb, &carries[n]);

@@ -61,7 +61,7 @@ void lb_layout_rebuild(lb_solid *lb)
             head->boundary[head->boundary_count++] = l;
     }
     head->boundary_revision += 1;
-    cut_into_spans(lb);
+    if (!lb->displaced) cut_into_spans(lb);
 }
 
 fw_status lb_layout_check(const lb_solid *lb, fw_error *error)

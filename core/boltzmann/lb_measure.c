@@ -114,12 +114,13 @@ double fw_lb_solid_rest_residual(const fw_solid *solid)
 }
 
 /* The state whose next step undoes the last one has the two fields of every link exchanged and
- * all fields negated; exchanging them is what a change of parity means. */
+ * all fields negated; exchanging them is what a change of parity means. In displacement form that
+ * exchanges x(t) and x(t-1), which is all: V changes its sign, u does not. */
 void fw_lb_solid_reverse(fw_solid *solid)
 {
     lb_solid *lb = (lb_solid *)solid;
     lb->parity = !lb->parity;
-    for (int l = 0; l < solid->count; ++l) {
+    for (int l = 0; l < solid->count && !lb->displaced; ++l) {
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
             lb->slot_x[d][l] = -lb->slot_x[d][l];
             lb->slot_y[d][l] = -lb->slot_y[d][l];
@@ -129,6 +130,11 @@ void fw_lb_solid_reverse(fw_solid *solid)
             lb->rest_y[l] = -lb->rest_y[l];
         }
     }
+}
+
+fw_lb_form fw_lb_solid_form(const fw_solid *solid)
+{
+    return of(solid)->displaced ? FW_LB_DISPLACEMENTS : FW_LB_POPULATIONS;
 }
 
 int fw_lb_solid_broken(const fw_solid *solid)

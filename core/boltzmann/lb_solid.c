@@ -4,6 +4,7 @@
  * break. Invariant: Eq 30 on every existing link. Start reading at fw_lb_solid_create(). */
 #include "core/boltzmann/lb_solid.h"
 
+#include "lb_displacements.h"
 #include "lb_layout.h"
 #include "lb_measure.h"
 #include "lb_step.h"
@@ -107,6 +108,8 @@ static void choose_kernels(lb_solid *lb, const fw_lb_solid_def *def)
         lb->matrix |= !is_scalar(rest) || !is_scalar(east) || !is_scalar(north);
         lb->weighted |= !is_scalar(east) || east.xx != 1 || !is_scalar(north) || north.xx != 1;
     }
+    lb->displaced = def->form == FW_LB_DISPLACEMENTS && !lb->weighted && !isfinite(def->break_at) &&
+                    lb_grid_pays(def->sites);
 }
 
 static void add_matrices(fw_arena *arena, matrices *m, size_t count, bool full)
@@ -122,31 +125,34 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
     fw_arena *arena = &lb->head.arena;
     const size_t count = (size_t)lb->head.count;
     const size_t chunks = (count + LB_CHUNK - 1) / LB_CHUNK;
-    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+    for (int d = 0; d < FW_DIRECTIONS && !lb->displaced; ++d) {
         FW_ARENA_ADD(arena, lb->slot_x[d], count);
         FW_ARENA_ADD(arena, lb->slot_y[d], count);
     }
     add_matrices(arena, &lb->inverse, count, lb->matrix);
     add_matrices(arena, &lb->mass, count, lb->matrix);
-    if (lb->resting) {
+    if (lb->resting) add_matrices(arena, &lb->rest_mass, count, lb->matrix);
+    if (lb->resting && !lb->displaced) {
         FW_ARENA_ADD(arena, lb->rest_x, count);
         FW_ARENA_ADD(arena, lb->rest_y, count);
-        add_matrices(arena, &lb->rest_mass, count, lb->matrix);
     }
     for (int d = FW_EAST; d <= FW_NORTH && lb->weighted; ++d)
         add_matrices(arena, &lb->stiffness[d], count, lb->matrix);
     for (int d = 0; d < FW_DIRECTIONS; ++d) FW_ARENA_ADD(arena, lb->neighbour[d], count);
     FW_ARENA_ADD(arena, lb->present, count);
     FW_ARENA_ADD(arena, lb->edge, count);
-    FW_ARENA_ADD(arena, lb->spans, count);
-    FW_ARENA_ADD(arena, lb->chunk_span, chunks + 1);
-    FW_ARENA_ADD(arena, lb->chunk_ledger, chunks);
-    lb->chunk_count = (int)chunks;
+    if (!lb->displaced) {
+        FW_ARENA_ADD(arena, lb->spans, count);
+        FW_ARENA_ADD(arena, lb->chunk_span, chunks + 1);
+        FW_ARENA_ADD(arena, lb->chunk_ledger, chunks);
+        lb->chunk_count = (int)chunks;
+    }
     return fw_solid_allocate(&lb->head, error);
 }
 
 static void destroy(fw_solid *solid)
 {
+    lb_displacements_release((lb_solid *)solid);
     fw_solid_head_release(solid);
     free(solid);
 }
@@ -203,9 +209,13 @@ static void start(lb_solid *lb, const fw_lb_solid_def *def)
     for (int l = 0; l < lb->head.count; ++l) {
         fw_vec2 u = def->displacement ? def->displacement[l] : zero;
         fw_vec2 velocity = def->velocity ? def->velocity[l] : zero;
-        fw_vec2 r = fw_vec2_add(fw_lattice_position(&def->lattice, def->sites->site[l]), u);
-        lb->head.x[l] = r.x;
-        lb->head.y[l] = r.y;
+        fw_vec2 site = fw_lattice_position(&def->lattice, def->sites->site[l]);
+        lb->head.x[l] = site.x + u.x;
+        lb->head.y[l] = site.y + u.y;
+        if (lb->displaced) {
+            lb_displacements_start(lb, l, site, u, velocity);
+            continue;
+        }
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
             int m = lb->neighbour[d][l];
             if (m < 0) continue;
@@ -239,6 +249,7 @@ fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_er
     lb_layout_connect(lb, def->sites);
     status = weigh(lb, def, error);
     if (status == FW_OK) status = list_links(lb, error);
+    if (status == FW_OK && lb->displaced) status = lb_displacements_make(lb, def->sites, error);
     if (status != FW_OK) {
         destroy(&lb->head);
         return status;
@@ -333,6 +344,12 @@ static void masses(const fw_solid *solid, double *out)
     }
 }
 
+static void place(fw_solid *solid)
+{
+    lb_solid *lb = (lb_solid *)solid;
+    if (lb->displaced) lb_displacements_place(lb);
+}
+
 static void state(fw_solid *solid, fw_state_list *list)
 {
     static const char *const name[FW_DIRECTIONS][2] = {
@@ -345,6 +362,10 @@ static void state(fw_solid *solid, fw_state_list *list)
     size_t count = (size_t)solid->count;
     fw_solid_head_state(solid, list);
     fw_state_list_add(list, "parity", FW_I32, 1, &lb->parity);
+    if (lb->displaced) {
+        lb_displacements_state(lb, list);
+        return;
+    }
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
         fw_state_list_add(list, name[d][0], FW_F64, count, lb->slot_x[d]);
         fw_state_list_add(list, name[d][1], FW_F64, count, lb->slot_y[d]);
@@ -382,6 +403,8 @@ const fw_solid_model fw_lb_solid_model = {
     .destroy = destroy,
     .predict = lb_predict,
     .advance = lb_advance,
+    .advance_free = lb_advance_free,
+    .place = place,
     .carry = lb_carry,
     .energies = energies,
     .momentum = momentum,

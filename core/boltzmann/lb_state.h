@@ -1,19 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lb_state.h - the inside of an LB solid, shared by lb_layout.c (links and spans), lb_measure.c
- * (quantities), lb_fracture.c (breaking links), lb_step.c and lb_carry.c (motion) and lb_solid.c
- * (making), each of which may use those before it, and by nobody else.
+ * (quantities), lb_fracture.c (breaking links), lb_displacements.c, lb_step.c and lb_carry.c
+ * (motion) and lb_solid.c (making), each of which may use those before it, and by nobody else.
  *
- * Slots. The field that arrives at particle l from its neighbour in direction d lives in one slot
- * per link end. A step replaces each slot by `w - slot` in place: the value is then the field that
- * arrives at the *other* end of the link. So with parity 0 it lies in the particle's own slot,
- * with parity 1 in its neighbour's, and no second array is needed. Each slot is read and written
- * by exactly one particle per step: threads never meet. */
+ * A solid is kept in one of two forms from its creation on: by its populations, or by its
+ * displacements. Both are read through lb_field() and lb_rest().
+ *
+ * Displacements. x(t) is the displacement half a step ahead of u(t) and x(t-1) that half a step
+ * behind: u(t) = (x(t) + x(t-1))/2, and with V(t) = x(t) - x(t-1)
+ *     f_i(l) = (x_m(t) - x_l(t-1))/2,   f_0 = M0 V/2
+ * are the fields of a body without hidden modes (lb_displacements.c).
+ *
+ * Populations: slots. The field that arrives at particle l from its neighbour in direction d lives
+ * in one slot per link end. A step replaces each slot by `w - slot` in place: the value is then the
+ * field that arrives at the *other* end of the link. So with parity 0 it lies in the particle's own
+ * slot, with parity 1 in its neighbour's, and no second array is needed. Each slot is read and
+ * written by exactly one particle per step: threads never meet. */
 #ifndef FW_LB_STATE_H
 #define FW_LB_STATE_H
 
 #include "core/boltzmann/lb_solid.h"
+#include "lb_grid.h"
 
-enum { LB_ALL_LINKS = 15, LB_CHUNK = 4096 };
+enum { LB_ALL_LINKS = 15, LB_CHUNK = 4096, LB_DEPTH = 16 };
 
 /* A symmetric matrix per particle; xy and yy are NULL where all are multiples of one. */
 typedef struct matrices {
@@ -29,6 +38,20 @@ typedef struct span {
     bool full;
 } span;
 
+/* The arrays of the displacement form, by place of the grid where nothing else is said. */
+typedef struct displacement_form {
+    fw_arena arena; /* of all of them */
+    lb_grid grid;
+    double *x[2], *y[2]; /* x(t) in [parity], x(t-1) in the other */
+    double *force_x, *force_y;
+    matrices mobility, mass; /* mu M^-1; M only if mu < 1 */
+    fw_sym2 plain_mobility, plain_mass;
+    double *site_x, *site_y; /* of each particle: r - u */
+    fw_solid_ledger *passed; /* of each row in each of up to LB_DEPTH steps */
+    fw_vec2 *kept;           /* x(t-1) of particles that are held */
+    int kept_capacity;
+} displacement_form;
+
 typedef struct lb_solid {
     fw_solid head;
     double mu;       /* damping factor */
@@ -36,6 +59,7 @@ typedef struct lb_solid {
     bool resting;    /* has rest fields (some M0 is not zero, or links may break) */
     bool matrix;     /* some M0 or kappa is a matrix */
     bool weighted;   /* some kappa is not 1 */
+    bool displaced;  /* kept by its displacements: no slots, no rest fields */
     int parity;      /* 0: fields in their own particle's slots; 1: in the neighbours' */
     int broken;      /* links broken since creation */
     double *slot_x[FW_DIRECTIONS], *slot_y[FW_DIRECTIONS];
@@ -50,6 +74,7 @@ typedef struct lb_solid {
     int *chunk_span; /* first span of each chunk, and their number */
     int chunk_count;
     fw_solid_ledger *chunk_ledger;
+    displacement_form form; /* only if displaced */
 } lb_solid;
 
 static inline fw_sym2 lb_get(const matrices *m, int l)
@@ -86,16 +111,30 @@ static inline slot_place lb_slot(const lb_solid *lb, int l, int direction)
     return (slot_place){&lb->slot_x[opposite][m], &lb->slot_y[opposite][m]};
 }
 
+/* (x_m(t) - x_l(t-1))/2 */
+static inline fw_vec2 lb_half_difference(const lb_solid *lb, int m, int l)
+{
+    const displacement_form *form = &lb->form;
+    const int there = form->grid.place[m], here = form->grid.place[l];
+    const int ahead = lb->parity, behind = !lb->parity;
+    return (fw_vec2){0.5 * (form->x[ahead][there] - form->x[behind][here]),
+                     0.5 * (form->y[ahead][there] - form->y[behind][here])};
+}
+
 /* f_{d+2}(l), of an existing link. */
 static inline fw_vec2 lb_field(const lb_solid *lb, int l, int direction)
 {
+    if (lb->displaced) return lb_half_difference(lb, lb->neighbour[direction][l], l);
     slot_place slot = lb_slot(lb, l, direction);
     return (fw_vec2){*slot.x, *slot.y};
 }
 
 static inline fw_vec2 lb_rest(const lb_solid *lb, int l)
 {
-    return lb->resting ? (fw_vec2){lb->rest_x[l], lb->rest_y[l]} : (fw_vec2){0, 0};
+    if (!lb->resting) return (fw_vec2){0, 0};
+    if (lb->displaced)
+        return fw_sym2_apply(lb_get(&lb->rest_mass, l), lb_half_difference(lb, l, l));
+    return (fw_vec2){lb->rest_x[l], lb->rest_y[l]};
 }
 
 /* Psi = M0 f_0 + sum kappa f_i (Eq 2). */

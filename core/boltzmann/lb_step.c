@@ -4,6 +4,7 @@
  * that the result does not depend on the number of threads. Start reading at lb_advance(). */
 #include "lb_step.h"
 
+#include "lb_displacements.h"
 #include "lb_fracture.h"
 #include "lb_population_kernels.h"
 
@@ -150,8 +151,8 @@ static void relax_chunk(lb_solid *lb, int chunk, const fw_constraint *constraint
 fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int constraint_count,
                      fw_error *error)
 {
-    (void)error;
     lb_solid *lb = (lb_solid *)solid;
+    if (lb->displaced) return lb_displacements_advance(lb, constraints, constraint_count, error);
 #pragma omp parallel for schedule(static) if (lb->chunk_count > 4)
     for (int chunk = 0; chunk < lb->chunk_count; ++chunk)
         relax_chunk(lb, chunk, constraints, constraint_count);
@@ -160,6 +161,16 @@ fw_status lb_advance(fw_solid *solid, const fw_constraint *constraints, int cons
     lb->parity = !lb->parity;
     solid->ticks += 1;
     if (lb->break_at < HUGE_VAL) lb_break_links(lb);
+    return FW_OK;
+}
+
+fw_status lb_advance_free(fw_solid *solid, int ticks, fw_error *error)
+{
+    lb_solid *lb = (lb_solid *)solid;
+    if (lb->displaced)
+        lb_displacements_advance_free(lb, ticks);
+    else
+        for (int n = 0; n < ticks; ++n) FW_TRY(lb_advance(solid, NULL, 0, error));
     return FW_OK;
 }
 

@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lb_displacement_kernels.h - the loop of lb_displacements.c over the blocks of a row. */
+#ifndef FW_LB_DISPLACEMENT_KERNELS_H
+#define FW_LB_DISPLACEMENT_KERNELS_H
+
+#include "core/instruction_set.h"
+#include "core/lattice.h"
+#include "core/solid.h"
+
+/* Places begin..end of the grid, both multiples of 8. `plain`: a particle in every place, all with
+ * four links and the mass that most of the body has. */
+typedef struct lb_run {
+    int begin, end;
+    bool plain;
+} lb_run;
+
+/* All by place. Matrices without xy and yy are multiples of one; where there is no particle the
+ * mobility is 0 and no link is set. */
+typedef struct lb_grid_arrays {
+    const double *ahead_x, *ahead_y;                       /* x(t) */
+    double *behind_x, *behind_y;                           /* x(t-1), overwritten by x(t+1) */
+    const double *force_x, *force_y;                       /* F(t); NULL: no loads */
+    const double *mobility_xx, *mobility_xy, *mobility_yy; /* mu M^-1 */
+    const double *mass_xx, *mass_xy, *mass_yy;             /* M; only where mu < 1 */
+    const uint8_t (*links)[FW_DIRECTIONS];                 /* of each block, a bit per place */
+    fw_sym2 plain_mobility, plain_mass;                    /* of plain runs */
+    double mu;
+} lb_grid_arrays;
+
+typedef struct lb_displacement_kernels {
+    /* One step of a row whose neighbours to the north and south lie at those distances; what passed
+     * is put in the ledger. */
+    void (*advance)(const lb_grid_arrays *arrays, const lb_run *runs, int run_count, int north,
+                    int south, fw_solid_ledger *passed);
+} lb_displacement_kernels;
+
+FW_KERNELS(lb_displacement_kernels, lb_displacements);
+
+#endif

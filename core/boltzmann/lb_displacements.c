@@ -1,0 +1,357 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lb_displacements.c - the displacement form of the LB solid: exactly its populations, as long as
+ * no hidden mode is excited, in a quarter of the memory traffic.
+ *
+ * Let every field be f_{i+2}(l) = (x_m(t) - x_l(t-1))/2 and f_0 = M0 (x_l(t) - x_l(t-1))/2, as they
+ * are at the start with x(0) = u + V/2, x(-1) = u - V/2. The step sends f -> w - f to the other end
+ * of the link; there it is w_l - (x_m(t) - x_l(t-1))/2, and that is (x_l(t+1) - x_m(t))/2 with
+ *     x_l(t+1) = x_l(t-1) + 2 w_l                                                       (1)
+ * for whatever w, be it free or held. So the fields keep their form, and Psi = M0 f_0 + sum f is
+ * M (x(t) - x(t-1)) + L x(t)/2, where L x = sum_links (x_m - x_l). With w = mu M^-1 (Psi + F/2)
+ *     x(t+1) = x(t) + (2 mu - 1)(x(t) - x(t-1)) + mu M^-1 (L x(t) + F(t)),              (2)
+ * which is the leapfrog scheme. The stretch of a link is u_m - u_l, u(t) = (x(t) + x(t-1))/2.
+ *
+ * State: x(t) and x(t-1). Start reading at lb_displacements_advance(). */
+#include "lb_displacements.h"
+
+#include <omp.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A body of so many particles is not worth a second thread. */
+enum { ALONE = 16384 };
+
+/* Bytes of the nearest large cache that the rows of a sweep may take. */
+enum { CACHE = 1 << 19 };
+
+/* --- making --- */
+
+static bool same(fw_sym2 a, fw_sym2 b)
+{
+    return a.xx == b.xx && a.xy == b.xy && a.yy == b.yy;
+}
+
+/* The mass of the first particle with four links is the one of plain runs. */
+static void mark_plain(lb_solid *lb, uint8_t *plain)
+{
+    displacement_form *form = &lb->form;
+    int first = -1;
+    for (int l = 0; l < lb->head.count; ++l) {
+        if (lb->present[l] != LB_ALL_LINKS) continue;
+        if (first < 0) first = l;
+        plain[l] = same(lb_get(&lb->inverse, l), lb_get(&lb->inverse, first));
+    }
+    if (first < 0) return;
+    form->plain_mobility = fw_sym2_scale(lb->mu, lb_get(&lb->inverse, first));
+    form->plain_mass = lb_get(&lb->mass, first);
+}
+
+static void add_matrices(fw_arena *arena, matrices *m, size_t count, bool full)
+{
+    FW_ARENA_ADD(arena, m->xx, count);
+    if (!full) return;
+    FW_ARENA_ADD(arena, m->xy, count);
+    FW_ARENA_ADD(arena, m->yy, count);
+}
+
+static fw_status allocate(lb_solid *lb, fw_error *error)
+{
+    displacement_form *form = &lb->form;
+    lb_grid *grid = &form->grid;
+    fw_arena *arena = &form->arena;
+    const size_t places = (size_t)grid->place_count, count = (size_t)lb->head.count;
+    const size_t rows = (size_t)grid->row_count;
+    for (int half = 0; half < 2; ++half) {
+        FW_ARENA_ADD(arena, form->x[half], places);
+        FW_ARENA_ADD(arena, form->y[half], places);
+    }
+    FW_ARENA_ADD(arena, form->force_x, places);
+    FW_ARENA_ADD(arena, form->force_y, places);
+    add_matrices(arena, &form->mobility, places, lb->matrix);
+    if (lb->mu < 1) add_matrices(arena, &form->mass, places, lb->matrix);
+    FW_ARENA_ADD(arena, form->site_x, count);
+    FW_ARENA_ADD(arena, form->site_y, count);
+    FW_ARENA_ADD(arena, form->passed, rows * LB_DEPTH);
+    FW_ARENA_ADD(arena, grid->rows, rows + 1);
+    FW_ARENA_ADD(arena, grid->runs, (size_t)grid->run_count);
+    FW_ARENA_ADD(arena, grid->stretches, (size_t)grid->stretch_count);
+    FW_ARENA_ADD(arena, grid->place, count);
+    FW_ARENA_ADD(arena, grid->links, places / LB_BLOCK);
+    return fw_arena_allocate(arena, "the displacements of an LB solid", error);
+}
+
+fw_status lb_displacements_make(lb_solid *lb, const fw_sites *sites, fw_error *error)
+{
+    displacement_form *form = &lb->form;
+    uint8_t *plain = calloc((size_t)sites->count, sizeof *plain);
+    if (!plain) return fw_fail_memory(error, "the grid of an LB solid");
+    mark_plain(lb, plain);
+    const lb_grid_def def = {.sites = sites, .present = lb->present, .plain = plain};
+    lb_grid_measure(&form->grid, &def);
+    const fw_status status = allocate(lb, error);
+    if (status == FW_OK) lb_grid_fill(&form->grid, &def);
+    free(plain);
+    FW_TRY(status);
+    for (int l = 0; l < sites->count; ++l) {
+        const int place = form->grid.place[l];
+        lb_put(&form->mobility, place, fw_sym2_scale(lb->mu, lb_get(&lb->inverse, l)));
+        if (lb->mu < 1) lb_put(&form->mass, place, lb_get(&lb->mass, l));
+    }
+    return FW_OK;
+}
+
+void lb_displacements_release(lb_solid *lb)
+{
+    fw_arena_release(&lb->form.arena);
+    free(lb->form.kept);
+}
+
+void lb_displacements_start(lb_solid *lb, int l, fw_vec2 site, fw_vec2 u, fw_vec2 velocity)
+{
+    displacement_form *form = &lb->form;
+    const int place = form->grid.place[l], ahead = lb->parity, behind = !lb->parity;
+    form->site_x[l] = site.x;
+    form->site_y[l] = site.y;
+    form->x[ahead][place] = u.x + 0.5 * velocity.x;
+    form->y[ahead][place] = u.y + 0.5 * velocity.y;
+    form->x[behind][place] = u.x - 0.5 * velocity.x;
+    form->y[behind][place] = u.y - 0.5 * velocity.y;
+}
+
+void lb_displacements_state(lb_solid *lb, fw_state_list *list)
+{
+    displacement_form *form = &lb->form;
+    const size_t places = (size_t)form->grid.place_count;
+    fw_state_list_add(list, "displacement-0-x", FW_F64, places, form->x[0]);
+    fw_state_list_add(list, "displacement-0-y", FW_F64, places, form->y[0]);
+    fw_state_list_add(list, "displacement-1-x", FW_F64, places, form->x[1]);
+    fw_state_list_add(list, "displacement-1-y", FW_F64, places, form->y[1]);
+}
+
+/* --- a row in a step --- */
+
+static lb_grid_arrays arrays_of(const lb_solid *lb, int parity, bool loaded)
+{
+    const displacement_form *form = &lb->form;
+    return (lb_grid_arrays){
+        .ahead_x = form->x[parity],
+        .ahead_y = form->y[parity],
+        .behind_x = form->x[!parity],
+        .behind_y = form->y[!parity],
+        .force_x = loaded ? form->force_x : NULL,
+        .force_y = loaded ? form->force_y : NULL,
+        .mobility_xx = form->mobility.xx,
+        .mobility_xy = form->mobility.xy,
+        .mobility_yy = form->mobility.yy,
+        .mass_xx = form->mass.xx,
+        .mass_xy = form->mass.xy,
+        .mass_yy = form->mass.yy,
+        .links = (const uint8_t(*)[FW_DIRECTIONS])form->grid.links,
+        .plain_mobility = form->plain_mobility,
+        .plain_mass = form->plain_mass,
+        .mu = lb->mu,
+    };
+}
+
+static void load_row(lb_solid *lb, int row)
+{
+    displacement_form *form = &lb->form;
+    const lb_row *rows = form->grid.rows;
+    for (int n = rows[row].stretch; n < rows[row + 1].stretch; ++n) {
+        const lb_stretch s = form->grid.stretches[n];
+        const size_t bytes = (size_t)s.count * sizeof(double);
+        memcpy(form->force_x + s.place, lb->head.external_x + s.particle, bytes);
+        memcpy(form->force_y + s.place, lb->head.external_y + s.particle, bytes);
+    }
+}
+
+static void advance_row(const lb_solid *lb, const lb_grid_arrays *arrays, int row,
+                        fw_solid_ledger *passed)
+{
+    const lb_grid *grid = &lb->form.grid;
+    const lb_row *here = &grid->rows[row];
+    FW_KERNELS_CHOSEN(lb_displacements)
+        ->advance(arrays, grid->runs + here->run, here[1].run - here->run, here->north, here->south,
+                  passed);
+}
+
+/* Row by row, whoever advanced it, and step by step. */
+static void add_passed(lb_solid *lb, int steps)
+{
+    const int rows = lb->form.grid.row_count;
+    if (!lb->head.loaded && lb->mu == 1) return;
+    for (int n = 0; n < steps * rows; ++n)
+        fw_solid_ledger_add(&lb->head.ledger, &lb->form.passed[n]);
+}
+
+static void load_rows(lb_solid *lb)
+{
+    if (!lb->head.loaded) return;
+    for (int row = 0; row < lb->form.grid.row_count; ++row) load_row(lb, row);
+}
+
+/* --- positions --- */
+
+/* r = site + u */
+static void place_stretch(double *restrict r, const double *restrict site,
+                          const double *restrict ahead, const double *restrict behind, int count)
+{
+#pragma omp simd
+    for (int k = 0; k < count; ++k) r[k] = site[k] + 0.5 * (ahead[k] + behind[k]);
+}
+
+void lb_displacements_place(lb_solid *lb)
+{
+    displacement_form *form = &lb->form;
+#pragma omp parallel for schedule(static) if (lb->head.count > ALONE)
+    for (int n = 0; n < form->grid.stretch_count; ++n) {
+        const lb_stretch s = form->grid.stretches[n];
+        place_stretch(lb->head.x + s.particle, form->site_x + s.particle, form->x[0] + s.place,
+                      form->x[1] + s.place, s.count);
+        place_stretch(lb->head.y + s.particle, form->site_y + s.particle, form->y[0] + s.place,
+                      form->y[1] + s.place, s.count);
+    }
+}
+
+static void place_boundary(lb_solid *lb)
+{
+    displacement_form *form = &lb->form;
+    for (int n = 0; n < lb->head.boundary_count; ++n) {
+        const int l = lb->head.boundary[n], p = form->grid.place[l];
+        lb->head.x[l] = form->site_x[l] + 0.5 * (form->x[0][p] + form->x[1][p]);
+        lb->head.y[l] = form->site_y[l] + 0.5 * (form->y[0][p] + form->y[1][p]);
+    }
+}
+
+/* --- one tick, in which particles may be held --- */
+
+static fw_status keep(lb_solid *lb, const fw_constraint *constraints, int count, fw_error *error)
+{
+    displacement_form *form = &lb->form;
+    if (count > form->kept_capacity) {
+        fw_vec2 *more = realloc(form->kept, (size_t)count * sizeof *more);
+        if (!more) return fw_fail_memory(error, "the constraints of an LB solid");
+        form->kept = more;
+        form->kept_capacity = count;
+    }
+    for (int n = 0; n < count; ++n) {
+        const int place = form->grid.place[constraints[n].particle];
+        form->kept[n] = (fw_vec2){form->x[!lb->parity][place], form->y[!lb->parity][place]};
+    }
+    return FW_OK;
+}
+
+/* What a displacement w brings into the ledger beyond another one. */
+static void add_difference(lb_solid *lb, int l, fw_vec2 w, fw_vec2 other)
+{
+    fw_solid_ledger *ledger = &lb->head.ledger;
+    if (lb->head.loaded) {
+        const fw_vec2 force = {lb->head.external_x[l], lb->head.external_y[l]};
+        ledger->work += fw_vec2_dot(force, fw_vec2_subtract(w, other));
+    }
+    if (lb->mu < 1) {
+        const fw_sym2 drag = fw_sym2_scale(2 * (1 / lb->mu - 1), lb_get(&lb->mass, l));
+        ledger->dissipated += fw_sym2_form(w, drag, w) - fw_sym2_form(other, drag, other);
+        ledger->drag =
+            fw_vec2_subtract(ledger->drag, fw_sym2_apply(drag, fw_vec2_subtract(w, other)));
+    }
+}
+
+/* (1): exactly the old u where w is zero. The kernel has moved the particle freely. */
+static void hold(lb_solid *lb, const fw_constraint *constraint, fw_vec2 kept)
+{
+    displacement_form *form = &lb->form;
+    const int l = constraint->particle, place = form->grid.place[l];
+    double *x = &form->x[!lb->parity][place], *y = &form->y[!lb->parity][place];
+    const fw_vec2 w = constraint->displacement;
+    add_difference(lb, l, w, (fw_vec2){0.5 * (*x - kept.x), 0.5 * (*y - kept.y)});
+    *x = kept.x + 2 * w.x;
+    *y = kept.y + 2 * w.y;
+}
+
+fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraints, int count,
+                                   fw_error *error)
+{
+    displacement_form *form = &lb->form;
+    const lb_grid_arrays arrays = arrays_of(lb, lb->parity, lb->head.loaded);
+    FW_TRY(keep(lb, constraints, count, error));
+#pragma omp parallel for schedule(static) if (lb->head.count > ALONE)
+    for (int row = 0; row < form->grid.row_count; ++row) {
+        if (lb->head.loaded) load_row(lb, row);
+        advance_row(lb, &arrays, row, &form->passed[row]);
+    }
+    add_passed(lb, 1);
+    for (int n = 0; n < count; ++n) hold(lb, &constraints[n], form->kept[n]);
+    lb->parity = !lb->parity;
+    lb->head.ticks += 1;
+    place_boundary(lb);
+    return FW_OK;
+}
+
+/* --- many ticks ---
+ *
+ * A sweep takes all rows through several steps while they lie in the cache: row j makes step s
+ * right after row j + 1 has made step s - 1. x(t-1) of a row is overwritten when both neighbours
+ * have done with it. Each thread sweeps a slab of rows, one row less at inner edges with each step;
+ * what is left between two slabs is made up when both are done. Which rows go together changes no
+ * number. */
+
+/* Steps first..end of rows [from(s), to(s)), where the range grows by `spread` rows at either end
+ * with each step. */
+typedef struct slab {
+    int begin, end;             /* rows of step 0 */
+    int spread_down, spread_up; /* -1, 0 or 1 */
+} slab;
+
+static void sweep_slab(lb_solid *lb, slab rows, int first, int steps)
+{
+    displacement_form *form = &lb->form;
+    const lb_grid_arrays arrays[2] = {arrays_of(lb, lb->parity, lb->head.loaded),
+                                      arrays_of(lb, !lb->parity, lb->head.loaded)};
+    const int row_count = form->grid.row_count;
+    const int low = rows.begin - (rows.spread_down > 0 ? steps : 0);
+    const int high = rows.end + (rows.spread_up > 0 ? steps : 0);
+    for (int front = low; front < high + steps; ++front)
+        for (int step = first; step < steps; ++step) {
+            const int row = front - step;
+            if (row < rows.begin - step * rows.spread_down ||
+                row >= rows.end + step * rows.spread_up)
+                continue;
+            advance_row(lb, &arrays[step % 2], row,
+                        &form->passed[(size_t)step * (size_t)row_count + (size_t)row]);
+        }
+}
+
+static void sweep(lb_solid *lb, int steps)
+{
+    const int rows = lb->form.grid.row_count;
+    int slabs = lb->head.count > ALONE ? omp_get_max_threads() : 1;
+    if (slabs > rows / (2 * steps)) slabs = rows / (2 * steps);
+    if (slabs < 1) slabs = 1;
+#define EDGE(k) ((int)((int64_t)rows * (k) / slabs))
+#pragma omp parallel for schedule(static, 1) num_threads(slabs) if (slabs > 1)
+    for (int k = 0; k < slabs; ++k)
+        sweep_slab(lb,
+                   (slab){.begin = EDGE(k),
+                          .end = EDGE(k + 1),
+                          .spread_down = k > 0 ? -1 : 0,
+                          .spread_up = k + 1 < slabs ? -1 : 0},
+                   0, steps);
+#pragma omp parallel for schedule(static, 1) num_threads(slabs) if (slabs > 1)
+    for (int k = 1; k < slabs; ++k)
+        sweep_slab(lb, (slab){.begin = EDGE(k), .end = EDGE(k), .spread_down = 1, .spread_up = 1},
+                   1, steps);
+#undef EDGE
+    add_passed(lb, steps);
+    lb->parity = (lb->parity + steps) % 2;
+    lb->head.ticks += steps;
+}
+
+void lb_displacements_advance_free(lb_solid *lb, int ticks)
+{
+    const int row_bytes = 4 * (int)sizeof(double) * lb->form.grid.longest;
+    const int fitting = CACHE / row_bytes;
+    const int depth = fitting < 1 ? 1 : fitting > LB_DEPTH ? LB_DEPTH : fitting;
+    load_rows(lb);
+    for (int left = ticks; left > 0; left -= depth) sweep(lb, left < depth ? left : depth);
+}

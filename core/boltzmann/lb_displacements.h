@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lb_displacements.h - the displacement form of an LB solid: its state and its steps. */
+#ifndef FW_LB_DISPLACEMENTS_H
+#define FW_LB_DISPLACEMENTS_H
+
+#include "lb_state.h"
+
+/* Makes the grid and its arrays, once links and masses are known, of a shape that lb_grid_pays().
+ * FW_SYSTEM_FAILED without memory. */
+fw_status lb_displacements_make(lb_solid *lb, const fw_sites *sites, fw_error *error);
+void lb_displacements_release(lb_solid *lb);
+/* Where a particle is at the start: its site, u and V. */
+void lb_displacements_start(lb_solid *lb, int l, fw_vec2 site, fw_vec2 u, fw_vec2 velocity);
+void lb_displacements_state(lb_solid *lb, fw_state_list *list);
+
+/* One tick, after which the positions of boundary particles are right. FW_SYSTEM_FAILED without
+ * memory. */
+fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraints, int count,
+                                   fw_error *error);
+/* Ticks without constraints, under the loads as they stand: the same bytes as one by one. */
+void lb_displacements_advance_free(lb_solid *lb, int ticks);
+/* Makes all positions. */
+void lb_displacements_place(lb_solid *lb);
+
+#endif

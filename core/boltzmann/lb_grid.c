@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* lb_grid.c - the sites of a body as rows of blocks. Keeps no state.
+ * Start reading at walk(), which counts and, the second time, fills. */
+#include "lb_grid.h"
+
+#include <limits.h>
+
+/* The grid may have so many places per particle, and a few more. */
+enum { SPARSE = 4, FEW = 4096 };
+
+static int block_of(fw_site site)
+{
+    return site.i >> 3; /* rounded down, below zero too */
+}
+
+/* Behind the last particle of the row, or of the block, that begins with this one. */
+static int end_of_row(const fw_sites *sites, int first)
+{
+    int l = first;
+    while (l < sites->count && sites->site[l].j == sites->site[first].j) ++l;
+    return l;
+}
+
+static int end_of_block(const fw_sites *sites, int first, int row_end)
+{
+    int l = first;
+    while (l < row_end && block_of(sites->site[l]) == block_of(sites->site[first])) ++l;
+    return l;
+}
+
+/* Places of a row: an odd number of blocks, that is of cache lines, so that rows above each other
+ * do not meet in one set of a cache. */
+static int64_t length_of_row(const fw_sites *sites, int first, int end)
+{
+    const int64_t blocks =
+        (int64_t)block_of(sites->site[end - 1]) - block_of(sites->site[first]) + 1;
+    return (blocks | 1) * LB_BLOCK;
+}
+
+static void add_run(lb_grid *grid, lb_run run, bool fill)
+{
+    if (run.begin == run.end) return;
+    if (fill) grid->runs[grid->run_count] = run;
+    grid->run_count += 1;
+}
+
+static void add_runs(lb_grid *grid, const lb_grid_def *def, int first, int end, int64_t shift,
+                     bool fill)
+{
+    lb_run run = {0};
+    for (int l = first, next; l < end; l = next) {
+        next = end_of_block(def->sites, l, end);
+        bool plain = next - l == LB_BLOCK;
+        for (int k = l; k < next; ++k) plain &= def->plain[k] != 0;
+        const int begin = (int)(shift + (int64_t)block_of(def->sites->site[l]) * LB_BLOCK);
+        if (run.end != begin || run.plain != plain) {
+            add_run(grid, run, fill);
+            run = (lb_run){.begin = begin, .plain = plain};
+        }
+        run.end = begin + LB_BLOCK;
+    }
+    add_run(grid, run, fill);
+}
+
+static void add_stretches(lb_grid *grid, const lb_grid_def *def, int first, int end, int64_t shift,
+                          bool fill)
+{
+    for (int l = first; l < end; ++l) {
+        const int place = (int)(shift + def->sites->site[l].i);
+        const bool goes_on =
+            l > first && (int64_t)def->sites->site[l].i - def->sites->site[l - 1].i == 1;
+        if (!goes_on) grid->stretch_count += 1;
+        if (!fill) continue;
+        lb_stretch *stretch = &grid->stretches[grid->stretch_count - 1];
+        if (!goes_on) *stretch = (lb_stretch){.particle = l, .place = place};
+        stretch->count += 1;
+        grid->place[l] = place;
+        for (int d = 0; d < FW_DIRECTIONS; ++d)
+            grid->links[place / LB_BLOCK][d] |=
+                (uint8_t)(((def->present[l] >> d) & 1) << place % LB_BLOCK);
+    }
+}
+
+/* Does the row that begins with this particle lie right above the one before it, with columns that
+ * both have? */
+static bool lies_above(const fw_sites *sites, int first, int first_before, int end)
+{
+    if (first == 0 || (int64_t)sites->site[first].j - sites->site[first - 1].j != 1) return false;
+    return block_of(sites->site[first]) <= block_of(sites->site[first - 1]) &&
+           block_of(sites->site[first_before]) <= block_of(sites->site[end - 1]);
+}
+
+/* A particle of a row lies at place shift + i. */
+static int64_t walk(lb_grid *grid, const lb_grid_def *def, bool fill)
+{
+    const fw_sites *sites = def->sites;
+    int64_t begin = grid->longest, shift_before = 0;
+    int first_before = 0;
+    grid->row_count = grid->run_count = grid->stretch_count = 0;
+    for (int first = 0, end; first < sites->count; first = end) {
+        end = end_of_row(sites, first);
+        const int64_t shift = begin - (int64_t)block_of(sites->site[first]) * LB_BLOCK;
+        if (fill) {
+            lb_row *row = &grid->rows[grid->row_count];
+            *row = (lb_row){.run = grid->run_count, .stretch = grid->stretch_count};
+            if (lies_above(sites, first, first_before, end)) {
+                row[-1].north = (int)(shift - shift_before);
+                row->south = -row[-1].north;
+            }
+        }
+        add_runs(grid, def, first, end, shift, fill);
+        add_stretches(grid, def, first, end, shift, fill);
+        grid->row_count += 1;
+        begin += length_of_row(sites, first, end);
+        shift_before = shift;
+        first_before = first;
+    }
+    return begin + grid->longest;
+}
+
+/* Places of all rows, and of the longest. */
+static int64_t add_lengths(const fw_sites *sites, int64_t *longest)
+{
+    int64_t places = 0;
+    *longest = 0;
+    for (int first = 0, end; first < sites->count; first = end) {
+        end = end_of_row(sites, first);
+        const int64_t length = length_of_row(sites, first, end);
+        *longest = length > *longest ? length : *longest;
+        places += length;
+    }
+    return places;
+}
+
+bool lb_grid_pays(const fw_sites *sites)
+{
+    int64_t longest;
+    const int64_t places = add_lengths(sites, &longest);
+    return places <= (int64_t)SPARSE * sites->count + FEW && places < INT_MAX / 2;
+}
+
+void lb_grid_measure(lb_grid *grid, const lb_grid_def *def)
+{
+    int64_t longest;
+    add_lengths(def->sites, &longest);
+    grid->longest = (int)longest;
+    grid->place_count = (int)walk(grid, def, false);
+}
+
+void lb_grid_fill(lb_grid *grid, const lb_grid_def *def)
+{
+    walk(grid, def, true);
+    grid->rows[grid->row_count] = (lb_row){.run = grid->run_count, .stretch = grid->stretch_count};
+}
