@@ -79,6 +79,7 @@ static void assert_ledger_balances(const fw_scene *scene, double tolerance)
                  tolerance);
 }
 
+/* The numbers are those of tests/whole/plain_solids.py. */
 static void paper_body_bounces_as_computed_independently(void **state)
 {
     (void)state;

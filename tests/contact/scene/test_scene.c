@@ -29,9 +29,9 @@ static void assert_ledger_balances(const fw_scene *scene, double tolerance)
     assert_close(p.y, expected.y, 1e-10);
 }
 
-/* Chopard & Marconi Fig 1, also far from the origin. The fractions are those of an independent
- * reference; a scene moved by 1e4 rounds positions differently, so it may take another branch
- * later, but at t = 2000 not further than its own spread. */
+/* Chopard & Marconi Fig 1, also far from the origin. The fractions are those of
+ * tests/whole/plain_solids.py; a scene moved by 1e4 rounds positions differently, so it may take
+ * another branch later, but at t = 2000 not further than its own spread. */
 static void sheet_bounces_in_a_box(void **state)
 {
     (void)state;
