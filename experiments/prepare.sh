@@ -7,7 +7,7 @@ say() { printf '== %s\n' "$*"; }
 # What building and running need; tests/run asks for more.
 build_packages=(
     build-essential cmake pkg-config git
-    libbox2d-dev libgsl-dev libhdf5-dev librandom123-dev libyaml-dev libcairo2-dev
+    libbox2d-dev libgsl-dev libhdf5-dev librandom123-dev libyaml-dev libmuparser-dev libcairo2-dev
     libcmocka-dev fonts-dejavu-core
 )
 

@@ -63,13 +63,15 @@ static int64_t run_count(const fw_scenario *scenario)
 static void print_study(const fw_scenario *scenario)
 {
     const fw_scenario_sweep *sweep = &scenario->study.sweep;
-    if (sweep->value_count > 0) {
+    if (sweep->case_count > 0) {
         char first[FW_CASE_NAME], last[FW_CASE_NAME];
         fw_scenario_case_name(scenario, 0, first);
-        fw_scenario_case_name(scenario, sweep->value_count - 1, last);
-        if (sweep->is_case) fw_scenario_case_name(scenario, sweep->number, first);
-        printf("  %-14s %d cases, %s to %s; what follows is of %s\n", "sweep", sweep->value_count,
-               first, last, first);
+        fw_scenario_case_name(scenario, sweep->case_count - 1, last);
+        if (sweep->is_case)
+            printf("  %-14s the case %s\n", "sweep", first);
+        else
+            printf("  %-14s %d cases, %s to %s; what follows is of %s\n", "sweep",
+                   sweep->case_count, first, last, first);
     }
     if (run_count(scenario) > 1)
         printf("  %-14s %lld seeds%s; what follows is of one run\n", "study",

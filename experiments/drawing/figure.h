@@ -138,6 +138,8 @@ typedef struct fw_figure_map_plan {
     const double *values;
     double p_first, p_step, q_first, q_step; /* steps > 0 */
     const char *p_label, *q_label;
+    const fw_axis_name *p_names, *q_names; /* ticks with names in place of numbers */
+    int p_name_count, q_name_count;
     bool equal_aspect; /* p and q are of one kind */
     fw_colouring colouring;
     const fw_curve *curves; /* drawn over the map */

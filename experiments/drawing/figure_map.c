@@ -53,8 +53,14 @@ fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_
     fw_colour_scale scale = fw_colour_scale_for(plan->colouring, plan->values, count);
     fw_panel panel = {.canvas = NULL};
     double p = plan->p_first - plan->p_step / 2, q = plan->q_first - plan->q_step / 2;
-    panel.x = (fw_axis){.range = {p, p + plan->columns * plan->p_step}, .label = plan->p_label};
-    panel.y = (fw_axis){.range = {q, q + plan->rows * plan->q_step}, .label = plan->q_label};
+    panel.x = (fw_axis){.range = {p, p + plan->columns * plan->p_step},
+                        .label = plan->p_label,
+                        .names = plan->p_names,
+                        .name_count = plan->p_name_count};
+    panel.y = (fw_axis){.range = {q, q + plan->rows * plan->q_step},
+                        .label = plan->q_label,
+                        .names = plan->q_names,
+                        .name_count = plan->q_name_count};
     const fw_chart overlay = {.curves = plan->curves, .curve_count = plan->curve_count};
     fw_legend_entry entries[FW_CHART_LEGEND_MAX];
     int entry_count = fw_chart_legend(&overlay, entries);

@@ -354,5 +354,5 @@ bool fw_verdict_is_asked(const fw_scenario *scenario, const fw_expectation *expe
 {
     const fw_scenario_sweep *sweep = &scenario->study.sweep;
     if (fw_expectation_is_trend(expectation)) return false;
-    return expectation->when < 0 || (sweep->is_case && expectation->when == sweep->number);
+    return !expectation->when || (sweep->is_case && fw_sweep_is_at(sweep, 0, expectation->when));
 }

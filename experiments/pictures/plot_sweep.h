@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot_sweep.h - pictures of a sweep: what came out of its cases against the parameter. */
+/* plot_sweep.h - pictures of a sweep: what came out of its cases against the parameters. */
 #ifndef FW_PLOT_SWEEP_H
 #define FW_PLOT_SWEEP_H
 
@@ -12,8 +12,11 @@ fw_status fw_plot_sweep_one(const char *directory, const fw_plot_wish *wish, FIL
                             fw_error *error);
 fw_status fw_plot_sweep_all(const char *directory, FILE *out, fw_error *error);
 
-/* The kind `sweep` of a single run: FW_BAD_INPUT, since one run has nothing to compare. */
+/* The kinds `sweep` and `map` of a single run: FW_BAD_INPUT, since one run has nothing to compare.
+ */
 fw_status fw_plot_draw_sweep(const fw_plot_result *result, const fw_plot_picture *picture,
                              fw_error *error);
+fw_status fw_plot_draw_map(const fw_plot_result *result, const fw_plot_picture *picture,
+                           fw_error *error);
 
 #endif

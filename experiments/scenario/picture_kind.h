@@ -17,7 +17,8 @@ typedef enum fw_picture_need {
     FW_PICTURE_NEEDS_SWEEP = 1 << 0, /* it shows all cases: it is drawn in the sweep's folder */
     FW_PICTURE_NEEDS_PROFILE = 1 << 1,
     FW_PICTURE_NEEDS_TWO_GRIPS = 1 << 2,
-    FW_PICTURE_NEEDS_ANALYSIS = 1 << 3
+    FW_PICTURE_NEEDS_ANALYSIS = 1 << 3,
+    FW_PICTURE_NEEDS_TWO_PARAMETERS = 1 << 4
 } fw_picture_need;
 
 /* The solid's first field, where a row names none that is shown by default. */
@@ -46,8 +47,12 @@ typedef enum fw_picture_need {
         FW_PICTURE_NEEDS_PROFILE | FW_PICTURE_NEEDS_TWO_GRIPS, 0, NULL)                            \
     ROW(ANALYSIS, analysis, "analysis", "a map or curves of one of `analysis`", "analysis",        \
         FW_PICTURE_NEEDS_ANALYSIS, 0, NULL)                                                        \
-    ROW(SWEEP, sweep, "sweep", "quantities against the parameter of a sweep",                      \
-        "observables logarithmic", FW_PICTURE_NEEDS_SWEEP, 0, NULL)
+    ROW(SWEEP, sweep, "sweep",                                                                     \
+        "quantities against a parameter of a sweep, a line for every value of the others",         \
+        "observables logarithmic along", FW_PICTURE_NEEDS_SWEEP, 0, NULL)                          \
+    ROW(MAP, map, "map", "a quantity as colour over the two parameters of a sweep",                \
+        "observables logarithmic along range",                                                     \
+        FW_PICTURE_NEEDS_SWEEP | FW_PICTURE_NEEDS_TWO_PARAMETERS, 0, NULL)
 
 #define FW_PICTURE_ENUM(id, draw, name, meaning, keys, needs, frames, field) FW_PICTURE_##id,
 typedef enum fw_picture_kind { FW_PICTURE_ROWS(FW_PICTURE_ENUM) FW_PICTURE_KINDS } fw_picture_kind;

@@ -7,6 +7,7 @@
 #include "experiments/schema/settings.h"
 #include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
+#include "experiments/text/text.h"
 #include "scenario_parts.h"
 
 #include <errno.h>
@@ -258,17 +259,25 @@ fw_status fw_scenario_load(fw_scenario **scenario, const char *path, const char 
 
 bool fw_scenario_is_sweep(const fw_scenario *scenario)
 {
-    return scenario->study.sweep.value_count > 0 && !scenario->study.sweep.is_case;
+    return scenario->study.sweep.case_count > 0 && !scenario->study.sweep.is_case;
 }
 
 fw_status fw_scenario_read_case(fw_scenario **made, const fw_scenario *sweep, int number,
                                 fw_error *error)
 {
-    char setting[FW_NUMBER_TEXT + 32] = "study.sweep.case=";
+    const fw_scenario_sweep *plan = &sweep->study.sweep;
+    char setting[FW_PARAMETERS_MAX * (FW_NAME_BYTES + FW_NUMBER_TEXT + 4) + 32];
     const char *const settings[] = {setting};
     fw_document *document;
     *made = NULL;
-    fw_number_write(setting + strlen(setting), sweep->study.sweep.values[number]);
+    snprintf(setting, sizeof setting, "study.sweep.case={");
+    for (int p = 0; p < plan->parameter_count; ++p) {
+        char value[FW_NUMBER_TEXT];
+        fw_number_write(value, fw_sweep_value(plan, number, p));
+        fw_text_append(setting, sizeof setting, "%s%s: %s", p > 0 ? ", " : "",
+                       plan->parameters[p].name, value);
+    }
+    fw_text_append(setting, sizeof setting, "}");
     FW_TRY(fw_document_clone(&document, sweep->document, error));
     const fw_status status = create(made, document, settings, 1, error);
     return fw_scenario_fail_case(sweep, number, status, error);

@@ -92,9 +92,10 @@ bool fw_scenario_is_sweep(const fw_scenario *scenario);
  * with the place of the sweep. */
 fw_status fw_scenario_read_case(fw_scenario **made, const fw_scenario *sweep, int number,
                                 fw_error *error);
-/* "A=2.5": what sentences and folders call the case. */
-enum { FW_CASE_NAME = FW_NAME_BYTES + 32 };
-void fw_scenario_case_name(const fw_scenario *scenario, int number, char name[FW_CASE_NAME]);
+/* "A=2.5", "A=2.5,p=1": what sentences and folders call the case. Returns its length, which is
+ * below FW_CASE_NAME in a scenario that was read. */
+enum { FW_CASE_NAME = 256 };
+int fw_scenario_case_name(const fw_scenario *scenario, int number, char name[FW_CASE_NAME]);
 /* FW_BAD_INPUT of a case: its sentence goes behind the place of the sweep. Returns the status, and
  * changes nothing of others. */
 fw_status fw_scenario_fail_case(const fw_scenario *sweep, int number, fw_status status,

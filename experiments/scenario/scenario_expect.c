@@ -42,8 +42,9 @@ static const fw_key expectation_keys[] = {
     {"until", AT_INTEGER(fw_expectation, until), AT_LEAST(0),
      .default_value = "9223372036854775807", .default_meaning = "the end", .unit = "steps",
      .meaning = "last step that `statistic` looks at"},
-    {"when", FW_FORM_NUMBER, NOT_STORED, .default_meaning = "every case of a sweep",
-     .meaning = "the value of a sweep's parameter for which it is expected"},
+    {"when", FW_FORM_NUMBER | FW_FORM_POINT, NOT_STORED, .default_meaning = "every case of a sweep",
+     .meaning = "values of a sweep's parameters for which it is expected, as {A: 2}; of one "
+                "parameter its value is enough"},
     {"value", AT_NUMBER(fw_expectation, value), .default_meaning = "only bounds",
      .meaning = "what it should be"},
     {"within", FW_FORM_NUMBER, .needs = "value", AT_LEAST(0), NOT_STORED,
@@ -58,6 +59,9 @@ static const fw_key expectation_keys[] = {
     {"trend", FW_FORM_WORD, .words = trend_words, NOT_STORED, .default_meaning = "none",
      .meaning = "over a sweep: from each value to the next larger one its mean rises (falls) by "
                 "more than the standard error of the difference, and than 1e-9 of its size"},
+    {"along", FW_FORM_NAME, .needs = "trend", NOT_STORED,
+     .default_meaning = "the parameter, where there is one",
+     .meaning = "which parameter's values a trend compares, all others being the same"},
     {"source", AT_TEXT(fw_expectation, source), .default_meaning = "none",
      .meaning = "where the expected number comes from"},
     {"note", AT_TEXT(fw_expectation, note), .default_meaning = "none",
@@ -153,13 +157,20 @@ static fw_status read_trend(const fw_scenario *scenario, const fw_node *node, co
                                     "one of them",
                                     e->quantity.text, others[n]);
     }
-    if (scenario->study.sweep.value_count < 2)
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    if (sweep->parameter_count == 0 || (sweep->case_count < 2 && !sweep->is_case))
         return fw_scenario_fail(scenario, trend->key_place, error,
                                 "the expectation of '%s' has a 'trend', but the study has no "
                                 "'sweep' of two values or more",
                                 e->quantity.text);
     e->kind = (fw_verdict_kind)fw_node_word(trend, trend_words);
-    return FW_OK;
+    const fw_node *along = fw_node_find(node, "along");
+    if (along) return fw_scenario_find_parameter(scenario, along, &e->along, error);
+    if (sweep->parameter_count == 1) return FW_OK;
+    return fw_scenario_fail(scenario, trend->key_place, error,
+                            "the expectation of '%s' has a 'trend', but study.sweep has %d "
+                            "parameters: expected 'along' with one of them",
+                            e->quantity.text, sweep->parameter_count);
 }
 
 static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
@@ -206,6 +217,19 @@ static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, 
     return FW_OK;
 }
 
+/* The cases that it speaks of: of a case that was made, others are not known. */
+static fw_status read_when(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
+                           fw_error *error)
+{
+    const size_t count = (size_t)scenario->study.sweep.parameter_count;
+    double *point;
+    FW_TRY(fw_scenario_allocate(scenario, count + 1, sizeof *point, &point, error));
+    FW_TRY(fw_scenario_read_point(scenario, node, false, point, error));
+    e->when = point;
+    return scenario->study.sweep.is_case ? FW_OK
+                                         : fw_scenario_check_point(scenario, node, point, error);
+}
+
 static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw_expectation *e,
                                   fw_error *error)
 {
@@ -214,8 +238,7 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
     e->has_at = fw_node_find(node, "at") != NULL;
     e->has_site = fw_node_find(node, "site") != NULL;
     const fw_node *when = fw_node_find(node, "when");
-    e->when = -1;
-    if (when) FW_TRY(fw_scenario_find_value(scenario, when, &e->when, error));
+    if (when) FW_TRY(read_when(scenario, when, e, error));
     e->body_index = e->wall_index = e->grip_index = e->analysis_index = -1;
     int count;
     const fw_node *body = fw_node_find(node, "body"), *wall = fw_node_find(node, "wall");

@@ -47,8 +47,9 @@ typedef struct fw_expectation {
     fw_statistic statistic; /* otherwise this of the series ... */
     int64_t from, until;    /* ... over the steps from <= step <= until */
     fw_schema_name phase;   /* that gives these; text NULL: none given */
-    int when;               /* number of the only case of a sweep that it speaks of; -1: all */
+    const double *when;     /* [parameters of the sweep] where it speaks, NaN: any; NULL: all */
     fw_verdict_kind kind;
+    int along;            /* parameter of a trend */
     double value, within; /* within: absolute, or relative to |value| */
     bool has_below, has_above;
     double below, above;

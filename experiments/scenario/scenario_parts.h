@@ -25,6 +25,7 @@ extern const fw_section fw_phase_section;
 extern const fw_section fw_profile_section;
 extern const fw_section fw_study_section;
 extern const fw_section fw_sweep_section;
+extern const fw_section fw_parameter_section;
 extern const fw_section fw_dynamics_section;
 extern const fw_section fw_run_section;
 extern const fw_section fw_record_section;
@@ -107,9 +108,20 @@ fw_status fw_scenario_read_phases(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_study(fw_scenario *scenario, fw_error *error);
 /* The sweep, and the settings of the case that the scenario is: before everything else. */
 fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error);
-/* Number of the value of the sweep that is written there, which must be one. */
-fw_status fw_scenario_find_value(const fw_scenario *scenario, const fw_node *node, int *number,
-                                 fw_error *error);
+/* Parameters and cases of the sweep that is written there; `is_known`: it is a case that needs no
+ * values, and has none but what `case` says. */
+fw_status fw_scenario_read_parameters(fw_scenario *scenario, const fw_node *sweep_node,
+                                      bool is_known, fw_error *error);
+/* A number, or names with a number each, into point[parameter_count]: NaN where no value is given.
+ * `whole`: each must be. */
+fw_status fw_scenario_read_point(const fw_scenario *scenario, const fw_node *node, bool whole,
+                                 double *point, fw_error *error);
+/* Number of the parameter of that name. */
+fw_status fw_scenario_find_parameter(const fw_scenario *scenario, const fw_node *name, int *number,
+                                     fw_error *error);
+/* FW_BAD_INPUT where no case lies at that point. */
+fw_status fw_scenario_check_point(const fw_scenario *scenario, const fw_node *node,
+                                  const double *point, fw_error *error);
 /* Index of the phase of that name. */
 fw_status fw_scenario_find_phase(const fw_scenario *scenario, const fw_node *name, int *phase,
                                  fw_error *error);

@@ -25,14 +25,16 @@ static const fw_key picture_keys[] = {
      .meaning =
          "curves of a series: a quantity, as `elongation`, of one body or wall, as "
          "`elongation.chain`, or one component, as `elongation.x`, `elongation.chain.x`; of a "
-         "sweep: quantities of `expect`, or measures of the layer"},
+         "sweep: quantities of `expect`, or measures of the layer; of a map one of them"},
     {"from", AT_INTEGER(fw_scenario_picture, from), AT_LEAST(0), .default_value = "0",
      .unit = "steps", .meaning = "first step of a series"},
     {"until", AT_INTEGER(fw_scenario_picture, until), AT_LEAST(1),
      .default_value = "9223372036854775807", .default_meaning = "the end", .unit = "steps",
      .meaning = "last step of a series"},
     {"logarithmic", AT_FLAG(fw_scenario_picture, logarithmic), .default_value = "false",
-     .meaning = "the values of a series on logarithmic axes"},
+     .meaning = "the values of a series, or of a map's colours, on logarithmic axes"},
+    {"along", FW_FORM_NAME, NOT_STORED, .default_meaning = "that of the most values",
+     .meaning = "parameter of a sweep along the x axis"},
     {"analysis", AT_NAME(fw_scenario_picture, analysis), .default_meaning = "the only one",
      .meaning = "which analysis is drawn"},
     {.name = NULL}};
@@ -59,10 +61,16 @@ static fw_status check_needs(const fw_scenario *scenario, const fw_node *node,
 {
     const fw_picture_row *row = &fw_picture_rows[picture->kind];
     const fw_place place = fw_node_find(node, "kind")->place;
-    if (row->needs & FW_PICTURE_NEEDS_SWEEP && scenario->study.sweep.value_count == 0)
+    if (row->needs & FW_PICTURE_NEEDS_SWEEP && scenario->study.sweep.parameter_count == 0)
         return fw_scenario_fail(scenario, place, error,
                                 "pictures.%s is of kind '%s', but the study has no 'sweep'",
                                 node->key, row->name);
+    if (row->needs & FW_PICTURE_NEEDS_TWO_PARAMETERS && scenario->study.sweep.parameter_count != 2)
+        return fw_scenario_fail(scenario, place, error,
+                                "pictures.%s is of kind '%s', but study.sweep has %d parameter%s, "
+                                "expected two",
+                                node->key, row->name, scenario->study.sweep.parameter_count,
+                                scenario->study.sweep.parameter_count == 1 ? "" : "s");
     if (row->needs & FW_PICTURE_NEEDS_PROFILE && scenario->profile.every == 0)
         return fw_scenario_fail(scenario, place, error,
                                 "pictures.%s is of kind '%s', but the scenario has no 'profile'",
@@ -129,6 +137,20 @@ static fw_status check_analysis(const fw_scenario *scenario, const fw_node *node
     return FW_OK;
 }
 
+/* Which parameter of a sweep is drawn along x; a map shows one quantity. */
+static fw_status check_sweep(const fw_scenario *scenario, const fw_node *node,
+                             fw_scenario_picture *picture, fw_error *error)
+{
+    const fw_node *along = fw_node_find(node, "along");
+    picture->along = -1;
+    if (along) FW_TRY(fw_scenario_find_parameter(scenario, along, &picture->along, error));
+    if (picture->kind != FW_PICTURE_MAP || picture->observables.count < 2) return FW_OK;
+    return fw_scenario_fail(scenario, picture->observables.item[1].place, error,
+                            "pictures.%s shows %d observables, expected one, which is all that the "
+                            "colours of a map can show",
+                            picture->name, picture->observables.count);
+}
+
 static fw_status read_instants(const fw_scenario *scenario, const fw_node *list,
                                fw_scenario_picture *picture, fw_error *error)
 {
@@ -170,6 +192,7 @@ fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
         FW_TRY(check_span(scenario, node, picture, error));
         FW_TRY(check_range(scenario, node, picture, error));
         FW_TRY(check_analysis(scenario, node, picture, error));
+        FW_TRY(check_sweep(scenario, node, picture, error));
         const fw_node *instants = fw_node_find(node, "instants");
         if (instants) FW_TRY(read_instants(scenario, instants, picture, error));
     }

@@ -19,6 +19,7 @@ typedef struct fw_scenario_picture {
     bool logarithmic;            /* whether its values are drawn on logarithmic axes */
     double range[2];             /* ends of the colour scale; equal: those of all frames */
     fw_schema_name analysis;
+    int along; /* parameter of a sweep along x; -1: chosen */
 } fw_scenario_picture;
 
 #endif

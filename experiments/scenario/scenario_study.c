@@ -38,7 +38,8 @@ static const fw_key study_keys[] = {
      .meaning = "changes, as `--set` has them, that turn the experiment into its control; that is "
                 "run with the same seeds"},
     {"sweep", FW_FORM_MAPPING, .subsection = &fw_sweep_section, NOT_STORED,
-     .default_meaning = "none", .meaning = "the whole study once for each of several values"},
+     .default_meaning = "none",
+     .meaning = "the whole study once for each value of one or more parameters"},
     {.name = NULL}};
 
 const fw_section fw_study_section = {

@@ -20,18 +20,33 @@ typedef struct fw_scenario_profile {
     double far[2];    /* distances from the middle */
 } fw_scenario_profile;
 
-/* The study once for each of several values of a parameter; no values: once. */
+enum { FW_PARAMETERS_MAX = 8, FW_CASES_MAX = 10000 };
+
+/* What is varied. */
+typedef struct fw_scenario_parameter {
+    const char *name; /* of the user's own, fit for formulas */
+    fw_place place;
+    const char *unit; /* NULL: none given */
+} fw_scenario_parameter;
+
+/* The study once for each of several points, a point being a value of each parameter; no
+ * parameters: once. */
 typedef struct fw_scenario_sweep {
     fw_place place;
-    fw_schema_name parameter; /* a name of the user's own */
-    const char *unit;         /* NULL: none given */
-    int value_count;
-    double *values; /* all different */
+    int parameter_count;
+    fw_scenario_parameter *parameters;
+    int case_count;
+    double *values; /* [case_count][parameter_count], no two rows the same */
     int setting_count;
-    const char **settings; /* changes that make a case, as --set has them, with the parameter */
-    bool is_case;          /* one value has been set already: */
-    int number;            /* which */
+    const char **settings; /* changes that make a case, as --set has them, with formulas */
+    bool is_case;          /* it is one of the cases, the only one that is known */
 } fw_scenario_sweep;
+
+/* Of a parameter in a case. */
+static inline double fw_sweep_value(const fw_scenario_sweep *sweep, int number, int parameter)
+{
+    return sweep->values[(size_t)number * (size_t)sweep->parameter_count + (size_t)parameter];
+}
 
 /* More runs of the same scenario. */
 typedef struct fw_scenario_study {
@@ -41,5 +56,8 @@ typedef struct fw_scenario_study {
     const char **control; /* changes that make the control run, as --set has them */
     fw_place control_place;
 } fw_scenario_study;
+
+/* Does the case lie at that point, whose NaN stand for any value? */
+bool fw_sweep_is_at(const fw_scenario_sweep *sweep, int number, const double *point);
 
 #endif

@@ -1,79 +1,82 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scenario_sweep.c - the sweep of a study, and how a scenario becomes one of its cases: the case's
  * settings are applied to the document, which from then on says only which case it is. So a case as
- * it was run reads back as what it is, and a later change of it (its control) is not undone.
- * Keeps no state. Start reading at fw_scenario_read_sweep(). */
+ * it was run reads back as what it is, a later change of it (its control) is not undone, and it
+ * does not depend on what other cases there are. Keeps no state. Start reading at
+ * fw_scenario_read_sweep(). */
 #include "experiments/schema/settings.h"
 #include "experiments/text/number.h"
 #include "experiments/text/substitution.h"
 #include "experiments/text/text.h"
 #include "scenario_parts.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 static const fw_key sweep_keys[] = {
-    {"parameter", AT_NAME(fw_scenario_sweep, parameter), REQUIRED,
-     .meaning = "a name of your own for what is varied"},
-    {"unit", AT_TEXT(fw_scenario_sweep, unit), .default_meaning = "none",
-     .meaning = "of the parameter, for the axis of pictures"},
-    {"values", FW_FORM_LIST, .items = FW_FORM_NUMBER, .least = 1, .most = 1024, REQUIRED,
-     NOT_STORED, .meaning = "of the parameter, all different, in the order in which they are run"},
+    {"parameters", FW_FORM_NAMED, .subsection = &fw_parameter_section, .least = 1,
+     .most = FW_PARAMETERS_MAX, REQUIRED, NOT_STORED, .old_name = "parameter",
+     .hint = "such as {A: {values: [1, 2, 3], unit: force}}",
+     .meaning = "names of your own for what is varied. Without `points` every value of one meets "
+                "every value of the others, those of the last one first"},
+    {"points", FW_FORM_LIST, .items = FW_FORM_POINT, .least = 1, .most = FW_CASES_MAX, NOT_STORED,
+     .default_meaning = "all combinations", .old_name = "values",
+     .meaning = "in place of the parameters' own values: the cases, as [{A: 1, p: 2}, {A: 3, p: "
+                "5}]"},
     {"set", FW_FORM_LIST, .items = FW_FORM_TEXT, .least = 1, .most = 64, NOT_STORED,
      .default_meaning = "required without `case`",
-     .meaning = "changes, as `--set` has them; in their values the parameter, or a number times it "
-                "as `24*A`, stands for its value"},
-    {"case", FW_FORM_NUMBER, NOT_STORED, .default_meaning = "all of them",
-     .meaning = "the only value to be run, as a study by itself"},
+     .meaning = "changes, as `--set` has them; in their values formulas of the parameters, as "
+                "`24*A`, `sqrt(A^2 + p^2)` or `rint(0.1/v)`, stand for numbers"},
+    {"case", FW_FORM_NUMBER | FW_FORM_POINT, NOT_STORED, .default_meaning = "all of them",
+     .meaning = "the only one to be run, as a study by itself: {A: 1, p: 2}; of one parameter its "
+                "value is enough"},
     {.name = NULL}};
 
 const fw_section fw_sweep_section = {
     "`study.sweep`", "a sweep",
-    "One study after the other, each with its results in `DIR/PARAMETER=VALUE`. "
-    "`DIR/sweep.csv` has means and standard errors of what is expected, and of the layer's "
-    "measures, against the parameter.",
+    "A study for each point, with its results in `DIR/PARAMETER=VALUE`, or "
+    "`DIR/A=1,p=2` of two parameters. `DIR/sweep.csv` has means and standard errors of what is "
+    "expected, and of the layer's measures, against the parameters. Formulas know `+ - * / ^`, "
+    "comparisons, `(c ? a : b)`, `sqrt`, `exp`, `ln`, `log10`, `sin`, `cos`, `tan`, `atan2`, "
+    "`abs`, `min`, `max`, `rint` (the nearest whole number), `pi`, and others of muParser.",
     .keys = sweep_keys};
 
-/* --- the sweep --- */
+/* --- settings --- */
 
-static fw_status read_values(fw_scenario *scenario, const fw_node *list, fw_error *error)
-{
-    fw_scenario_sweep *sweep = &scenario->study.sweep;
-    FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *sweep->values,
-                                &sweep->values, error));
-    for (const fw_node *node = list->first; node; node = node->next) {
-        const double value = fw_node_number(node);
-        for (int n = 0; n < sweep->value_count; ++n)
-            if (sweep->values[n] == value)
-                return fw_scenario_fail(scenario, node->place, error,
-                                        "study.sweep.values has %s twice, expected values that "
-                                        "differ",
-                                        node->text);
-        sweep->values[sweep->value_count++] = value;
-    }
-    return FW_OK;
-}
-
-/* The setting for a value of the parameter, in memory of the document. */
-static fw_status substitute(const fw_scenario *scenario, const fw_node *item, double value,
-                            const char **setting, fw_error *error)
+/* The setting at a point, in memory of the document. */
+static fw_status substitute(const fw_scenario *scenario, const fw_node *item, const double *values,
+                            bool *used, const char **setting, fw_error *error)
 {
     const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    fw_variable variables[FW_PARAMETERS_MAX];
     char *text;
-    FW_TRY(fw_scenario_allocate(scenario, fw_substitution_room(item->length), sizeof *text, &text,
-                                error));
-    *setting = text;
-    if (fw_substitution_write(item->text, sweep->parameter.text, value, text) > 0) return FW_OK;
-    return fw_scenario_fail(scenario, item->place, error,
-                            "the parameter %s does not occur in the setting '%s', expected "
-                            "KEY=VALUE with %s, or a number times it such as 2*%s, in the value",
-                            sweep->parameter.text, fw_text_quote(item->text, item->length).text,
-                            sweep->parameter.text, sweep->parameter.text);
+    for (int p = 0; p < sweep->parameter_count; ++p)
+        variables[p] = (fw_variable){sweep->parameters[p].name, values[p]};
+    const fw_status status =
+        fw_substitution_write(item->text, variables, sweep->parameter_count, &text, used, error);
+    FW_TRY(fw_scenario_fail_again(scenario, item->place, status, error));
+    *setting = fw_document_copy(scenario->document, text, strlen(text));
+    free(text);
+    return *setting ? FW_OK : fw_document_fail_memory(scenario->document, error);
 }
 
-static fw_status check_setting(const fw_scenario *scenario, const fw_node *item, fw_error *error)
+static fw_status check_setting(const fw_scenario *scenario, const fw_node *item, bool *used,
+                               fw_error *error)
 {
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
     const char *unused;
-    FW_TRY(substitute(scenario, item, 1, &unused, error));
+    bool own[FW_PARAMETERS_MAX] = {false}, any = false;
+    FW_TRY(substitute(scenario, item, sweep->values, own, &unused, error));
+    for (int p = 0; p < sweep->parameter_count; ++p) {
+        used[p] |= own[p];
+        any |= own[p];
+    }
+    const char *name = sweep->parameters[0].name;
+    if (!any)
+        return fw_scenario_fail(scenario, item->place, error,
+                                "no parameter occurs in the setting '%s', expected KEY=VALUE with "
+                                "%s, or a formula of it such as 2*%s, in the value",
+                                fw_text_quote(item->text, item->length).text, name, name);
     if (strcspn(item->text, ".=") != strlen("study") ||
         strncmp(item->text, "study", strlen("study")) != 0)
         return FW_OK;
@@ -86,25 +89,20 @@ static fw_status check_setting(const fw_scenario *scenario, const fw_node *item,
 static fw_status read_settings(fw_scenario *scenario, const fw_node *list, fw_error *error)
 {
     fw_scenario_sweep *sweep = &scenario->study.sweep;
+    bool used[FW_PARAMETERS_MAX] = {false};
     FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *sweep->settings,
                                 &sweep->settings, error));
     for (const fw_node *item = list->first; item; item = item->next) {
-        FW_TRY(check_setting(scenario, item, error));
+        FW_TRY(check_setting(scenario, item, used, error));
         sweep->settings[sweep->setting_count++] = item->text;
     }
+    for (int p = 0; p < sweep->parameter_count; ++p)
+        if (!used[p])
+            return fw_scenario_fail(scenario, sweep->parameters[p].place, error,
+                                    "the parameter %s changes nothing: it occurs in no setting of "
+                                    "study.sweep.set",
+                                    sweep->parameters[p].name);
     return FW_OK;
-}
-
-/* It stands in one line of the table, and beside the axis of pictures. */
-static fw_status check_unit(const fw_scenario *scenario, const fw_node *unit, fw_error *error)
-{
-    enum { LONGEST = 63 };
-    bool plain = !unit || unit->length <= LONGEST;
-    for (const char *c = unit ? unit->text : ""; *c; ++c) plain &= (unsigned char)*c >= ' ';
-    if (plain) return FW_OK;
-    return fw_scenario_fail(scenario, unit->place, error,
-                            "study.sweep.unit is '%s', expected at most %d bytes in one line",
-                            fw_text_quote(unit->text, unit->length).text, LONGEST);
 }
 
 /* What is compared must be measured in every case. */
@@ -121,20 +119,21 @@ static fw_status check_measured(const fw_scenario *scenario, fw_error *error)
 
 /* --- its cases --- */
 
-fw_status fw_scenario_find_value(const fw_scenario *scenario, const fw_node *node, int *number,
-                                 fw_error *error)
+/* From here on the document knows of no other case. */
+static void forget_others(fw_node *node)
 {
-    const fw_scenario_sweep *sweep = &scenario->study.sweep;
-    if (sweep->value_count == 0)
-        return fw_scenario_fail(scenario, node->key_place, error,
-                                "'%s' names a value of a sweep, but the study has no 'sweep'",
-                                node->key);
-    const double value = fw_node_number(node);
-    for (*number = 0; *number < sweep->value_count; ++*number)
-        if (sweep->values[*number] == value) return FW_OK;
-    return fw_scenario_fail(scenario, node->place, error,
-                            "'%s' is %s, which is not one of the values of %s in study.sweep",
-                            node->key, node->text, sweep->parameter.text);
+    static const char *const of_sweep[] = {"points", "set", NULL};
+    for (int n = 0; of_sweep[n]; ++n) {
+        const fw_node *other = fw_node_find(node, of_sweep[n]);
+        if (other) fw_node_remove(node, other);
+    }
+    fw_node *parameters = fw_node_find(node, "parameters");
+    for (fw_node *one = parameters->first; one; one = one->next)
+        for (const fw_node *key = one->first; key;) {
+            const fw_node *next = key->next;
+            if (strcmp(key->key, "unit") != 0) fw_node_remove(one, key);
+            key = next;
+        }
 }
 
 static fw_status apply_case(fw_scenario *scenario, fw_node *node, const fw_node *set,
@@ -145,10 +144,26 @@ static fw_status apply_case(fw_scenario *scenario, fw_node *node, const fw_node 
     int count = 0;
     FW_TRY(fw_scenario_allocate(scenario, (size_t)set->count, sizeof *settings, &settings, error));
     for (const fw_node *item = set->first; item; item = item->next)
-        FW_TRY(substitute(scenario, item, sweep->values[sweep->number], &settings[count++], error));
+        FW_TRY(substitute(scenario, item, sweep->values, NULL, &settings[count++], error));
     FW_TRY(fw_settings_apply(scenario->document, &fw_scenario_section, settings, count, error));
-    fw_node_remove(node, set);
+    forget_others(node);
     return fw_schema_check(scenario->document, &fw_scenario_section, error);
+}
+
+/* What the document says is one of the cases; a case that was made before says nothing of the
+ * others, and is its own. */
+static fw_status choose_case(fw_scenario *scenario, const fw_node *one, fw_error *error)
+{
+    fw_scenario_sweep *sweep = &scenario->study.sweep;
+    double *point;
+    FW_TRY(fw_scenario_allocate(scenario, (size_t)sweep->parameter_count, sizeof *point, &point,
+                                error));
+    FW_TRY(fw_scenario_read_point(scenario, one, true, point, error));
+    if (sweep->case_count > 0) FW_TRY(fw_scenario_check_point(scenario, one, point, error));
+    sweep->values = point;
+    sweep->case_count = 1;
+    sweep->is_case = true;
+    return FW_OK;
 }
 
 fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error)
@@ -159,27 +174,30 @@ fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error)
     fw_node *node = study ? fw_node_find(study, "sweep") : NULL;
     if (!node) return FW_OK;
     sweep->place = node->key_place;
-    FW_TRY(fw_schema_fill(scenario->document, &fw_sweep_section, node, sweep, error));
-    FW_TRY(check_unit(scenario, fw_node_find(node, "unit"), error));
-    FW_TRY(read_values(scenario, fw_node_find(node, "values"), error));
     const fw_node *set = fw_node_find(node, "set"), *one = fw_node_find(node, "case");
+    FW_TRY(fw_scenario_read_parameters(scenario, node, one && !set, error));
     if (!set && !one)
         return fw_scenario_fail(scenario, sweep->place, error,
                                 "study.sweep has no 'set', which says what the values change");
     if (set) FW_TRY(read_settings(scenario, set, error));
     FW_TRY(check_measured(scenario, error));
     if (!one) return FW_OK;
-    FW_TRY(fw_scenario_find_value(scenario, one, &sweep->number, error));
-    sweep->is_case = true;
+    FW_TRY(choose_case(scenario, one, error));
     return set ? apply_case(scenario, node, set, error) : FW_OK;
 }
 
-void fw_scenario_case_name(const fw_scenario *scenario, int number, char name[FW_CASE_NAME])
+int fw_scenario_case_name(const fw_scenario *scenario, int number, char name[FW_CASE_NAME])
 {
-    char value[FW_NUMBER_TEXT];
-    fw_number_write(value, scenario->study.sweep.values[number]);
-    snprintf(name, FW_CASE_NAME, "%.*s=%s", FW_NAME_BYTES - 1, scenario->study.sweep.parameter.text,
-             value);
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    int length = 0;
+    for (int p = 0; p < sweep->parameter_count; ++p) {
+        char value[FW_NUMBER_TEXT];
+        const size_t used = length < FW_CASE_NAME ? (size_t)length : FW_CASE_NAME - 1;
+        fw_number_write(value, fw_sweep_value(sweep, number, p));
+        length += snprintf(name + used, FW_CASE_NAME - used, "%s%s=%s", p > 0 ? "," : "",
+                           sweep->parameters[p].name, value);
+    }
+    return length;
 }
 
 fw_status fw_scenario_fail_case(const fw_scenario *sweep, int number, fw_status status,

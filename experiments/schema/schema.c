@@ -20,54 +20,6 @@ typedef struct checker {
     char path[PATH_SIZE]; /* "bodies.sheet.velocity" */
 } checker;
 
-/* --- sections and their keys --- */
-
-static bool is_row(const fw_section *section, const fw_key *key)
-{
-    const char *first = (const char *)section->rows, *at = (const char *)key;
-    return first && at >= first && at < first + section->row_count * section->row_size;
-}
-
-static const fw_key *first_plain(const fw_section *section)
-{
-    return section->keys && section->keys->name ? section->keys : NULL;
-}
-
-const fw_key *fw_section_first(const fw_section *section)
-{
-    return section->rows ? section->rows : first_plain(section);
-}
-
-const fw_key *fw_section_next(const fw_section *section, const fw_key *key)
-{
-    if (!is_row(section, key)) return key[1].name ? key + 1 : NULL;
-    const fw_key *next = (const fw_key *)(const void *)((const char *)key + section->row_size);
-    return is_row(section, next) ? next : first_plain(section);
-}
-
-const fw_key *fw_section_find(const fw_section *section, const char *name)
-{
-    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key))
-        if (!strcmp(key->name, name)) return key;
-    return NULL;
-}
-
-static int collect(const fw_section *section, const fw_section **sections, int count)
-{
-    for (int n = 0; n < count; ++n)
-        if (sections[n] == section) return count;
-    assert(count < FW_SECTIONS_MAX);
-    sections[count++] = section;
-    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key))
-        if (key->subsection) count = collect(key->subsection, sections, count);
-    return count;
-}
-
-int fw_schema_sections(const fw_section *root, const fw_section *sections[FW_SECTIONS_MAX])
-{
-    return collect(root, sections, 0);
-}
-
 /* --- the path to where we are --- */
 
 static size_t enter(checker *c, const char *name)
@@ -340,6 +292,19 @@ static fw_status check_named(checker *c, const fw_node *node, const fw_key *key)
     return FW_OK;
 }
 
+/* {A: 2.5, p: 1} */
+static fw_status check_point(checker *c, const fw_node *node, const fw_key *key)
+{
+    const fw_key number = {.name = key->name, .forms = FW_FORM_NUMBER};
+    if (node->count == 0) return refuse(c, node, key);
+    for (const fw_node *child = node->first; child; child = child->next) {
+        size_t before = enter(c, child->key);
+        FW_TRY(check_number(c, child, &number, FW_NUMBER_MAX));
+        leave(c, before);
+    }
+    return FW_OK;
+}
+
 static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key)
 {
     if (key->forms & FW_FORM_SYMMETRIC) return check_symmetric(c, node, key);
@@ -364,6 +329,7 @@ static fw_status check_value(checker *c, const fw_node *node, const fw_key *key)
 {
     if (key->forms & FW_FORM_NAMED) return check_named(c, node, key);
     if (node->kind == FW_SCALAR) return check_scalar(c, node, key);
+    if (node->kind == FW_MAPPING && key->forms & FW_FORM_POINT) return check_point(c, node, key);
     if (node->kind == FW_MAPPING)
         return key->forms & FW_FORM_MAPPING ? check_mapping(c, node, key->subsection)
                                             : refuse(c, node, key);

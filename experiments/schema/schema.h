@@ -28,7 +28,8 @@ typedef enum fw_form {
     FW_FORM_MAPPING = 1 << 11,  /* with the keys of section `subsection`: the section's object */
     FW_FORM_SELECTION = FW_FORM_WORD | FW_FORM_LIST | FW_FORM_MAPPING, /* not stored */
     FW_FORM_NAMED = 1 << 12, /* names of the user's own, each with a mapping: not stored */
-    FW_FORM_PATH = 1 << 13   /* names with '.' between them: as FW_FORM_NAME */
+    FW_FORM_PATH = 1 << 13,  /* names with '.' between them: as FW_FORM_NAME */
+    FW_FORM_POINT = 1 << 14  /* names of the user's own, each with a number: not stored */
 } fw_form;
 
 typedef enum fw_bounds {

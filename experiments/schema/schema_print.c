@@ -96,6 +96,10 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
                        bounds);
         join = " or ";
     }
+    if (forms & FW_FORM_POINT) {
+        fw_text_append(out, size, "%snames with a number each", join);
+        join = " or ";
+    }
     if (forms & FW_FORM_LIST) {
         fw_text_append(out, size, "%sa list of items, each ", join);
         append_forms(key, key->items, sentence, out, size);

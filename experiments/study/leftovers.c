@@ -64,7 +64,7 @@ static int find_case(const fw_scenario *scenario, const char *name)
 {
     char own[FW_CASE_NAME];
     if (!scenario || !fw_scenario_is_sweep(scenario)) return -1;
-    for (int n = 0; n < scenario->study.sweep.value_count; ++n) {
+    for (int n = 0; n < scenario->study.sweep.case_count; ++n) {
         fw_scenario_case_name(scenario, n, own);
         if (strcmp(own, name) == 0) return n;
     }
@@ -147,7 +147,7 @@ static fw_status check_needs(const char *directory, const fw_scenario *fresh, bo
         FW_TRY(fw_path_check_inner(path, error));
         if (fixed) FW_TRY(check_result(path, overwrite, error));
     }
-    for (int n = 0; fw_scenario_is_sweep(fresh) && n < fresh->study.sweep.value_count; ++n) {
+    for (int n = 0; fw_scenario_is_sweep(fresh) && n < fresh->study.sweep.case_count; ++n) {
         fw_scenario *case_of = NULL;
         fw_scenario_case_name(fresh, n, name);
         FW_TRY(fw_path_join(path, directory, name, error));
@@ -195,7 +195,7 @@ static fw_status add_result(fw_leftovers *list, const char *directory, const fw_
     if (has_control(old))
         FW_TRY(add_folder(list, directory, FW_CONTROL_FOLDER, old, fresh && has_control(fresh),
                           error));
-    for (int n = 0; fw_scenario_is_sweep(old) && n < old->study.sweep.value_count; ++n) {
+    for (int n = 0; fw_scenario_is_sweep(old) && n < old->study.sweep.case_count; ++n) {
         fw_scenario *case_of = NULL;
         char name[FW_CASE_NAME];
         fw_scenario_case_name(old, n, name);

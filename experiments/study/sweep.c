@@ -33,9 +33,9 @@ static fw_status create(fw_sweep **sweep, const fw_scenario *scenario,
     if (!made) return fw_fail_memory(error, "a sweep");
     made->scenario = scenario;
     made->options = *options;
-    made->cases = calloc((size_t)scenario->study.sweep.value_count, sizeof *made->cases);
+    made->cases = calloc((size_t)scenario->study.sweep.case_count, sizeof *made->cases);
     if (!made->cases) return fw_fail_memory(error, "a sweep");
-    for (int n = 0; n < scenario->study.sweep.value_count; ++n)
+    for (int n = 0; n < scenario->study.sweep.case_count; ++n)
         FW_TRY(fw_sweep_case_make(&made->cases[made->case_count++], scenario, n, error));
     for (int n = 0; options->progress && n < made->case_count; ++n)
         options->progress->total += fw_study_work(made->cases[n].scenario);

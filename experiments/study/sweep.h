@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep.h - a study for each of several values of a parameter, one after the other. Each case has
- * a folder of results of its own, DIR/PARAMETER=VALUE; DIR holds the scenario of the sweep from the
+/* sweep.h - a study for each of several values of parameters, one after the other. Each case has
+ * a folder of results of its own, DIR/A=1,p=2; DIR holds the scenario of the sweep from the
  * beginning, and its table from the end on. */
 #ifndef FW_SWEEP_H
 #define FW_SWEEP_H

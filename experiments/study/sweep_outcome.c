@@ -24,13 +24,26 @@ static void name_column(const fw_verdict *verdict, char name[FW_SWEEP_NAME])
                  (long long)e->until);
 }
 
+/* Of what is measured, not of the quantity that it is measured of. */
+static void name_unit(const fw_expectation *e, char unit[64])
+{
+    const fw_quantity *quantity = fw_quantity_find(e->quantity.text);
+    const bool in_time = !e->has_at;
+    snprintf(unit, 64, "%s", quantity ? quantity->unit : "");
+    if (in_time && e->statistic == FW_STATISTIC_RATE)
+        snprintf(unit, 64, "%.50s/time", quantity ? quantity->unit : "1");
+    if (in_time && (e->statistic == FW_STATISTIC_TIME_OF_MAXIMUM ||
+                    e->statistic == FW_STATISTIC_TIME_OF_MINIMUM))
+        snprintf(unit, 64, "time");
+}
+
 static bool add_verdict(fw_sweep_table *table, int row, const fw_verdict *verdict)
 {
     const fw_expectation *e = verdict->expectation;
-    const fw_quantity *quantity = fw_quantity_find(e->quantity.text);
-    char name[FW_SWEEP_NAME];
+    char name[FW_SWEEP_NAME], unit[64];
     name_column(verdict, name);
-    fw_sweep_column *column = fw_sweep_table_column(table, name, quantity ? quantity->unit : "");
+    name_unit(e, unit);
+    fw_sweep_column *column = fw_sweep_table_column(table, name, unit);
     if (!column) return false;
     column->mean[row] = verdict->measured;
     column->error[row] = verdict->error;
@@ -61,24 +74,29 @@ fw_status fw_sweep_outcome_table(fw_sweep_table *table, const fw_scenario *sweep
                                  const fw_sweep_case *cases, fw_error *error)
 {
     const fw_scenario_sweep *plan = &sweep->study.sweep;
-    FW_TRY(fw_sweep_table_create(table, plan->parameter.text, plan->unit, plan->values,
-                                 plan->value_count, error));
-    for (int n = 0; n < plan->value_count; ++n)
+    FW_TRY(fw_sweep_table_create(table, plan, error));
+    for (int n = 0; n < plan->case_count; ++n)
         if (!add_case(table, n, &cases[n])) return fw_fail_memory(error, "the table of a sweep");
     return FW_OK;
 }
 
 /* --- verdicts --- */
 
-/* The case with the next larger value that has not failed, or -1. */
-static int case_after(const fw_scenario_sweep *plan, const fw_sweep_case *cases, int number)
+/* The case with the next larger value of the parameter, and the same ones of all others, that has
+ * not failed; or -1. */
+static int case_after(const fw_scenario_sweep *plan, const fw_sweep_case *cases, int number,
+                      int along)
 {
-    const double *values = plan->values;
+    const double value = fw_sweep_value(plan, number, along);
+    double point[FW_PARAMETERS_MAX];
     int next = -1;
-    for (int n = 0; n < plan->value_count; ++n)
-        if (cases[n].failure.status == FW_OK && values[n] > values[number] &&
-            (next < 0 || values[n] < values[next]))
-            next = n;
+    for (int p = 0; p < plan->parameter_count; ++p)
+        point[p] = p == along ? NAN : fw_sweep_value(plan, number, p);
+    for (int n = 0; n < plan->case_count; ++n) {
+        if (cases[n].failure.status != FW_OK || !fw_sweep_is_at(plan, n, point)) continue;
+        const double other = fw_sweep_value(plan, n, along);
+        if (other > value && (next < 0 || other < fw_sweep_value(plan, next, along))) next = n;
+    }
     return next;
 }
 
@@ -97,8 +115,8 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
     double worst = INFINITY;
     bool has_error = false;
     snprintf(verdict.quantity, sizeof verdict.quantity, "%s", e->quantity.text);
-    for (int n = 0; n < plan->value_count; ++n) {
-        const int next = case_after(plan, cases, n);
+    for (int n = 0; n < plan->case_count; ++n) {
+        const int next = case_after(plan, cases, n, e->along);
         if (next < 0 || cases[n].failure.status != FW_OK) continue;
         const fw_verdict *low = &cases[n].verdicts.item[number];
         const fw_verdict *high = &cases[next].verdicts.item[number];
@@ -130,7 +148,7 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
 fw_status fw_sweep_outcome_verdicts(fw_verdicts *verdicts, const fw_scenario *sweep,
                                     const fw_sweep_case *cases, fw_error *error)
 {
-    const int case_count = sweep->study.sweep.value_count;
+    const int case_count = sweep->study.sweep.case_count;
     const size_t most = (size_t)sweep->expectation_count * (size_t)(case_count + 1);
     *verdicts = (fw_verdicts){.item = calloc(most + 1, sizeof *verdicts->item)};
     if (!verdicts->item) return fw_fail_memory(error, "the verdicts of a sweep");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_table.c - the outcome of a sweep on its way to its file and back.
- * Invariant: a column has a number, or NaN, for every value of the parameter. State:
+ * Invariant: a column has a number, or NaN, for every case. State:
  * fw_sweep_table, the caller's. Start reading at part_of(), which says how a column lies in
  * memory. */
 #include "experiments/study/sweep_table.h"
@@ -21,23 +21,33 @@ enum { MEAN, ERROR, AT_LEAST, EXPECTED, WITHIN, PARTS };
 static const char *const part_names[PARTS] = {"", " error", " error is lower bound", " expected",
                                               " within"};
 
-fw_status fw_sweep_table_create(fw_sweep_table *table, const char *parameter, const char *unit,
-                                const double *values, int value_count, fw_error *error)
+/* How many values the parameters have in all rows together. */
+static size_t value_count(const fw_sweep_table *table)
 {
-    *table = (fw_sweep_table){.value_count = value_count};
-    snprintf(table->parameter, sizeof table->parameter, "%s", parameter);
-    snprintf(table->unit, sizeof table->unit, "%s", unit ? unit : "");
-    table->values = fw_array_of_doubles((size_t)value_count);
-    table->failures = calloc((size_t)value_count + 1, sizeof *table->failures);
+    return (size_t)table->row_count * (size_t)table->axis_count;
+}
+
+fw_status fw_sweep_table_create(fw_sweep_table *table, const fw_scenario_sweep *sweep,
+                                fw_error *error)
+{
+    *table = (fw_sweep_table){.axis_count = sweep->parameter_count, .row_count = sweep->case_count};
+    for (int a = 0; a < table->axis_count; ++a) {
+        const fw_scenario_parameter *parameter = &sweep->parameters[a];
+        fw_sweep_axis *axis = &table->axes[a];
+        snprintf(axis->name, sizeof axis->name, "%s", parameter->name);
+        snprintf(axis->unit, sizeof axis->unit, "%s", parameter->unit ? parameter->unit : "");
+    }
+    table->values = fw_array_of_doubles(value_count(table));
+    table->failures = calloc((size_t)table->row_count + 1, sizeof *table->failures);
     if (!table->values || !table->failures) return fw_fail_memory(error, "the table of a sweep");
-    memcpy(table->values, values, (size_t)value_count * sizeof *values);
+    memcpy(table->values, sweep->values, value_count(table) * sizeof *table->values);
     return FW_OK;
 }
 
 void fw_sweep_table_clear(fw_sweep_table *table)
 {
     for (int c = 0; c < table->column_count; ++c) free(table->columns[c].mean);
-    for (int v = 0; table->failures && v < table->value_count; ++v) free(table->failures[v]);
+    for (int v = 0; table->failures && v < table->row_count; ++v) free(table->failures[v]);
     free(table->columns);
     free(table->failures);
     free(table->values);
@@ -47,7 +57,7 @@ void fw_sweep_table_clear(fw_sweep_table *table)
 /* All parts of a column share one piece of memory. */
 static double *part_of(const fw_sweep_table *table, int column, int part)
 {
-    return table->columns[column].mean + (size_t)part * (size_t)table->value_count;
+    return table->columns[column].mean + (size_t)part * (size_t)table->row_count;
 }
 
 fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, const char *unit)
@@ -61,17 +71,17 @@ fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, 
         table->columns = more;
         table->column_room = room;
     }
-    const size_t cells = PARTS * (size_t)table->value_count;
+    const size_t cells = PARTS * (size_t)table->row_count;
     fw_sweep_column *made = &table->columns[table->column_count];
     double *numbers = fw_array_of_doubles(cells);
     if (!numbers) return NULL;
     for (size_t n = 0; n < cells; ++n) numbers[n] = NAN;
-    for (int v = 0; v < table->value_count; ++v) numbers[AT_LEAST * table->value_count + v] = 0;
+    for (int v = 0; v < table->row_count; ++v) numbers[AT_LEAST * table->row_count + v] = 0;
     *made = (fw_sweep_column){.mean = numbers,
-                              .error = numbers + table->value_count,
-                              .at_least = numbers + AT_LEAST * table->value_count,
-                              .expected = numbers + EXPECTED * table->value_count,
-                              .within = numbers + WITHIN * table->value_count};
+                              .error = numbers + table->row_count,
+                              .at_least = numbers + AT_LEAST * table->row_count,
+                              .expected = numbers + EXPECTED * table->row_count,
+                              .within = numbers + WITHIN * table->row_count};
     snprintf(made->name, sizeof made->name, "%s", name);
     snprintf(made->unit, sizeof made->unit, "%s", unit);
     table->column_count += 1;
@@ -87,7 +97,7 @@ bool fw_sweep_table_fail(fw_sweep_table *table, int row, const char *reason)
 
 static bool has_failures(const fw_sweep_table *table)
 {
-    for (int v = 0; v < table->value_count; ++v)
+    for (int v = 0; v < table->row_count; ++v)
         if (table->failures[v]) return true;
     return false;
 }
@@ -106,7 +116,7 @@ static bool has_part(const fw_sweep_table *table, int column, int part)
 {
     const fw_sweep_column *c = &table->columns[column];
     if (part <= ERROR) return true;
-    for (int v = 0; v < table->value_count; ++v)
+    for (int v = 0; v < table->row_count; ++v)
         if (part == AT_LEAST ? c->at_least[v] != 0 : !isnan(c->expected[v])) return true;
     return false;
 }
@@ -117,7 +127,10 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
     fputs("# ", out);
     for (const char *c = title; *c; ++c) fputc(*c == '\n' ? ' ' : *c, out);
     fputs("\n# units: ", out);
-    fw_csv_write_text(out, table->unit);
+    for (int a = 0; a < table->axis_count; ++a) {
+        if (a > 0) fputc(',', out);
+        fw_csv_write_text(out, table->axes[a].unit);
+    }
     for (int c = 0; c < table->column_count; ++c)
         for (int p = 0; p < PARTS; ++p) {
             if (!has_part(table, c, p)) continue;
@@ -125,7 +138,8 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
             fw_csv_write_text(out, table->columns[c].unit);
         }
     if (has_failures(table)) fputc(',', out);
-    fprintf(out, "\n%s", table->parameter);
+    for (int a = 0; a < table->axis_count; ++a)
+        fprintf(out, "%c%s", a > 0 ? ',' : '\n', table->axes[a].name);
     for (int c = 0; c < table->column_count; ++c)
         for (int p = 0; p < PARTS; ++p) {
             if (!has_part(table, c, p)) continue;
@@ -142,10 +156,12 @@ static void write(FILE *out, const void *object)
     const titled *what = object;
     const fw_sweep_table *table = what->table;
     write_head(out, table, what->title);
-    for (int v = 0; v < table->value_count; ++v) {
-        char value[FW_NUMBER_TEXT];
-        fw_number_write(value, table->values[v]);
-        fputs(value, out);
+    for (int v = 0; v < table->row_count; ++v) {
+        for (int a = 0; a < table->axis_count; ++a) {
+            char value[FW_NUMBER_TEXT];
+            fw_number_write(value, table->values[v * table->axis_count + a]);
+            fprintf(out, "%s%s", a > 0 ? "," : "", value);
+        }
         for (int c = 0; c < table->column_count; ++c)
             for (int p = 0; p < PARTS; ++p) {
                 if (!has_part(table, c, p)) continue;
@@ -190,10 +206,13 @@ static int find_part(const fw_sweep_table *table, const char *name)
 static bool read_names(fw_sweep_table *table, layout *cells, char *units, char *names)
 {
     char *unit, *name;
-    units = fw_csv_cut(units, &unit);
-    snprintf(table->unit, sizeof table->unit, "%s", unit);
-    names = fw_csv_cut(names, &name);
-    snprintf(table->parameter, sizeof table->parameter, "%s", name);
+    for (int a = 0; a < table->axis_count; ++a) {
+        if (!names || !units) return false;
+        units = fw_csv_cut(units, &unit);
+        snprintf(table->axes[a].unit, sizeof table->axes[a].unit, "%s", unit);
+        names = fw_csv_cut(names, &name);
+        snprintf(table->axes[a].name, sizeof table->axes[a].name, "%s", name);
+    }
     while (names && units && cells->count < CELLS_MAX) {
         units = fw_csv_cut(units, &unit);
         names = fw_csv_cut(names, &name);
@@ -212,8 +231,11 @@ static bool read_names(fw_sweep_table *table, layout *cells, char *units, char *
 static bool read_values(fw_sweep_table *table, const layout *cells, char *line, int row)
 {
     char *cell;
-    line = fw_csv_cut(line, &cell);
-    table->values[row] = fw_number_scan(cell, NULL);
+    for (int a = 0; a < table->axis_count; ++a) {
+        if (!line) return false;
+        line = fw_csv_cut(line, &cell);
+        table->values[row * table->axis_count + a] = fw_number_scan(cell, NULL);
+    }
     for (int n = 0; n < cells->count; ++n) {
         if (!line) return false;
         line = fw_csv_cut(line, &cell);
@@ -235,27 +257,28 @@ static int count_lines(const char *text)
 static bool read_text(fw_sweep_table *table, char *text)
 {
     static const char units_head[] = "# units: ";
-    *table = (fw_sweep_table){.value_count = count_lines(text) - 3};
+    table->row_count = count_lines(text) - 3;
     fw_text_line(&text);
     char *units = fw_text_line(&text), *names = fw_text_line(&text);
     layout *cells = calloc(1, sizeof *cells);
-    bool fine = cells && names && table->value_count > 0 &&
+    bool fine = cells && names && table->row_count > 0 &&
                 strncmp(units, units_head, strlen(units_head)) == 0;
-    table->values = fine ? fw_array_of_doubles((size_t)table->value_count) : NULL;
-    table->failures = fine ? calloc((size_t)table->value_count, sizeof *table->failures) : NULL;
+    table->values = fine ? fw_array_of_doubles(value_count(table)) : NULL;
+    table->failures = fine ? calloc((size_t)table->row_count, sizeof *table->failures) : NULL;
     fine = fine && table->values && table->failures &&
            read_names(table, cells, units + strlen(units_head), names);
-    for (int v = 0; fine && v < table->value_count; ++v)
+    for (int v = 0; fine && v < table->row_count; ++v)
         fine = read_values(table, cells, fw_text_line(&text), v);
     free(cells);
     return fine;
 }
 
-fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, fw_error *error)
+fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, int axis_count,
+                              fw_error *error)
 {
     char *text;
     size_t size;
-    *table = (fw_sweep_table){0};
+    *table = (fw_sweep_table){.axis_count = axis_count};
     FW_TRY(fw_manifest_read(&text, &size, directory, FW_SWEEP_FILE, error));
     const bool fine = read_text(table, text);
     free(text);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep_table.h - what came out of a sweep: numbers with their errors against the parameter, and
+/* sweep_table.h - what came out of a sweep: numbers with their errors against the parameters, and
  * what was expected of them. In memory and as DIR/sweep.csv. */
 #ifndef FW_SWEEP_TABLE_H
 #define FW_SWEEP_TABLE_H
@@ -8,7 +8,7 @@
 
 enum { FW_SWEEP_NAME = FW_VERDICT_TEXT + FW_NAME_BYTES + 64 };
 
-/* One number, as it is called in the table of verdicts; [value_count] each, NaN where not known. */
+/* One number, as it is called in the table of verdicts; [row_count] each, NaN where not known. */
 typedef struct fw_sweep_column {
     char name[FW_SWEEP_NAME], unit[64];
     double *mean, *error;
@@ -16,32 +16,41 @@ typedef struct fw_sweep_column {
     double *expected, *within;
 } fw_sweep_column;
 
+/* What is varied, a column before all others. */
+typedef struct fw_sweep_axis {
+    char name[FW_NAME_BYTES], unit[64];
+} fw_sweep_axis;
+
 typedef struct fw_sweep_table {
-    char parameter[FW_NAME_BYTES], unit[64];
-    int value_count;
-    double *values; /* of the parameter */
+    int axis_count;
+    fw_sweep_axis axes[FW_PARAMETERS_MAX];
+    int row_count;  /* one per case */
+    double *values; /* [row_count][axis_count] of the parameters */
     int column_count, column_room;
     fw_sweep_column *columns;
     char **failures; /* why a case has no numbers; NULL of one that has */
 } fw_sweep_table;
 
-/* Values of the parameter, and no columns yet. A table that is all zero may be cleared. */
-fw_status fw_sweep_table_create(fw_sweep_table *table, const char *parameter, const char *unit,
-                                const double *values, int value_count, fw_error *error);
+/* Parameters with their values in all cases, and no columns yet. A table that is all zero may be
+ * cleared. */
+fw_status fw_sweep_table_create(fw_sweep_table *table, const fw_scenario_sweep *sweep,
+                                fw_error *error);
 void fw_sweep_table_clear(fw_sweep_table *table);
 
 /* A column by its name, made where there is none yet; NULL without memory. Adding another one may
  * move it. */
 fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, const char *unit);
 
-/* The case of this value has failed; false without memory. */
+/* The case of this row has failed; false without memory. */
 bool fw_sweep_table_fail(fw_sweep_table *table, int row, const char *reason);
 
 /* DIRECTORY/sweep.csv: two lines that begin with # (title and units), one of names, then one per
- * value. Where a case has failed a last column, `failure`, says why. */
+ * case, the parameters first. Where a case has failed a last column, `failure`, says why. */
 fw_status fw_sweep_table_write(const fw_sweep_table *table, const char *title,
                                const char *directory, fw_error *error);
-/* FW_BAD_INPUT: there is no such file, or it is not as it was written. */
-fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, fw_error *error);
+/* That of a sweep over so many parameters. FW_BAD_INPUT: there is no such file, or it is not as it
+ * was written. */
+fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, int axis_count,
+                              fw_error *error);
 
 #endif

@@ -15,7 +15,7 @@ static const char still[] = "title: a sheet flies\n"
 
 /* With `set` a sweep, or a study with a control. */
 #define SWEEP                                                                                      \
-    "--set 'study={sweep: {parameter: v, values: [0.1, 0.2],"                                      \
+    "--set 'study={sweep: {parameters: {v: {values: [0.1, 0.2]}},"                                 \
     " set: [\"bodies.sheet.velocity=[v, 0]\"]}}'"                                                  \
     " --set 'expect=[{quantity: energy-drift, below: 1e-12}]'"
 

@@ -24,8 +24,7 @@ static fw_verdict found_in(const char *quantity, int rows, fw_statistic what, in
                          .until = until,
                          .kind = FW_VERDICT_BOUNDS,
                          .has_above = true,
-                         .above = -1e9,
-                         .when = -1};
+                         .above = -1e9};
     const fw_scenario scenario = {.expectations = &e, .expectation_count = 1, .study.seeds = 1};
     probe = (fw_probe){.quantity = fw_quantity_find(quantity), .components = 1};
     snprintf(probe.label, sizeof probe.label, "%s", quantity);

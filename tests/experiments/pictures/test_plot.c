@@ -155,7 +155,7 @@ static void unknown_names_are_told_what_was_meant(void **state)
                    "no pictures of kind filed; did you mean field?");
     assert_refused(plot_one(&(fw_plot_wish){.kind = "movie"}), FW_BAD_INPUT,
                    "expected one of motion, forces, field, strip, series, profile, loop, "
-                   "analysis, or sweep in the folder of a sweep");
+                   "analysis, or sweep, map in the folder of a sweep");
     assert_refused(plot_one(&(fw_plot_wish){.field = "enegry"}), FW_BAD_INPUT,
                    "no field enegry; did you mean energy?");
     assert_refused(plot_one(&(fw_plot_wish){.field = "strain-xx"}), FW_BAD_INPUT,

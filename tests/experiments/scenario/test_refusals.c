@@ -125,7 +125,7 @@ static const struct {
     {"title: A sheet in a box", "title: [A, B]", "1:8: title is a list of 2, expected a text"},
     {"kind: motion", "kind: movie",
      "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, strip, series, "
-     "profile, loop, analysis, sweep"},
+     "profile, loop, analysis, sweep, map"},
     {"sites: right", "sites: rihgt",
      "14:30: forces.pull.sites is 'rihgt', expected all, a side, [[i, j], ...] or a mapping; did "
      "you mean 'right'?"},
@@ -248,8 +248,8 @@ static const struct {
      "17:40: 'when' names a value of a sweep, but the study has no 'sweep'"},
     {"kind: motion, instants: [0, 2000]", "kind: sweep",
      "19:16: pictures.fig1 is of kind 'sweep', but the study has no 'sweep'"},
-    {"record-every: 20}", "record-every: 20}\nstudy: {sweep: {parameter: v}}",
-     "16:9: study.sweep has no 'values', which a sweep must have"},
+    {"record-every: 20}", "record-every: 20}\nstudy: {sweep: {set: [run.steps=v]}}",
+     "16:9: study.sweep has no 'parameters', which a sweep must have"},
     {"below: 1e-11", "below: 1, above: 2",
      "17:47: the expectation of 'energy-drift' is above 2 and below 1, which no number is"},
     {"below: 1e-11", "value: 0, within-relative: .1",

@@ -22,7 +22,7 @@ static const char sweep[] = "title: a sheet flies\n"
                             "materials: {rubber: {lattice-boltzmann: {rest-mass: 0}}}\n"
                             "bodies: {sheet: {material: rubber, shape: {rectangle: [3, 3]}}}\n"
                             "run: {steps: 20}\n"
-                            "study: {sweep: {parameter: v, values: [0.1, 0.2, 0.3], set: "
+                            "study: {sweep: {parameters: {v: {values: [0.1, 0.2, 0.3]}}, set: "
                             "['bodies.sheet.velocity=[v, 0]']}}\n"
                             "expect: [{quantity: energy-drift, below: 1e-12}]\n"
                             "pictures: {speeds: {kind: sweep}, way: {kind: motion}}\n";
@@ -81,7 +81,9 @@ static void a_sweep_leaves_only_the_cases_of_the_next(void **state)
     write_scenario(folder, "sweep.yaml", sweep);
     run_into_it(folder, "run sweep.yaml -q -o it");
     assert_all(folder, gone, true);
-    run_into_it(folder, "run sweep.yaml -q -o it --overwrite --set study.sweep.values=[0.2,0.4]");
+    run_into_it(
+        folder,
+        "run sweep.yaml -q -o it --overwrite --set study.sweep.parameters.v.values=[0.2,0.4]");
     assert_all(folder, gone, false);
     assert_all(folder, kept, true);
     run_into_it(folder, "run free-particle -q --no-plot -o it --overwrite");

@@ -14,7 +14,7 @@ static void an_error_that_is_a_lower_bound_stays_one(void **state)
         "grips: {g: {body: c, tether: [0.01, 0.01]}}\n"
         "dynamics: {time-step: 0.05, damping: 1, temperature: 1}\n"
         "run: {steps: 2000, measure-every: 10, seed: 2}\n"
-        "study: {sweep: {parameter: T, values: [1, 2], set: [dynamics.temperature=T]}}\n"
+        "study: {sweep: {parameters: {T: {values: [1, 2]}}, set: [dynamics.temperature=T]}}\n"
         "expect:\n"
         "  - {quantity: centre-of-mass, component: x, statistic: mean, below: 1e3}\n"
         "  - {quantity: temperature, statistic: mean, below: 1}\n";

@@ -6,7 +6,6 @@
 #include "experiments/scenario/scenario.h"
 #include "experiments/study/sweep.h"
 #include "experiments/text/number.h"
-#include "experiments/text/substitution.h"
 #include "tests/support/program.h"
 
 static const char flights[] =
@@ -17,9 +16,8 @@ static const char flights[] =
     "run: {steps: 40, record-every: 10}\n"
     "study:\n"
     "  sweep:\n"
-    "    parameter: v\n"
-    "    unit: length/time\n"
-    "    values: [0.1, 0.05, 0.2]\n"
+    "    parameters:\n"
+    "      v: {values: [0.1, 0.05, 0.2], unit: length/time}\n"
     "    set: ['bodies.sheet.velocity=[-v, 0.5*v]']\n"
     "expect:\n"
     "  - {quantity: energy-drift, statistic: largest, below: 1e-12}\n"
@@ -29,6 +27,12 @@ static const char flights[] =
     "pictures:\n"
     "  speeds: {kind: sweep}\n"
     "  way: {kind: motion}\n";
+
+/* What follows the parameter v in the text above. */
+#define TAIL(more, speed, when)                                                                    \
+    "length/time}\n" more "    set: ['bodies.sheet.velocity=[-" speed ", 0.5*v]']\nexpect:\n"      \
+    "  - {quantity: energy-drift, statistic: largest, below: 1e-12}\n"                             \
+    "  - {quantity: energy, when: " when ", value: 0.6"
 
 /* In the text above the first `written` becomes `instead`. */
 static char *change(const char *written, const char *instead)
@@ -42,39 +46,6 @@ static char *change(const char *written, const char *instead)
 }
 
 /* --- parameters --- */
-
-static void parameter_stands_for_its_value(void **state)
-{
-    static const struct {
-        const char *setting;
-        double value;
-        int count;
-        const char *wanted;
-    } rows[] = {
-        {"a.b=A", 2.5, 1, "a.b=2.5"},
-        {"a.b=[0, 24*A]", 2.5, 1, "a.b=[0, 60]"},
-        {"a.b=[-24*A,A]", 0.5, 2, "a.b=[-12,0.5]"},
-        {"a.b=-A", -3, 1, "a.b=3"},
-        {"a.b=[1e3*A]", 100, 1, "a.b=[100000]"},
-        {"a.b=A", 0.1, 1, "a.b=0.1"},
-        {"a.b=3*A", 0.1, 1, "a.b=0.30000000000000004"},
-        {"a.b=-A", 0, 1, "a.b=0"},
-        {"a.b={x: A, y: 'A'}", 7, 2, "a.b={x: 7, y: '7'}"},
-        /* A key, another name, and no product. */
-        {"A.b={A: 1, AA: 2}", 7, 0, "A.b={A: 1, AA: 2}"},
-        {"a.b=[AB, x*A, 2A, A2, *A]", 7, 0, "a.b=[AB, x*A, 2A, A2, *A]"},
-        {"a.A", 7, 0, "a.A"},
-    };
-    (void)state;
-    for (size_t n = 0; n < sizeof rows / sizeof rows[0]; ++n) {
-        char *out = malloc(fw_substitution_room(strlen(rows[n].setting)));
-        assert_non_null(out);
-        assert_int_equal(fw_substitution_write(rows[n].setting, "A", rows[n].value, out),
-                         rows[n].count);
-        assert_string_equal(out, rows[n].wanted);
-        free(out);
-    }
-}
 
 static void written_numbers_read_back(void **state)
 {
@@ -102,7 +73,8 @@ static void case_is_a_scenario_of_its_own(void **state)
     assert_true(fw_scenario_is_sweep(sweep));
     assert_fine(fw_scenario_read_case(&made, sweep, 2, &error));
     assert_false(fw_scenario_is_sweep(made));
-    assert_int_equal(made->study.sweep.number, 2);
+    assert_int_equal(made->study.sweep.case_count, 1);
+    assert_true(fw_sweep_value(&made->study.sweep, 0, 0) == 0.2);
     assert_true(made->bodies[0].velocity.x == -0.2 && made->bodies[0].velocity.y == 0.1);
     assert_true(sweep->bodies[0].velocity.x == 0);
     assert_fine(fw_scenario_print(made, &text, &error));
@@ -125,39 +97,95 @@ static void case_is_a_scenario_of_its_own(void **state)
 static const struct {
     const char *written, *instead, *sentence; /* after "flights.yaml:" */
 } mistakes[] = {
-    {"parameter:", "paramter:",
-     "8:5: unknown key 'paramter' in study.sweep; did you mean 'parameter'?"},
-    {"parameter: v", "parameter: 2v", "8:16: study.sweep.parameter is '2v', expected a name"},
-    {"[0.1, 0.05, 0.2]", "[]", "10:13: study.sweep.values has 0 items, expected 1 to 1024"},
+    {"parameters:", "parameter:",
+     "8:5: unknown key 'parameter' in study.sweep; it is now called 'parameters'"},
+    {"parameters:\n      v:", "parameters:\n      2v:",
+     "9:7: '2v' as a name in study.sweep.parameters, expected a letter and then letters, digits, "
+     "'-' or '_'"},
+    {"parameters:\n      v:", "parameters:\n      v-x:",
+     "9:7: 'v-x' cannot stand in a formula, expected a letter and then letters, digits or '_'"},
+    {"parameters:\n      v:", "parameters:\n      sin:",
+     "9:7: 'sin' is a function or constant of formulas, expected another name"},
+    {"parameters:\n      v:", "parameters:\n      pi:",
+     "9:7: 'pi' is a function or constant of formulas, expected another name"},
+    {"values: [0.1, 0.05, 0.2]", "values: []",
+     "9:19: study.sweep.parameters.v.values has 0 items, expected 1 to 1024"},
     {"[0.1, 0.05, 0.2]", "[0.1, 0.2, 1e-1]",
-     "10:24: study.sweep.values has 1e-1 twice, expected values that differ"},
-    {"[0.1, 0.05, 0.2]", "[0.1, fast]", "10:19: study.sweep.values.1 is 'fast', expected a number"},
+     "9:30: the values of v have 1e-1 twice, expected values that differ"},
+    {"[0.1, 0.05, 0.2]", "[0.1, fast]",
+     "9:25: study.sweep.parameters.v.values.1 is 'fast', expected a number"},
+    {"values: [0.1, 0.05, 0.2], ", "",
+     "9:7: v has no values, expected 'values', or 'from', 'to' and 'count', or 'points' of the "
+     "sweep"},
+    {"values: [0.1, 0.05, 0.2]", "values: [0.2], from: 1, to: 2, count: 2",
+     "9:26: v has both 'values' and 'from', expected one of them"},
+    {"values: [0.1, 0.05, 0.2]", "from: 1, to: 2",
+     "9:20: study.sweep.parameters.v has 'to' but no 'count', without which it means nothing"},
+    {"values: [0.1, 0.05, 0.2]", "from: 1, to: 2, count: 1",
+     "9:34: study.sweep.parameters.v.count is '1', expected a whole number from 2 to 1024"},
+    {"values: [0.1, 0.05, 0.2]", "from: 2, to: 2, count: 3",
+     "9:24: the range of v goes from 2 to 2, expected values that differ"},
+    {"values: [0.1, 0.05, 0.2]", "from: 0, to: 2, count: 3, spacing: logarithmic",
+     "9:17: the range of v goes from 0 to 2, which no equal factors do: expected two numbers above "
+     "0"},
+    {"values: [0.1, 0.05, 0.2]", "from: 0, to: 2, count: 3, spacing: log",
+     "9:46: study.sweep.parameters.v.spacing is 'log', expected one of linear, logarithmic"},
+    {"length/time}\n", "length/time}\n    points: [{v: 1}]\n",
+     "9:11: v has 'values', but study.sweep has 'points': expected one of the two"},
+    {"values: [0.1, 0.05, 0.2], unit: length/time}\n", "unit: m}\n    points: [{v: 1}, {w: 2}]\n",
+     "10:23: 'w' is no parameter of study.sweep, expected one of v"},
+    {"values: [0.1, 0.05, 0.2], unit: length/time}\n",
+     "unit: m}\n    points: [{v: 1}, {v: 2}, {v: 1}]\n",
+     "10:30: the points 0 and 2 of study.sweep are the same, expected points that differ"},
+    {"values: [0.1, 0.05, 0.2], unit: length/time}\n",
+     "unit: m}\n      w: {}\n    points: [{v: 1, w: 1}, {v: 2}]\n",
+     "11:28: 'a point' has no value of w, expected one of each parameter"},
+    {"length/time}\n", "length/time}\n      w: {values: [1, 2]}\n",
+     "10:7: the parameter w changes nothing: it occurs in no setting of study.sweep.set"},
+    {"values: [0.1, 0.05, 0.2], unit: length/time}\n",
+     "from: 1, to: 2, count: 1000}\n      w: {from: 1, to: 2, count: 1000}\n",
+     "7:3: study.sweep has 1000000 cases, expected at most 10000"},
     {"    set: ['bodies.sheet.velocity=[-v, 0.5*v]']\n", "",
      "7:3: study.sweep has no 'set', which says what the values change"},
     {"[-v, 0.5*v]", "[1, 2]",
-     "11:11: the parameter v does not occur in the setting 'bodies.sheet.velocity=[1, 2]', "
-     "expected "
-     "KEY=VALUE with v, or a number times it such as 2*v, in the value"},
+     "10:11: no parameter occurs in the setting 'bodies.sheet.velocity=[1, 2]', expected KEY=VALUE "
+     "with v, or a formula of it such as 2*v, in the value"},
+    {"0.5*v]", "0.5*v*x]",
+     "10:11: the formula '0.5*v*x' has the unknown name 'x', expected a parameter of the sweep or "
+     "a function such as sqrt"},
     {"bodies.sheet.velocity=[-v, 0.5*v]", "study.seeds=v",
-     "11:11: the setting 'study.seeds=v' changes the study that it is part of, expected another "
+     "10:11: the setting 'study.seeds=v' changes the study that it is part of, expected another "
      "key"},
     {"bodies.sheet.velocity=[-v, 0.5*v]", "study={seeds: v}",
-     "11:11: the setting 'study={seeds: v}' changes the study that it is part of, expected another "
+     "10:11: the setting 'study={seeds: v}' changes the study that it is part of, expected another "
      "key"},
+    {"bodies.sheet.velocity=[-v, 0.5*v]", "study.sweep.parameters.v.values=[v]",
+     "10:11: the setting 'study.sweep.parameters.v.values=[v]' changes the study that it is part "
+     "of, expected another key"},
     {"unit: length/time", "unit: \"len\\ngth\"",
-     "9:11: study.sweep.unit is 'len gth', expected at most 63 bytes in one line"},
-    {"when: 0.2", "when: 0.3",
-     "14:30: 'when' is 0.3, which is not one of the values of v in study.sweep"},
+     "9:43: the unit of v is 'len gth', expected at most 63 bytes in one line"},
+    {"when: 0.2", "when: 0.3", "13:30: 'when' is v=0.3, where study.sweep has no case"},
+    {"when: 0.2", "when: {w: 0.2}", "13:31: 'w' is no parameter of study.sweep, expected one of v"},
     {"trend: rises", "trend: rises, when: 0.1",
-     "15:38: the expectation of 'energy' has both 'trend' and 'when', expected one of them"},
+     "14:38: the expectation of 'energy' has both 'trend' and 'when', expected one of them"},
     {"trend: rises", "trend: rises, above: 1",
-     "15:38: the expectation of 'energy' has both 'trend' and 'above', expected one of them"},
+     "14:38: the expectation of 'energy' has both 'trend' and 'above', expected one of them"},
+    {"trend: rises", "trend: rises, along: w",
+     "14:45: 'w' is no parameter of study.sweep, expected one of v"},
     {"[0.1, 0.05, 0.2]", "[0.2]",
-     "15:24: the expectation of 'energy' has a 'trend', but the study has no 'sweep' of two values "
+     "14:24: the expectation of 'energy' has a 'trend', but the study has no 'sweep' of two values "
      "or more"},
     {"kind: sweep", "kind: sweep, field: speed",
-     "17:25: pictures.speeds has 'field', which a picture of kind 'sweep' does not draw"},
+     "16:25: pictures.speeds has 'field', which a picture of kind 'sweep' does not draw"},
+    {"kind: sweep", "kind: map",
+     "16:18: pictures.speeds is of kind 'map', but study.sweep has 1 parameter, expected two"},
+    {"kind: sweep", "kind: sweep, along: w",
+     "16:32: 'w' is no parameter of study.sweep, expected one of v"},
     /* What shows in a case alone. */
+    {"[-v, 0.5*v]", "[-v, 0.01/(v - 0.2)]",
+     "7:3: the case v=0.2: flights.yaml:10:11: the formula '0.01/(v - 0.2)' is infinite where "
+     "v=0.2, expected a finite "
+     "number"},
     {"bodies.sheet.velocity", "bodies.shet.velocity",
      "7:3: the case v=0.1: --set bodies.shet.velocity=[-0.1, 0.05]: there is no 'shet' in bodies; "
      "did you mean 'sheet'?"},
@@ -170,9 +198,17 @@ static const struct {
     {"bodies.sheet.velocity=[-v, 0.5*v]", "expect.3={quantity: energy, above: v}",
      "7:3: the case v=0.1: it has 4 expectations, expected the 3 of the sweep"},
     {"kind: sweep", "kind: sweep, observables: [momentum]",
-     "7:3: the case v=0.1: flights.yaml:17:39: a picture of a sweep draws momentum, which the "
+     "7:3: the case v=0.1: flights.yaml:16:39: a picture of a sweep draws momentum, which the "
      "sweep "
      "does not compare: expected a quantity of 'expect'"},
+    /* Of two parameters. */
+    {TAIL("", "v", "0.2"), TAIL("      w: {values: [1, 2]}\n", "w*v", "0.2"),
+     "14:30: 'when' is 0.2, but study.sweep has 2 parameters: expected their names, as {v: 0.2}"},
+    {TAIL("", "v", "0.2"), TAIL("      w: {values: [1, 2]}\n", "w*v", "{v: 0.2, w: 3}"),
+     "14:30: 'when' is v=0.2,w=3, where study.sweep has no case"},
+    {TAIL("", "v", "0.2"), TAIL("      w: {values: [1, 2]}\n", "w*v", "{v: 0.2}"),
+     "15:24: the expectation of 'energy' has a 'trend', but study.sweep has 2 parameters: expected "
+     "'along' with one of them"},
 };
 
 static void every_mistake_gets_its_sentence_and_leaves_nothing(void **state)
@@ -338,10 +374,10 @@ static void table_holds_what_the_cases_show(void **state)
     outcome seen = run_program(folder, "run flights.yaml -q --no-plot -o it");
     expect_end(&seen, 0, "");
     snprintf(path, sizeof path, "%s/it", folder);
-    assert_fine(fw_sweep_table_read(&table, path, &error));
-    assert_string_equal(table.parameter, "v");
-    assert_string_equal(table.unit, "length/time");
-    assert_int_equal(table.value_count, 3);
+    assert_fine(fw_sweep_table_read(&table, path, 1, &error));
+    assert_string_equal(table.axes[0].name, "v");
+    assert_string_equal(table.axes[0].unit, "length/time");
+    assert_int_equal(table.row_count, 3);
     assert_int_equal(table.column_count, 2);
     static const double values[] = {0.1, 0.05, 0.2};
     const fw_sweep_column *energy = &table.columns[1];
@@ -356,7 +392,7 @@ static void table_holds_what_the_cases_show(void **state)
     }
     fw_sweep_table_clear(&table);
     shell(folder, "sed '$ s/,[^,]*$//' it/sweep.csv > cut.csv && mv cut.csv it/sweep.csv");
-    assert_refused(fw_sweep_table_read(&table, path, &error), FW_BAD_INPUT,
+    assert_refused(fw_sweep_table_read(&table, path, 1, &error), FW_BAD_INPUT,
                    "it/sweep.csv is damaged or was changed");
     remove_folder(folder);
 }
@@ -392,7 +428,6 @@ static void results_of_runs_and_sweeps_do_not_mix(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parameter_stands_for_its_value),
         cmocka_unit_test(written_numbers_read_back),
         cmocka_unit_test(case_is_a_scenario_of_its_own),
         cmocka_unit_test(every_mistake_gets_its_sentence_and_leaves_nothing),

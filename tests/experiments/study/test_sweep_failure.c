@@ -11,7 +11,7 @@ static const char hopeless[] = "title: a sweep with one hopeless case\n"
                                "materials: {m: {lattice-boltzmann: {rest-mass: 1}}}\n"
                                "bodies: {b: {material: m, shape: {rectangle: [4, 4]}}}\n"
                                "run: {steps: 3}\n"
-                               "study: {sweep: {parameter: v, values: [0.1, 1e6, 0.2], set: "
+                               "study: {sweep: {parameters: {v: {values: [0.1, 1e6, 0.2]}}, set: "
                                "['bodies.b.velocity=[v, 0]']}}\n"
                                "expect:\n"
                                "  - {quantity: mean-velocity, component: x, above: -1}\n"
@@ -22,8 +22,8 @@ static void check_table(const char *folder)
     char path[128];
     fw_sweep_table table;
     snprintf(path, sizeof path, "%s/it", folder);
-    assert_fine(fw_sweep_table_read(&table, path, &error));
-    assert_int_equal(table.value_count, 3);
+    assert_fine(fw_sweep_table_read(&table, path, 1, &error));
+    assert_int_equal(table.row_count, 3);
     assert_int_equal(table.column_count, 1);
     assert_close(table.columns[0].mean[0], 0.1, 1e-12);
     assert_true(isnan(table.columns[0].mean[1]));
@@ -105,8 +105,7 @@ static const char rubbing[] =
     "  seeds: 2\n"
     "  control: ['phases.sample.grips.left.amplitude=[0, 0]']\n"
     "  sweep:\n"
-    "    parameter: A\n"
-    "    values: [1, 0.5, 2]\n"
+    "    parameters: {A: {values: [1, 0.5, 2]}}\n"
     "    set: ['phases.sample.grips.left.amplitude=[0, 6*A]']\n"
     "expect:\n"
     "  - {quantity: momentum-error, component: x, statistic: largest, below: 1}\n"
