@@ -77,6 +77,7 @@ typedef struct fw_automaton {
     int run_count;
     fw_automaton_run *run; /* ascending: all particles */
     int row_count;         /* rows of the lattice that have cells, ascending */
+    bool ring_of_rows;     /* the last row has bonds to the first */
     fw_automaton_colour colour[FW_COLOURS];
     fw_arena cells;   /* of the arrays of both colours but spans and rims */
     int *cell;        /* of each particle: its number within its colour */
@@ -89,7 +90,7 @@ typedef struct fw_automaton {
                        * whole; else NULL */
     int (*built)[FW_DIRECTIONS]; /* breakable bodies: white neighbours of each black cell as made */
     fw_vec2 *moved; /* breakable bodies: displacement of each cell of the colour that moved */
-    fw_automaton_share *share; /* of each row in a half-step */
+    fw_automaton_share *share; /* of each row in FW_SHARED_TICKS ticks */
 } fw_automaton;
 
 static inline fw_automaton *fw_automaton_of(fw_solid *solid)
@@ -145,6 +146,8 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
                           fw_prediction *out);
 fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints,
                                int constraint_count, fw_error *error);
+
+fw_status fw_automaton_advance_free(fw_solid *solid, int ticks, fw_error *error);
 
 /* The starting state of the definition: automaton_start.c. */
 void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* automaton_layout.c - from a set of sites to colours, spans and rims. Keeps no state.
  * Start reading at fw_automaton_lay_out(). */
-#include "automaton_body.h"
+#include "automaton_sweep.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -192,7 +192,7 @@ static fw_status list_runs(fw_automaton *body, const fw_sites *sites, fw_error *
 {
     cut_runs(body, sites);
     body->run = fw_array_allocate((size_t)body->run_count, sizeof *body->run);
-    body->share = fw_array_allocate((size_t)body->row_count, sizeof *body->share);
+    body->share = fw_array_allocate(FW_SHARED_TICKS * (size_t)body->row_count, sizeof *body->share);
     if (!body->run || !body->share) return fw_fail_memory(error, "the rows of an automaton");
     cut_runs(body, sites);
     return FW_OK;
@@ -343,6 +343,7 @@ fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_de
     const size_t size = (size_t)body->head.count;
     surroundings around = {fw_array_allocate(size, sizeof *around.next),
                            fw_array_allocate(size, sizeof *around.seam)};
+    body->ring_of_rows = def->period_rows > 0;
     fw_status status = around.next && around.seam
                            ? FW_OK
                            : fw_fail_memory(error, "the neighbours of an automaton");

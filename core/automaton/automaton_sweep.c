@@ -8,34 +8,19 @@
  * Displacements are kept small: a body that has drifted far has its common part moved from x, y
  * into the integers `drift`. Otherwise the last bit of a displacement of 400 spacings would be all
  * that is left of the precision of the differences, on which the energy stands. */
-#include "automaton_body.h"
-#include "automaton_kernels.h"
+#include "automaton_sweep.h"
 
 #include <math.h>
 
-enum { THREADS_FROM = 16384, RECENTRE_EVERY = 16 };
-
-/* What is the same for all cells in a half-step. */
-typedef struct half_step {
-    const fw_automaton *body;
-    int colour;
-    const fw_constraint *constraints; /* NULL: nothing is held */
-    double share_of_pull;             /* (1 + a)/2 */
-    double loss;                      /* (1 - a)/(1 + a) */
-    const fw_automaton_kernels *kernels;
-    fw_automaton_move move; /* for the kernels */
-} half_step;
-
-static half_step half_step_of(const fw_automaton *body)
+fw_half_step fw_half_step_of(const fw_automaton *body, int colour)
 {
     const double a = body->reflection;
-    const int moving = fw_automaton_moving(body);
-    const fw_automaton_colour *own = &body->colour[moving], *other = &body->colour[!moving];
-    half_step step = {.body = body,
-                      .colour = moving,
-                      .share_of_pull = (1 + a) / 2,
-                      .loss = (1 - a) / (1 + a),
-                      .kernels = FW_KERNELS_CHOSEN(fw_automaton_kernels)};
+    const fw_automaton_colour *own = &body->colour[colour], *other = &body->colour[!colour];
+    fw_half_step step = {.body = body,
+                         .colour = colour,
+                         .share_of_pull = (1 + a) / 2,
+                         .loss = (1 - a) / (1 + a),
+                         .kernels = FW_KERNELS_CHOSEN(fw_automaton_kernels)};
     step.move = (fw_automaton_move){.x = own->x,
                                     .y = own->y,
                                     .other_x = other->x,
@@ -49,7 +34,7 @@ static half_step half_step_of(const fw_automaton *body)
 }
 
 /* (1 + a)/2 m^-1, how far a unit of force moves a cell. */
-static fw_sym2 mobility(const half_step *step, fw_sym2 inverse_mass)
+static fw_sym2 mobility(const fw_half_step *step, fw_sym2 inverse_mass)
 {
     return fw_sym2_scale(step->share_of_pull, inverse_mass);
 }
@@ -57,7 +42,7 @@ static fw_sym2 mobility(const half_step *step, fw_sym2 inverse_mass)
 /* Free displacement (1 + a)/2 m^-1 s of a rim cell. The rounding of m^-1 is the same each time and
  * would add up to 1e-12 of the energy in 10^4 steps; a second pass over what m d misses leaves only
  * rounding that varies. */
-static fw_vec2 rim_displacement(const half_step *step, const fw_automaton_rim *rim, fw_vec2 s)
+static fw_vec2 rim_displacement(const fw_half_step *step, const fw_automaton_rim *rim, fw_vec2 s)
 {
     const fw_sym2 m = rim->mass;
     fw_vec2 d = fw_sym2_apply(rim->inverse_mass, s);
@@ -72,7 +57,7 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
                           fw_prediction *out)
 {
     const fw_automaton *body = fw_automaton_of_const(solid);
-    const half_step step = half_step_of(body);
+    const fw_half_step step = fw_half_step_of(body, fw_automaton_moving(body));
     for (int n = 0; n < count; ++n) {
         const int particle = particles[n];
         out[n] = (fw_prediction){{0, 0}, {0, 0, 0}, {0, 0}};
@@ -95,8 +80,8 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
 
 /* Moves one cell by d, or by what its constraint says, and adds what went through its bounds to the
  * share. */
-static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw_sym2 inverse_mass,
-                 fw_vec2 d, fw_automaton_share *share)
+static void move(const fw_half_step *step, int cell, int particle, fw_sym2 mass,
+                 fw_sym2 inverse_mass, fw_vec2 d, fw_automaton_share *share)
 {
     const fw_solid *head = &step->body->head;
     const fw_automaton_colour *colour = &step->body->colour[step->colour];
@@ -123,7 +108,7 @@ static void move(const half_step *step, int cell, int particle, fw_sym2 mass, fw
 }
 
 /* Cell by cell, since constraints decide for some. */
-static void move_held_span(const half_step *step, const fw_automaton_span *span,
+static void move_held_span(const fw_half_step *step, const fw_automaton_span *span,
                            fw_automaton_share *share)
 {
     for (int k = 0; k < span->count; ++k) {
@@ -133,7 +118,8 @@ static void move_held_span(const half_step *step, const fw_automaton_span *span,
     }
 }
 
-static void move_rim(const half_step *step, const fw_automaton_rim *rim, fw_automaton_share *share)
+static void move_rim(const fw_half_step *step, const fw_automaton_rim *rim,
+                     fw_automaton_share *share)
 {
     const fw_vec2 pull = fw_automaton_rim_pull(step->body, step->colour, rim);
     const int particle = step->body->colour[step->colour].particle[rim->cell];
@@ -141,29 +127,30 @@ static void move_rim(const half_step *step, const fw_automaton_rim *rim, fw_auto
          share);
 }
 
-static void move_row(const half_step *step, int number)
+void fw_half_step_move_row(const fw_half_step *step, int number, fw_automaton_share *share)
 {
     const fw_automaton_colour *colour = &step->body->colour[step->colour];
     const fw_automaton_row *row = &colour->row[number];
-    fw_automaton_share share = {0, 0, {0, 0}, {0, 0}};
+    *share = (fw_automaton_share){0, 0, {0, 0}, {0, 0}};
     for (int n = row[0].span; n < row[1].span; ++n) {
         const fw_automaton_span *span = &colour->span[n];
         if (span->held)
-            move_held_span(step, span, &share);
+            move_held_span(step, span, share);
         else
-            step->kernels->move(&step->move, span, &share);
+            step->kernels->move(&step->move, span, share);
     }
-    for (int n = row[0].rim; n < row[1].rim; ++n) move_rim(step, &colour->rim[n], &share);
-    step->body->share[number] = share;
+    for (int n = row[0].rim; n < row[1].rim; ++n) move_rim(step, &colour->rim[n], share);
 }
 
-static void add_share(fw_solid_ledger *ledger, const fw_automaton_share *share)
+void fw_automaton_book(fw_automaton *body, const fw_automaton_share *shares)
 {
-    const fw_solid_ledger part = {.work = share->work,
-                                  .dissipated = share->dissipated,
-                                  .impulse = share->impulse,
-                                  .drag = share->drag};
-    fw_solid_ledger_add(ledger, &part);
+    for (int row = 0; row < body->row_count; ++row) {
+        const fw_solid_ledger part = {.work = shares[row].work,
+                                      .dissipated = shares[row].dissipated,
+                                      .impulse = shares[row].impulse,
+                                      .drag = shares[row].drag};
+        fw_solid_ledger_add(&body->head.ledger, &part);
+    }
 }
 
 /* Moves whole quanta of displacement into the drift, for all cells alike, once the first cell has
@@ -171,7 +158,7 @@ static void add_share(fw_solid_ledger *ledger, const fw_automaton_share *share)
  * then only, by the ticks alone, so that it does not matter how many ticks are taken at once. */
 static void recentre(fw_automaton *body)
 {
-    if (body->head.ticks % RECENTRE_EVERY != 0) return;
+    if (body->head.ticks % FW_RECENTRE_EVERY != 0) return;
     const fw_automaton_colour *black = &body->colour[FW_BLACK];
     const double first[2] = {black->x[0], black->y[0]};
     for (int axis = 0; axis < 2; ++axis) {
@@ -185,8 +172,14 @@ static void recentre(fw_automaton *body)
     }
 }
 
+void fw_automaton_tick(fw_automaton *body, int ticks)
+{
+    body->head.ticks += ticks;
+    recentre(body);
+}
+
 /* Notes which cells of the moving colour constraints decide for, or forgets it. */
-static void note_constraints(half_step *step, const fw_constraint *constraints, int count,
+static void note_constraints(fw_half_step *step, const fw_constraint *constraints, int count,
                              bool held)
 {
     const fw_automaton *body = step->body;
@@ -205,17 +198,15 @@ fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints
 {
     (void)error;
     fw_automaton *body = fw_automaton_of(solid);
-    half_step step = half_step_of(body);
+    fw_half_step step = fw_half_step_of(body, fw_automaton_moving(body));
     note_constraints(&step, constraints, constraint_count, true);
-#pragma omp parallel for schedule(static) if (solid->count >= 2 * THREADS_FROM)
-    for (int row = 0; row < body->row_count; ++row) move_row(&step, row);
-    if (solid->loaded || step.loss > 0)
-        for (int row = 0; row < body->row_count; ++row)
-            add_share(&solid->ledger, &body->share[row]);
+#pragma omp parallel for schedule(static) if (solid->count >= FW_THREADS_FROM)
+    for (int row = 0; row < body->row_count; ++row)
+        fw_half_step_move_row(&step, row, &body->share[row]);
+    if (fw_half_step_passes(&step)) fw_automaton_book(body, body->share);
     note_constraints(&step, constraints, constraint_count, false);
     if (body->breaks) fw_automaton_break_stretched(body);
-    solid->ticks += 1;
-    recentre(body);
+    fw_automaton_tick(body, 1);
     fw_automaton_place_boundary(body);
     return FW_OK;
 }

@@ -181,6 +181,7 @@ const fw_solid_model fw_elastic_automaton_model = {
     .destroy = destroy,
     .predict = fw_automaton_predict,
     .advance = fw_automaton_advance,
+    .advance_free = fw_automaton_advance_free,
     .place = fw_automaton_place,
     .energies = fw_automaton_energies,
     .momentum = fw_automaton_momentum,

@@ -122,6 +122,34 @@ static void bytes_do_not_depend_on_instructions(void **state)
     }
 }
 
+/* From an odd tick on. */
+static uint64_t hash_of_leaps(const body_kind *kind, int leap)
+{
+    fw_error error;
+    fw_solid *solid = body_of(kind, 260, 150);
+    advance_free(solid);
+    for (int left = 42; left > 0; left -= leap)
+        assert_int_equal(fw_solid_move_free(solid, leap < left ? leap : left, &error), FW_OK);
+    fw_solid_place(solid);
+    const uint64_t hash = hash_of(solid);
+    fw_solid_destroy(solid);
+    return hash;
+}
+
+static void bytes_do_not_depend_on_how_many_ticks_are_taken_at_once(void **state)
+{
+    (void)state;
+    for (int k = 0; k < KINDS; ++k) {
+        const uint64_t expected = hash_of_leaps(&kinds[k], 1);
+        for (int threads = 1; threads <= 3; ++threads) {
+            omp_set_num_threads(threads);
+            assert_true(hash_of_leaps(&kinds[k], 42) == expected);
+            assert_true(hash_of_leaps(&kinds[k], 5) == expected);
+        }
+        omp_set_num_threads(1);
+    }
+}
+
 static void bytes_do_not_depend_on_threads(void **state)
 {
     (void)state;
@@ -141,6 +169,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bytes_do_not_depend_on_instructions),
         cmocka_unit_test(bytes_do_not_depend_on_threads),
+        cmocka_unit_test(bytes_do_not_depend_on_how_many_ticks_are_taken_at_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
