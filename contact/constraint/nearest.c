@@ -124,7 +124,7 @@ static void find_point(active_set *set)
     }
 }
 
-/* Lets go of active lines without force, and makes Q and R anew from the others. */
+/* Releases active lines without force, and makes Q and R anew from the others. */
 static void release(active_set *set)
 {
     const int count = set->count;

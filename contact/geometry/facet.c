@@ -80,9 +80,9 @@ static double clamped_to_unit(double share)
     return smaller(larger(share, 0), 1);
 }
 
-/* Does the part of the path on which |gap| <= tolerance meet the segment, ends included? Asking
- * for a part of the path instead of the one point where it crosses keeps corners closed however
- * flat the path runs: the crossing point is then as uncertain as that part is long. */
+/* Does the part of the path on which |gap| <= tolerance meet the segment, ends included? A part
+ * of the path, instead of the one point where it crosses, keeps corners closed however flat the
+ * path runs: the crossing point is then as uncertain as that part is long. */
 static bool crosses_within_ends(const fw_facet *facet, fw_vec2 start, fw_vec2 end, double gap,
                                 double gap_after, double tolerance)
 {

@@ -134,7 +134,7 @@ void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
     ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(solid->tick, total));
     ledger->work += fw_vec2_dot(total, w);
     ledger->displacement = fw_vec2_add(ledger->displacement, w);
-    ledger->way = fw_vec2_add(ledger->way, (fw_vec2){fabs(w.x), fabs(w.y)});
+    ledger->path_length = fw_vec2_add(ledger->path_length, (fw_vec2){fabs(w.x), fabs(w.y)});
 }
 
 int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries)

@@ -35,7 +35,7 @@ typedef struct fw_grip_ledger {
     double torque;        /* of the constraint forces about the grip's centre, last tick */
     fw_vec2 impulse;      /* sum D dt */
     double work;          /* sum D . w */
-    fw_vec2 way;          /* length of its way, per component */
+    fw_vec2 path_length;  /* per component, to and fro */
 } fw_grip_ledger;
 
 typedef struct fw_grip fw_grip;

@@ -192,5 +192,6 @@ void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double w
     ledger->unmatched = fw_vec2_add(ledger->unmatched, fw_vec2_scale(tick, unmatched));
     ledger->unmatched_work += work - fw_vec2_dot(fw_vec2_subtract(push, unmatched), motion);
     ledger->displacement = fw_vec2_add(ledger->displacement, motion);
-    ledger->way = fw_vec2_add(ledger->way, (fw_vec2){fabs(motion.x), fabs(motion.y)});
+    ledger->path_length =
+        fw_vec2_add(ledger->path_length, (fw_vec2){fabs(motion.x), fabs(motion.y)});
 }

@@ -38,7 +38,7 @@ typedef struct fw_piston_ledger {
     double unresolved;     /* ... ended without a motion that fits: so many */
     fw_vec2 drag;          /* momentum taken by damping, with its sign */
     double heat;           /* energy taken by damping, >= 0 */
-    fw_vec2 way;           /* length of its way, per component */
+    fw_vec2 path_length;   /* per component, to and fro */
 } fw_piston_ledger;
 
 typedef struct fw_piston fw_piston;

@@ -138,7 +138,7 @@ static bool jams_piston(const scene_body *body, const scene_contact *contact)
            (contact->solution.rows.jam.piston > 0 || body->rows[contact->entry].jam.piston > 0);
 }
 
-/* Soft walls push as the path asks, and the path follows the push: w = hard(w_p + A F(w)). F falls
+/* The path sets the push of soft walls, and the push sets the path: w = hard(w_p + A F(w)). F falls
  * with w by at most half the stiffness, so steps of 1/(1 + A K/2) end quickly. */
 static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_number, int entry,
                                  fw_error *error)

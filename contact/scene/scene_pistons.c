@@ -40,7 +40,7 @@ static void search_anew(scene_search *search)
     search->part = 1;
 }
 
-/* As if nothing were in the way. */
+/* As if they met nothing. */
 static void begin_motions(fw_scene *scene)
 {
     const double now = fw_scene_time(scene);
@@ -110,9 +110,9 @@ static double excess_of(const fw_scene *scene, const scene_body *body, const sce
     const fw_vec2 path = fw_boundary_predictions(body->boundary)[contact->entry].displacement;
     const fw_vec2 from =
         fw_vec2_subtract(fw_solid_position(body->solid, contact->particle), wall->place);
-    const fw_vec2 way = fw_vec2_subtract(path, wall->motion);
+    const fw_vec2 relative = fw_vec2_subtract(path, wall->motion);
     *normal = fw_facet_normal(candidate->facet, fw_vec2_subtract(from, candidate->facet->a));
-    return -(fmax(fw_facet_gap(candidate->facet, from), 0) + fw_vec2_dot(*normal, way));
+    return -(fmax(fw_facet_gap(candidate->facet, from), 0) + fw_vec2_dot(*normal, relative));
 }
 
 /* The new rows of a contact, with the pistons in `deepest` and `normals` (per wall) that pass it
@@ -145,8 +145,8 @@ static int look_at_rows(fw_scene *scene, scene_body *body, const scene_contact *
     return left;
 }
 
-/* Takes hold of what is reached first, and draws pistons back from the rest. Whether this try can
- * stand. */
+/* Activates the rows that are reached first, and draws pistons back from the others. Can this try
+ * stand? */
 static bool activate_rows(fw_scene *scene)
 {
     int left = 0;

@@ -3,13 +3,13 @@
  * closed on it, or its grip has carried it there. State: none. Start reading at scene_check_room().
  *
  * Contact keeps all other particles on the free side of every wall, so that only those are looked
- * at here: grips hold without asking walls, and where no displacement suits all walls a particle is
- * pinned to one of them (`unresolved`), though another may come. */
+ * at here: grips hold whatever walls are there, and where no displacement suits all walls a
+ * particle is pinned to one of them (`unresolved`), though another may come. */
 #include "scene_parts.h"
 
 #include <math.h>
 
-/* Particles of a grip that are looked at together, since the tree is asked once for all of them. */
+/* Particles of a grip that are looked at together, with one query of the tree. */
 enum { BLOCK = 32 };
 
 /* Where a particle that is at `end` came from by `displacement` in this tick, and where it went. */

@@ -91,7 +91,7 @@ void fw_command_print_help(FILE *out)
     fputs("fretwork: contact and friction experiments on lattice solids\n\n", out);
     for (const fw_command *c = fw_commands; c->name; ++c)
         if (!c->hidden) fprintf(out, "  fretwork %-20s %s\n", c->usage, c->summary);
-    fputs("\nfretwork COMMAND --help tells the options of a command; fretwork --version the "
+    fputs("\nfretwork COMMAND --help prints the options of a command; fretwork --version the "
           "version.\n\nExit codes:\n",
           out);
     for (const fw_exit_code *e = fw_exit_codes; e->code >= 0; ++e)

@@ -12,7 +12,7 @@ typedef struct fw_command {
     const char *name; /* NULL ends the table */
     const char *usage;
     const char *summary;
-    int least_words, most_words;
+    int words_min, words_max;
     fw_complete complete;            /* what its words are */
     const fw_option *const *options; /* ended by NULL */
     fw_status (*run)(const fw_arguments *arguments, fw_error *error);

@@ -103,7 +103,7 @@ static void print_command(const fw_command *command)
         if (o->brief) print_word(o->brief);
     }
     printf("' -- \"$word\"))\n        else\n            ");
-    print_answer(command->most_words > 0 ? command->complete : FW_COMPLETE_NOTHING, NULL);
+    print_answer(command->words_max > 0 ? command->complete : FW_COMPLETE_NOTHING, NULL);
     printf("\n        fi\n        ;;\n");
 }
 

@@ -35,7 +35,7 @@ static bool is_wanted(const wanted *w, const char *name, const char *meaning, co
     return w->name ? strcmp(name, w->name) == 0 : fw_lookup_fits(w->arguments, texts, 3);
 }
 
-/* What the words ask for, and that there is any. */
+/* The quantities that the words look up; FW_BAD_INPUT where there are none. */
 static fw_status choose(wanted *w, const fw_arguments *arguments, fw_error *error)
 {
     const char *word = arguments->word_count == 1 ? arguments->words[0] : "";

@@ -20,8 +20,8 @@
 static void suggest_next(const fw_scenario *scenario, const char *directory)
 {
     if (!fw_terminal_is(stdout) || fw_scenario_is_sweep(scenario)) return;
-    printf("next: `fretwork table %s` gives the numbers over time, `fretwork plot %s --help` tells "
-           "of other pictures, `fretwork cite %s` what to cite\n",
+    printf("next: `fretwork table %s` gives the numbers over time, `fretwork plot %s --help` lists "
+           "other pictures, `fretwork cite %s` what to cite\n",
            directory, directory, directory);
 }
 

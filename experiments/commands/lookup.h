@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lookup.h - what list, quantities and reference look up where no name is given exactly: things
- * that speak of all words of the command line. */
+/* lookup.h - what list, quantities and reference look up where no name is given exactly: entries
+ * that contain all words of the command line. */
 #ifndef FW_LOOKUP_H
 #define FW_LOOKUP_H
 

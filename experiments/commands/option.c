@@ -197,10 +197,10 @@ fw_status fw_arguments_read(fw_arguments *arguments, const fw_command *command, 
         }
     }
     if (arguments->help) return FW_OK;
-    if (arguments->word_count < command->least_words)
+    if (arguments->word_count < command->words_min)
         return fw_fail(error, FW_BAD_INPUT, "expected fretwork %s", command->usage);
-    if (arguments->word_count <= command->most_words) return FW_OK;
-    const char *extra = arguments->words[command->most_words];
+    if (arguments->word_count <= command->words_max) return FW_OK;
+    const char *extra = arguments->words[command->words_max];
     return fw_fail(error, FW_BAD_INPUT, "%s is one word too many, expected fretwork %s",
                    fw_text_quote(extra, strlen(extra)).text, command->usage);
 }

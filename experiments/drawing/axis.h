@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* axis.h - one axis of a panel: what it spans, its ticks, and the room that it takes.
  *
- * Order of use: describe it, ask for its ticks (fw_axis_prepare) and its room (fw_axis_depth),
+ * Order of use: describe it, compute its ticks (fw_axis_prepare) and its room (fw_axis_depth),
  * place the panel, draw (panel.h). */
 #ifndef FW_AXIS_H
 #define FW_AXIS_H

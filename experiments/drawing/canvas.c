@@ -26,7 +26,7 @@ static const double mm_per_inch = 25.4;
 #endif
 #ifdef WITH_LEAK_CHECKER
 /* Fontconfig keeps the patterns of the fonts in use until the end of the process; the leak checker,
- * which asks these functions by their names, takes them for lost. */
+ * which finds these functions by their names, takes them for lost. */
 const char *__lsan_default_suppressions(void);
 const char *__lsan_default_options(void);
 const char *__lsan_default_suppressions(void)

@@ -24,7 +24,7 @@ typedef struct fw_rect {
 fw_status fw_canvas_create(fw_canvas **canvas, const char *name, double width, double height,
                            double resolution, fw_error *error);
 /* Completes the picture and writes it under its name in one go (whole_file.h). To be called once,
- * as the last thing before fw_canvas_destroy. */
+ * right before fw_canvas_destroy. */
 fw_status fw_canvas_save(fw_canvas *canvas, fw_error *error);
 void fw_canvas_destroy(fw_canvas *canvas);
 

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const double views_most = 125, column_gap = 5; /* mm */
+static const double views_max = 125, column_gap = 5; /* mm */
 
 typedef struct columns {
     int count;
@@ -94,7 +94,7 @@ static double size_columns(const fw_page *page, columns *all)
         for (int k = 0; k < all->count; ++k) {
             highest = fmax(highest, fw_stack_size(&all->stacks[k], width));
         }
-        shrink = highest > views_most ? views_most / highest : 1;
+        shrink = highest > views_max ? views_max / highest : 1;
         taken = (all->count - 1) * column_gap;
         for (int k = 0; k < all->count; ++k) {
             double views = fw_stack_size(&all->stacks[k], shrink * width);

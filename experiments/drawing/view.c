@@ -234,9 +234,9 @@ fw_status fw_view_draw_silhouette(const fw_view_body *body, const fw_panel *pane
 fw_status fw_view_draw_particles(const fw_view *view, const fw_panel *panel, fw_view_look look,
                                  const fw_colour_scale *scale, fw_error *error)
 {
-    const long vectors_most = 6000; /* beyond, SVG and PDF files get slow to open */
+    const long vectors_max = 6000; /* beyond, SVG and PDF files get slow to open */
     fw_status status = FW_OK;
-    bool raster = fw_view_count(view) > vectors_most;
+    bool raster = fw_view_count(view) > vectors_max;
     if (raster) fw_canvas_raster_begin(panel->canvas, panel->box);
     if (look == FW_VIEW_CELLS) {
         status = draw_as_cells(view, panel, scale, error);

@@ -91,11 +91,11 @@ static void body_energy_error(const fw_experiment *experiment, fw_subject subjec
     }
     /* The energy of a single body that meets no wall: all it exchanged is in its own ledger. */
     const fw_solid *solid = body_of(experiment, subject);
-    const double booked = fw_experiment_energy_at_start(experiment, subject.body) +
-                          solid->ledger.work - solid->ledger.dissipated + solid->ledger.heat;
+    const double expected = fw_experiment_energy_at_start(experiment, subject.body) +
+                            solid->ledger.work - solid->ledger.dissipated + solid->ledger.heat;
     const double now = total(fw_solid_energies(solid));
     const double so_far = subject.observer ? subject.observer->energy_scale[subject.body] : 0;
-    out[0] = relative(now - booked, now, so_far);
+    out[0] = relative(now - expected, now, so_far);
 }
 
 static void momentum(const fw_experiment *experiment, fw_subject subject, double *out)
@@ -105,20 +105,20 @@ static void momentum(const fw_experiment *experiment, fw_subject subject, double
 
 static void momentum_error(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    fw_vec2 now, booked;
+    fw_vec2 now, expected;
     if (subject.body < 0) {
         fw_ledger l = fw_scene_ledger(experiment->scene);
         now = fw_scene_momentum(experiment->scene);
-        booked = fw_ledger_momentum(&l);
+        expected = fw_ledger_momentum(&l);
     } else {
         const fw_solid *solid = body_of(experiment, subject);
         now = fw_solid_momentum(solid);
-        booked = fw_vec2_add(solid->ledger.impulse, solid->ledger.drag);
+        expected = fw_vec2_add(solid->ledger.impulse, solid->ledger.drag);
         for (int b = 0; b < experiment->body_count; ++b)
             if (goes_with(experiment, subject.body, b))
-                booked = fw_vec2_add(booked, experiment->momentum_at_start[b]);
+                expected = fw_vec2_add(expected, experiment->momentum_at_start[b]);
     }
-    fw_quantity_put(out, fw_vec2_subtract(now, booked));
+    fw_quantity_put(out, fw_vec2_subtract(now, expected));
 }
 
 static void angular_momentum(const fw_experiment *experiment, fw_subject subject, double *out)

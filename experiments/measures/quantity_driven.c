@@ -17,11 +17,12 @@ static driven driven_of(const fw_experiment *experiment, fw_subject subject)
     if (subject.grip >= 0) {
         const fw_grip_ledger *a =
             fw_grip_observe_ledger(fw_scene_observe_grip(experiment->scene, subject.grip));
-        return (driven){a->displacement, a->reaction, a->impulse, a->way, a->torque, a->work};
+        return (driven){a->displacement, a->reaction, a->impulse,
+                        a->path_length,  a->torque,   a->work};
     }
     const fw_piston_ledger *a =
         fw_piston_observe_ledger(fw_scene_observe_piston(experiment->scene, subject.wall));
-    return (driven){a->displacement, a->reaction, a->impulse, a->way, a->torque, a->work};
+    return (driven){a->displacement, a->reaction, a->impulse, a->path_length, a->torque, a->work};
 }
 
 static void displacement(const fw_experiment *experiment, fw_subject subject, double *out)

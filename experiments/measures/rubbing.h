@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* rubbing.h - the ledger of the contact where two bodies in grips rub: way, forces and work, summed
- * in every step, so that they do not depend on how often anything is measured.
+/* rubbing.h - the ledger of the contact where two bodies in grips rub: path length, forces and
+ * work, summed in every step, so that they do not depend on how often anything is measured.
  *
  * Slip is the displacement of the first grip less that of the second; the force is that of the
  * second body of movable particles on the first. */

@@ -47,7 +47,7 @@ static const fw_key elastic_automaton_keys[] = {
 const fw_section fw_automaton_section = {
     "`materials.NAME.elastic-automaton`", "an elastic automaton",
     "The solid of Dong, Zhang, Xu and Gan: black and white cells move in turn, each reflected "
-    "about the place that its neighbours ask for. One step is a black and a white half-step and "
+    "about the place that its neighbours give. One step is a black and a white half-step and "
     "takes one unit of time. Waves run at c1 (transverse) and (c1^2 + c2^2)^(1/2) (longitudinal) "
     "spacings per step; c1^2 + c2^2 must not exceed 2. A boundary rule that is unstable for a "
     "body, by the spectral radius of the body's own update, is refused. If one body of a scenario "

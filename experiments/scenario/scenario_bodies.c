@@ -40,7 +40,7 @@ static const fw_key body_keys[] = {
      .meaning =
          "elastic automaton: black and white are displaced just as `displacement` says, as in "
          "the paper, which in general sets the body moving; without it white lies where its "
-         "black neighbours ask for, and the body is at rest"},
+         "black neighbours put it, and the body is at rest"},
     {"rest-mass", FW_FORM_LIST, .items = FW_FORM_MAPPING, .subsection = &fw_mass_change_section,
      .most = 4096, NOT_STORED, .default_meaning = "the material's",
      .meaning = "of single sites (lattice Boltzmann)"},

@@ -40,7 +40,7 @@ extern const fw_section fw_analysis_section;
     .subsection = &fw_selection_section
 
 /* The keys of what moves a grip or piston: `needed` goes with those of an oscillation, WITHOUT
- * makes of the default's meaning what a phase or the thing itself has. `object` has a
+ * makes of the default's meaning what a phase, or the grip or piston itself, has. `object` has a
  * fw_scenario_drive called `motion`; what is read with them: fw_scenario_read_drive. */
 #define ITSELF(meaning)       meaning
 #define AS_BY_ITSELF(meaning) "its own"

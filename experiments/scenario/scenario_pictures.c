@@ -39,9 +39,9 @@ static const fw_key picture_keys[] = {
      .meaning = "which analysis is drawn"},
     {.name = NULL}};
 
-const fw_section fw_picture_section = {"`pictures.NAME`", "a picture",
-                                       "What `fretwork plot` draws unless told otherwise.",
-                                       .keys = picture_keys};
+const fw_section fw_picture_section = {
+    "`pictures.NAME`", "a picture",
+    "What `fretwork plot` draws where its options name nothing else.", .keys = picture_keys};
 
 /* Keys that mean nothing for a picture of this kind are refused, not passed over. */
 static fw_status check_keys(const fw_scenario *scenario, const fw_node *node,

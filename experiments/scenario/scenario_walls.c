@@ -100,8 +100,9 @@ static const fw_key wall_keys[] = {
      .meaning = "what it does along its tangent"},
     {"path", AT_OBJECT(fw_scenario_wall, def.path), .subsection = &fw_path_section,
      .default_meaning = "at rest",
-     .meaning = "how it moves. It holds a particle up to one step's way in front of it: an "
-                "indentation at 1e-3 a step was off by 1.3e-4"},
+     .meaning =
+         "how it moves. It holds a particle up to one step's displacement in front of it: an "
+         "indentation at 1e-3 a step was off by 1.3e-4"},
     {"piston", AT_OBJECT(fw_scenario_wall, piston), .subsection = &fw_piston_section,
      .default_meaning = "moved by nothing but its path",
      .meaning = "its mass, and the forces on it"},

@@ -145,7 +145,7 @@ static fw_status refuse_lone_white(const fw_scenario *scenario, int number, cons
             return fw_fail(
                 error, FW_BAD_INPUT,
                 "site [%d, %d] is displaced and its neighbours are not, but it is white, "
-                "and white cells start where their black neighbours ask for; expected "
+                "and white cells start where their black neighbours put them; expected "
                 "'displaced-as-given: true', or the other colour",
                 site.i, site.j);
     }

@@ -19,8 +19,9 @@ typedef struct fw_experiment {
     fw_vec2 **start; /* positions */
 } fw_experiment;
 
-/* Builds solids, walls and forces. FW_BAD_INPUT with file, line and column where the scenario asks
- * for something impossible (a body in a wall, bodies in each other, an LB particle without mass).
+/* Builds solids, walls and forces. FW_BAD_INPUT with file, line and column where the scenario
+ * demands for something impossible (a body in a wall, bodies in each other, an LB particle without
+ * mass).
  */
 fw_status fw_experiment_create(fw_experiment **experiment, const fw_scenario *scenario,
                                fw_error *error);

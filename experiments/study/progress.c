@@ -8,7 +8,7 @@
 #include <string.h>
 #include <time.h>
 
-enum { LINE = 512, BAR_LEAST = 8, BAR_MOST = 30 };
+enum { LINE = 512, BAR_MIN = 8, BAR_MAX = 30 };
 
 double fw_progress_clock(void)
 {
@@ -61,10 +61,10 @@ static void show_line(const fw_progress *progress, double now)
     int label = (int)strlen(progress->label);
     if (label > room) label = room > 0 ? room : 0;
     room -= label;
-    int bar = room - 3 < BAR_MOST ? room - 3 : BAR_MOST;
-    const bool rated = room - BAR_LEAST - 3 >= (int)strlen(rate);
+    int bar = room - 3 < BAR_MAX ? room - 3 : BAR_MAX;
+    const bool rated = room - BAR_MIN - 3 >= (int)strlen(rate);
     if (rated && bar > room - 3 - (int)strlen(rate)) bar = room - 3 - (int)strlen(rate);
-    if (bar < BAR_LEAST) bar = 0;
+    if (bar < BAR_MIN) bar = 0;
     int used = snprintf(line, sizeof line, "%.*s ", label, progress->label);
     if (bar > 0) {
         const double part = progress->total > 0 ? progress->done / progress->total : 0;

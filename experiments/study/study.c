@@ -118,7 +118,7 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
 
 /* All runs from that number on, before any folder is taken: what only shows when a run is built, a
  * body of the control that starts in a wall, a seed that finds no place for its particles. The
- * first run comes first: what is wrong with all of them is told of it, at its own place. */
+ * first run comes first: what is wrong with all of them is reported of it, at its own place. */
 static fw_status make_runs(fw_study *study, int first, fw_error *error)
 {
     for (int n = first; n < study->run_count; ++n) {

@@ -10,7 +10,7 @@
  * caller, also after a failure: FW_SYSTEM_FAILED without memory. */
 fw_status fw_sweep_outcome_table(fw_sweep_table *table, const fw_scenario *sweep,
                                  const fw_sweep_case *cases, fw_error *error);
-/* Of each case what is asked of it, then the trends. They point into the cases. */
+/* Of each case what is expected of it, then the trends. They point into the cases. */
 fw_status fw_sweep_outcome_verdicts(fw_verdicts *verdicts, const fw_scenario *sweep,
                                     const fw_sweep_case *cases, fw_error *error);
 

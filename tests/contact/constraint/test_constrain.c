@@ -21,7 +21,7 @@ typedef struct kind {
     const char *name;
     fw_surface_law law;
     bool round, moving, matrix;
-    double unresolved_most; /* part of the held steps that may be held fast and counted */
+    double unresolved_max; /* part of the held steps that may be held fast and counted */
 } kind;
 
 typedef struct tally {
@@ -137,7 +137,7 @@ static void one_particle_obeys_the_laws_between_any_walls(void **state)
         double part = (double)sum.unresolved / sum.held;
         print_message("%-36s held %d, held fast %.4f\n", kinds[n].name, sum.held, part);
         assert_true(sum.held > 10000);
-        assert_true(part <= kinds[n].unresolved_most);
+        assert_true(part <= kinds[n].unresolved_max);
     }
 }
 

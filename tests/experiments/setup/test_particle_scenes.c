@@ -125,7 +125,7 @@ static void movable_bodies_share_one_solid(void **state)
     const fw_solid *solid = fw_experiment_solid(e, 0);
     assert_int_equal(solid->count, 61);
     assert_int_equal(solid->boundary_count, 61);
-    /* Axes of a body follow its lattice unless told otherwise. */
+    /* Axes of a body follow its lattice by default. */
     assert_close(fw_particles_group(solid, 1)->return_force.angle, FW_PI / 6, 1e-15);
     /* Of each body what its own particles have; of all together what the solid has. */
     assert_close(fw_body_range_mass(e->scene, &e->bodies[2]).xx, 9 * 2.5, 1e-12);
