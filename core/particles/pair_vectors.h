@@ -22,6 +22,32 @@ FW_INLINE fw_pair_lanes fw_pair_lanes_at(fw_vector dx, fw_vector dy, fw_mask hel
     return (fw_pair_lanes){dx, dy, r2, 1 / r2, held};
 }
 
+/* The lanes of one part of a block. */
+typedef struct fw_part {
+    const double *at_x, *at_y; /* of its first lane */
+    int part;
+    fw_vector x, y;
+} fw_part;
+
+FW_INLINE fw_part fw_part_at(const fw_pair_task *task, int first, int part)
+{
+    return (fw_part){task->x + first, task->y + first, part, fw_load(task->x + first),
+                     fw_load(task->y + first)};
+}
+
+FW_INLINE fw_pair_lanes fw_pair_in_slot(const fw_pair_task *task, const fw_slots *slots,
+                                        uint32_t slot, bool gathered, const fw_part *lanes)
+{
+    const fw_mask held = fw_mask_of(slots->mask[slot], lanes->part);
+    const int32_t offset = slots->offset[slot];
+    if (!gathered)
+        return fw_pair_lanes_at(lanes->x - fw_load(lanes->at_x + offset),
+                                lanes->y - fw_load(lanes->at_y + offset), held);
+    const int32_t *row = slots->row[offset] + lanes->part * FW_WIDTH;
+    return fw_pair_lanes_at(lanes->x - fw_gather(task->x, row, held),
+                            lanes->y - fw_gather(task->y, row, held), held);
+}
+
 /* e^v for v <= 709; 0 below -708. v = n ln 2 + rest with |rest| <= ln 2/2, where Taylor's series to
  * the 13th power leaves 4e-18. ln 2 is taken off in two parts, the first of which has few digits:
  * n times it is exact. */
@@ -48,57 +74,81 @@ FW_INLINE fw_vector fw_exponential(fw_vector v)
     return fw_keep(fw_less(low, v), series * (fw_vector)power);
 }
 
-/* S(r) and its slope, see smooth_cut.h. */
+/* S(r) = y^3 (1 + 3 x + 6 x^2) and S' = -30/(b - a) x^2 y^2 for a < r < b, with
+ * x = (r - a)/(b - a), y = 1 - x: smooth_cut.h's in other words. */
 typedef struct fw_weights {
-    fw_vector value, slope;
+    fw_vector x, y;
 } fw_weights;
 
 FW_INLINE fw_weights fw_weights_at(const fw_smooth_cut *cut, fw_vector r)
 {
-    const fw_vector place = (r - cut->inner) * cut->scale;
-    const fw_vector x = fw_smaller(fw_larger(place, fw_splat(0)), fw_splat(1)), square = x * x;
-    return (fw_weights){1 - x * square * (10 - x * (15 - 6 * x)),
-                        -30 * square * (1 - x) * (1 - x) * cut->scale};
+    const fw_vector x = (r - cut->inner) * cut->scale;
+    return (fw_weights){x, 1 - x};
+}
+
+/* S by y^2. */
+FW_INLINE fw_vector fw_weight_value(fw_weights weights)
+{
+    return weights.y * (1 + weights.x * (3 + 6 * weights.x));
 }
 
 /* --- the potential --- */
 
-/* U and -U'/r. */
-typedef struct fw_pair_terms {
-    fw_vector energy, push;
-} fw_pair_terms;
-
-FW_INLINE fw_pair_terms fw_bare_terms(const fw_pair_rule *rule, fw_pair_kind kind, double depth,
-                                      const fw_pair_lanes *pair)
+/* -U'/r and U without the cut, each in its own unit. With c = r^-6 and q = d^-6
+ *     Lennard-Jones  -U'/r = c (c - q)/r^2, in 12 depth d^12;   U = c (c - 2 q), in depth d^12
+ *     Morse          -U'/r = e (e - 1)/r, in 2 a depth;         U = e (e - 2), in depth,
+ * e = e^{-a (r - d)}. */
+FW_INLINE fw_vector fw_pair_push(const fw_pair_rule *rule, fw_pair_kind kind,
+                                 const fw_pair_lanes *pair)
 {
     if (kind == FW_LENNARD_JONES) {
-        const fw_vector cube = pair->inverse * pair->inverse * pair->inverse;
-        const fw_vector sixth = rule->distance_6 * cube;
-        return (fw_pair_terms){depth * sixth * (sixth - 2),
-                               12 * depth * sixth * (sixth - 1) * pair->inverse};
+        const fw_vector c = pair->inverse * pair->inverse * pair->inverse;
+        return c * (c - rule->q) * pair->inverse;
     }
     const fw_vector r = fw_root(pair->r2);
-    const fw_vector decay = fw_exponential(-rule->steepness * (r - rule->distance));
-    return (fw_pair_terms){depth * decay * (decay - 2),
-                           2 * depth * rule->steepness * decay * (decay - 1) * (pair->inverse * r)};
+    const fw_vector e = fw_exponential(-rule->steepness * (r - rule->distance));
+    return e * (e - 1) * (pair->inverse * r);
 }
 
-/* Nothing from the cut on. */
-FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_kind kind, double depth,
+FW_INLINE fw_vector fw_pair_energy(const fw_pair_rule *rule, fw_pair_kind kind,
                                    const fw_pair_lanes *pair)
 {
-    const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
-    fw_pair_terms terms = fw_bare_terms(rule, kind, depth, pair);
-    const fw_mask fading = fw_and(inside, fw_less(fw_splat(rule->inner_2), pair->r2));
-    if (fw_any(fading)) {
-        const fw_vector r = fw_root(pair->r2);
-        const fw_weights weight = fw_weights_at(&rule->cut, r);
-        const fw_vector push =
-            terms.push * weight.value - terms.energy * weight.slope * (pair->inverse * r);
-        terms.push = fw_select(fading, push, terms.push);
-        terms.energy = fw_select(fading, terms.energy * weight.value, terms.energy);
+    if (kind == FW_LENNARD_JONES) {
+        const fw_vector c = pair->inverse * pair->inverse * pair->inverse;
+        return c * (c - 2 * rule->q);
     }
-    return (fw_pair_terms){fw_keep(inside, terms.energy), fw_keep(inside, terms.push)};
+    const fw_vector r = fw_root(pair->r2);
+    const fw_vector e = fw_exponential(-rule->steepness * (r - rule->distance));
+    return e * (e - 2);
+}
+
+/* The terms of a pair with the cut, both in the unit of forces, and where there are any. */
+typedef struct fw_pair_terms {
+    fw_vector energy, push;
+    fw_mask inside;
+} fw_pair_terms;
+
+/* The energy is only made where it is asked for. */
+FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_kind kind, bool energies,
+                                   const fw_pair_lanes *pair)
+{
+    fw_pair_terms terms = {fw_splat(0), fw_pair_push(rule, kind, pair), pair->held};
+    if (energies) terms.energy = rule->energy * fw_pair_energy(rule, kind, pair);
+    const fw_mask fading = fw_and(pair->held, fw_less(fw_splat(rule->inner_2), pair->r2));
+    if (fw_any(fading)) {
+        terms.inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+        const fw_vector r = fw_root(pair->r2);
+        const fw_weights at = fw_weights_at(&rule->cut, r);
+        const fw_vector value = fw_weight_value(at), square = at.y * at.y;
+        const fw_vector energy = fw_pair_energy(rule, kind, pair);
+        /* (-U'/r) S - U S'/r, S' = -30/(b - a) x^2 y^2 */
+        const fw_vector slope = rule->fade * energy * (at.x * at.x) * (pair->inverse * r);
+        terms.push = fw_select(fading, (terms.push * value + slope) * square, terms.push);
+        if (energies)
+            terms.energy =
+                fw_select(fading, rule->energy * energy * (value * square), terms.energy);
+    }
+    return terms;
 }
 
 /* --- the return force --- */
@@ -151,16 +201,19 @@ FW_INLINE fw_return_lanes fw_return_of(const fw_return_rule *rule, int fold,
     const fw_mask fading = fw_and(inside, fw_less(fw_splat(rule->inner_2), pair->r2));
     if (rule->constant) {
         const fw_vector r = fw_root(pair->r2);
-        const fw_vector value = fw_select(fading, fw_weights_at(&rule->cut, r).value, one);
+        const fw_weights at = fw_weights_at(&rule->cut, r);
+        const fw_vector value = fw_select(fading, fw_weight_value(at) * (at.y * at.y), one);
         lanes.tangential = -rule->amplitude * value * (pair->inverse * r);
         lanes.energy = none;
         lanes.weight = value * r;
     } else if (fw_any(fading)) {
         const fw_vector r = fw_root(pair->r2);
-        const fw_weights cut = fw_weights_at(&rule->cut, r);
-        const fw_vector value = fw_select(fading, cut.value, one);
+        const fw_weights at = fw_weights_at(&rule->cut, r);
+        const fw_vector square = at.y * at.y;
+        const fw_vector value = fw_select(fading, fw_weight_value(at) * square, one);
+        const fw_vector slope = -30 * rule->cut.scale * (at.x * at.x * square);
         lanes.tangential = lanes.tangential * value;
-        lanes.radial = fw_keep(fading, rule->depth * cut.slope * (pair->inverse * r));
+        lanes.radial = fw_keep(fading, rule->depth * slope * (pair->inverse * r));
         lanes.energy = lanes.energy * value;
         lanes.weight = value;
     }

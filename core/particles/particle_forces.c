@@ -8,19 +8,30 @@
 
 enum { PARALLEL_FROM = 1024 }; /* particles; below it threads cost more than they bring */
 
+/* What is greater, is a^2 or more. */
+static double square_below(double a)
+{
+    return nextafter(a * a, -1);
+}
+
 static fw_pair_rule pair_rule(const fw_particles *particles, const fw_particle_group *group)
 {
     const fw_pair_potential *potential = &particles->potential;
+    const double square = potential->distance * potential->distance;
+    const double sixth = square * square * square;
+    const bool jones = potential->kind == FW_LENNARD_JONES;
+    const double parts = jones ? 12 : 2 * potential->steepness;
+    const double unit = parts * potential->depth * (jones ? sixth * sixth : 1);
     return (fw_pair_rule){.kind = potential->kind,
-                          .inside = group->strength * potential->depth,
-                          .across = particles->strength_across * potential->depth,
+                          .inside = group->strength * unit,
+                          .across = particles->strength_across * unit,
+                          .energy = 1 / parts,
+                          .fade = 30 * potential->cut.scale / parts,
+                          .q = 1 / sixth,
                           .distance = potential->distance,
-                          .distance_6 = potential->distance * potential->distance *
-                                        potential->distance * potential->distance *
-                                        potential->distance * potential->distance,
                           .steepness = potential->steepness,
                           .cut = potential->cut,
-                          .inner_2 = potential->cut.inner * potential->cut.inner,
+                          .inner_2 = square_below(potential->cut.inner),
                           .outer_2 = potential->cut.outer * potential->cut.outer};
 }
 
@@ -36,7 +47,7 @@ static fw_return_rule return_rule(const fw_particle_group *group)
                             .axes = group->axes,
                             .turn = group->turn,
                             .cut = force->cut,
-                            .inner_2 = force->cut.inner * force->cut.inner,
+                            .inner_2 = square_below(force->cut.inner),
                             .outer_2 = force->cut.outer * force->cut.outer};
 }
 
@@ -44,7 +55,8 @@ fw_pair_task fw_particles_task(const fw_particles *particles, int g)
 {
     const fw_solid *head = &particles->langevin.head;
     const fw_particle_group *group = &particles->groups[g];
-    return (fw_pair_task){head->x, head->y, pair_rule(particles, group), return_rule(group)};
+    return (fw_pair_task){head->x, head->y, pair_rule(particles, group), return_rule(group),
+                          particles->bond_radius * particles->bond_radius};
 }
 
 static bool turns(const fw_particle_group *group)
@@ -86,6 +98,7 @@ static void turn_together(fw_particles *particles, fw_particle_group *group)
 fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *error)
 {
     fw_particles *particles = (fw_particles *)solid;
+    particles->energies->known = false;
     FW_TRY(
         fw_neighbour_lists_refresh(particles->lists, solid->head.x, solid->head.y, travel, error));
     for (int g = 0; g < particles->group_count; ++g) {

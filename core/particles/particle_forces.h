@@ -9,6 +9,12 @@
 
 #include "particle_kernels.h"
 
+/* Half of the energy of each particle's pairs, made when somebody asks. */
+typedef struct fw_particle_energies {
+    bool known; /* for the present positions */
+    double *values;
+} fw_particle_energies;
+
 struct fw_particles {
     fw_langevin langevin; /* first: an fw_particles is an fw_langevin is an fw_solid */
     int group_count;
@@ -24,10 +30,14 @@ struct fw_particles {
     /* Return forces of bodies whose axes turn, before the turn is known; NULL if there are none. */
     double *first_x, *first_y, *second_x, *second_y, *sum_cosine, *sum_sine;
     double *virial[4]; /* of each particle: scratch */
+    fw_particle_energies *energies;
 };
 
 /* What the kernels are told about the particles of a body. */
 fw_pair_task fw_particles_task(const fw_particles *particles, int group);
+
+/* Half of the energy of each particle's pairs; valid until the next step. */
+const double *fw_particles_own_energies(const fw_particles *particles);
 
 /* As fw_langevin.find_forces. */
 fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *error);

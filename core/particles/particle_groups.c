@@ -2,6 +2,8 @@
 /* particle_groups.c - sums over the particles of one body. Keeps no state. */
 #include "core/particles/particle_groups.h"
 
+#include "particle_forces.h"
+
 static const fw_langevin *motion_of(const fw_solid *solid)
 {
     return (const fw_langevin *)solid;
@@ -27,8 +29,7 @@ fw_energies fw_particle_group_energies(const fw_solid *solid, int number)
     const fw_particle_group *group = fw_particles_group(solid, number);
     const fw_langevin *motion = motion_of(solid);
     fw_energies energies;
-    fw_particles_pair_energies(solid, motion->scratch);
-    energies.elastic = sum_over(group, motion->scratch);
+    energies.elastic = sum_over(group, fw_particles_own_energies((const fw_particles *)solid));
     for (int i = group->first; i < group->first + group->count; ++i)
         motion->scratch[i] = 0.5 * motion->mass[i] *
                              (motion->velocity_x[i] * motion->velocity_x[i] +

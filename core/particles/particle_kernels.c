@@ -12,6 +12,7 @@
 
 /* What the pairs of the lanes add up to. */
 typedef struct fw_lane_sums {
+    fw_vector push_x, push_y; /* of the potential, along one run, in its unit of energy */
     fw_vector force_x, force_y;
     fw_vector first_x, first_y, second_x, second_y, sum_cosine, sum_sine;
 } fw_lane_sums;
@@ -46,64 +47,47 @@ FW_INLINE void add_turning(const fw_return_rule *rule, const fw_pair_lanes *pair
     }
 }
 
-FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, double depth,
-                        const fw_pair_lanes *pair, fw_lane_sums *sums)
+FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, const fw_pair_lanes *pair,
+                        fw_lane_sums *sums)
 {
-    const fw_vector push = fw_pair_of(&task->pair, use.kind, depth, pair).push;
-    fw_vector force_x = push * pair->dx, force_y = push * pair->dy;
-    if (use.bond != FW_NO_RETURN) {
-        const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond.outer_2)));
-        if (fw_any(inside)) {
-            const fw_return_lanes bond = fw_return_of(&task->bond, use.fold, pair, inside);
-            if (use.bond == FW_RETURN_TURNING) {
-                add_turning(&task->bond, pair, &bond, inside, sums);
-            } else {
-                const fw_vector_pair pull =
-                    fw_return_force_of(&bond, bond.phase.cosine, bond.phase.sine, pair);
-                force_x += fw_keep(inside, pull.x);
-                force_y += fw_keep(inside, pull.y);
-            }
-        }
+    const fw_pair_terms terms = fw_pair_of(&task->pair, use.kind, false, pair);
+    sums->push_x += fw_keep(terms.inside, terms.push * pair->dx);
+    sums->push_y += fw_keep(terms.inside, terms.push * pair->dy);
+    if (use.bond == FW_NO_RETURN) return;
+    const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond.outer_2)));
+    if (!fw_any(inside)) return;
+    const fw_return_lanes bond = fw_return_of(&task->bond, use.fold, pair, inside);
+    if (use.bond == FW_RETURN_TURNING) {
+        add_turning(&task->bond, pair, &bond, inside, sums);
+    } else {
+        const fw_vector_pair pull =
+            fw_return_force_of(&bond, bond.phase.cosine, bond.phase.sine, pair);
+        sums->force_x += fw_keep(inside, pull.x);
+        sums->force_y += fw_keep(inside, pull.y);
     }
-    sums->force_x += fw_keep(pair->held, force_x);
-    sums->force_y += fw_keep(pair->held, force_y);
 }
 
-/* The lanes of one part of a block. */
-typedef struct fw_part {
-    int first; /* particle of its first lane */
-    int part;
-    fw_vector x, y;
-} fw_part;
-
-FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, double depth,
-                       const fw_slots *slots, uint32_t begin, uint32_t count, bool gathered,
-                       const fw_part *lanes, fw_lane_sums *sums)
+FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
+                       uint32_t begin, uint32_t count, bool gathered, const fw_part *lanes,
+                       fw_lane_sums *sums)
 {
     for (uint32_t s = begin; s < begin + count; ++s) {
-        const fw_mask held = fw_mask_of(slots->mask[s], lanes->part);
-        fw_vector x, y;
-        if (gathered) {
-            const int32_t *row = slots->row[slots->offset[s]] + lanes->part * FW_WIDTH;
-            x = fw_gather(task->x, row, held);
-            y = fw_gather(task->y, row, held);
-        } else {
-            x = fw_load(task->x + lanes->first + slots->offset[s]);
-            y = fw_load(task->y + lanes->first + slots->offset[s]);
-        }
-        const fw_pair_lanes pair = fw_pair_lanes_at(lanes->x - x, lanes->y - y, held);
-        add_pair(task, use, depth, &pair, sums);
+        const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, gathered, lanes);
+        add_pair(task, use, &pair, sums);
     }
 }
 
-FW_INLINE void add_either(const fw_pair_task *task, fw_pair_use use, double depth,
+FW_INLINE void add_either(const fw_pair_task *task, fw_pair_use use, double unit,
                           const fw_slots *slots, uint32_t begin, uint32_t count, bool gathered,
                           const fw_part *lanes, fw_lane_sums *sums)
 {
+    sums->push_x = sums->push_y = fw_splat(0);
     if (gathered)
-        add_run(task, use, depth, slots, begin, count, true, lanes, sums);
+        add_run(task, use, slots, begin, count, true, lanes, sums);
     else
-        add_run(task, use, depth, slots, begin, count, false, lanes, sums);
+        add_run(task, use, slots, begin, count, false, lanes, sums);
+    sums->force_x += unit * sums->push_x;
+    sums->force_y += unit * sums->push_y;
 }
 
 /* All neighbours, body after body. */
@@ -133,7 +117,8 @@ FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_use use, const fw_chu
         const uint8_t mask = fw_chunk_lanes(chunk, block);
         for (int part = 0; part < FW_PARTS; ++part) {
             const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
-            const fw_part lanes = {first, part, fw_load(task->x + first), fw_load(task->y + first)};
+            const fw_part lanes = {task->x + first, task->y + first, part, fw_load(task->x + first),
+                                   fw_load(task->y + first)};
             const fw_lane_sums sums =
                 sum_lanes(task, use, &chunk->near, &chunk->near.head[block], &lanes);
             const fw_mask held = fw_mask_of(mask, part);

@@ -11,10 +11,14 @@
 /* The potential, as kernels want it. */
 typedef struct fw_pair_rule {
     fw_pair_kind kind;
-    double inside, across; /* depth in the particle's own body, and between bodies */
-    double distance, distance_6, steepness;
+    /* Of forces in the particle's own body and between bodies: 12 depth d^12 for Lennard-Jones,
+     * 2 steepness depth for Morse; and of energies in that unit, 1/12 and 1/2a. */
+    double inside, across, energy;
+    double fade;                /* of S', 30/(b - a), in that unit */
+    double q;                   /* d^-6 */
+    double distance, steepness; /* of Morse */
     fw_smooth_cut cut;
-    double inner_2, outer_2; /* squares */
+    double inner_2, outer_2; /* fading where inner_2 < r^2 < outer_2, nothing from there on */
 } fw_pair_rule;
 
 /* The return force inside a body. */
@@ -33,6 +37,7 @@ typedef struct fw_pair_task {
     const double *x, *y;
     fw_pair_rule pair;
     fw_return_rule bond;
+    double bond_2; /* square of the bond radius */
 } fw_pair_task;
 
 /* Entries of the particles of the chunk are written; NULL: not wanted. */
@@ -43,11 +48,25 @@ typedef struct fw_force_arrays {
     double *first_x, *first_y, *second_x, *second_y, *sum_cosine, *sum_sine;
 } fw_force_arrays;
 
+/* What else is summed over the pairs of each particle; NULL: not wanted. */
+typedef struct fw_sum_arrays {
+    double *energy;              /* half of the energy of its pairs */
+    double *return_x, *return_y; /* net return force */
+    double *bond_length;         /* mean length of the return forces of its bonds; NaN: no bonds */
+    double *virial[4];           /* xx, xy, yx, yy of (r_i - r_j) (x) F_ij/2 */
+} fw_sum_arrays;
+
 typedef struct fw_particle_kernels {
     /* Sums over the near slots of a chunk. Return forces of fixed axes are part of the force. */
     void (*forces)(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out);
 } fw_particle_kernels;
 
 FW_KERNELS(fw_particle_kernels, fw_particles_kernels);
+
+typedef struct fw_sum_kernels {
+    void (*sums)(const fw_pair_task *task, const fw_chunk *chunk, const fw_sum_arrays *out);
+} fw_sum_kernels;
+
+FW_KERNELS(fw_sum_kernels, fw_particle_sums);
 
 #endif

@@ -1,77 +1,70 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_sums.c - what else is summed over the bonds of movable lattice particles: energies, net
- * return forces, the virial, bond order. Keeps no state. As in particle_forces.c each particle
- * gathers from its neighbours in ascending order. */
+ * return forces, the virial, bond order; the loops are in sum_kernels.c. Keeps no state, but for
+ * energies, which are made once for the positions that they belong to. Start reading at
+ * sum_all(). */
 #include "particle_forces.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { PARALLEL_FROM = 1024 }; /* particles; below it threads cost more than they bring */
 
-/* Everything that the bonds of i in its own body contribute to its return force. */
-static inline fw_return_pair return_sums(const fw_particles *particles, int i)
+static void sum_bodies(const fw_particles *particles, int first, int end, const fw_sum_arrays *out)
 {
-    const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-    const fw_return_force rule = group->return_force;
-    const fw_phase axes = group->axes;
-    const double *restrict x = particles->langevin.head.x, *restrict y = particles->langevin.head.y;
-    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
-    fw_return_pair sums = {.energy = 0};
-    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
-        if (particles->group_of[j] != particles->group_of[i]) continue;
-        const double dx = x[i] - x[j], dy = y[i] - y[j];
-        const fw_return_pair pair = fw_return_pair_at(&rule, axes, dx, dy, dx * dx + dy * dy);
-        sums.first = fw_vec2_add(sums.first, pair.first);
-        sums.second = fw_vec2_add(sums.second, pair.second);
-        sums.energy += pair.energy;
-        sums.energy_second += pair.energy_second;
-        sums.sum.cosine += pair.sum.cosine;
-        sums.sum.sine += pair.sum.sine;
+    const fw_sum_kernels *kernels = FW_KERNELS_CHOSEN(fw_particle_sums);
+    for (int g = first; g < end; ++g) {
+        const fw_pair_task task = fw_particles_task(particles, g);
+        const int last = fw_neighbour_lists_first(particles->lists, g + 1);
+#pragma omp parallel for schedule(static) if (particles->groups[g].count > PARALLEL_FROM)
+        for (int c = fw_neighbour_lists_first(particles->lists, g); c < last; ++c)
+            kernels->sums(&task, fw_neighbour_lists_chunk(particles->lists, c), out);
     }
-    return sums;
 }
 
-static fw_vec2 turned(fw_turn turn, fw_vec2 first, fw_vec2 second)
+static void sum_all(const fw_solid *solid, fw_sum_arrays out)
 {
-    return fw_vec2_add(fw_vec2_scale(turn.first, first), fw_vec2_scale(turn.second, second));
+    const fw_particles *particles = (const fw_particles *)solid;
+    sum_bodies(particles, 0, particles->group_count, &out);
 }
 
 void fw_particles_return_forces(const fw_solid *solid, double *x, double *y)
 {
-    const fw_particles *particles = (const fw_particles *)solid;
-#pragma omp parallel for schedule(static) if (solid->count > PARALLEL_FROM)
-    for (int i = 0; i < solid->count; ++i) {
-        const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-        const fw_return_pair sums = return_sums(particles, i);
-        const fw_vec2 force = turned(group->turn, sums.first, sums.second);
-        x[i] = force.x;
-        y[i] = force.y;
-    }
+    sum_all(solid, (fw_sum_arrays){.return_x = x, .return_y = y});
 }
 
 void fw_particles_bond_return_forces(const fw_solid *solid, double *lengths)
 {
+    sum_all(solid, (fw_sum_arrays){.bond_length = lengths});
+}
+
+const double *fw_particles_own_energies(const fw_particles *particles)
+{
+    fw_particle_energies *energies = particles->energies;
+    if (!energies->known)
+        sum_all(&particles->langevin.head, (fw_sum_arrays){.energy = energies->values});
+    energies->known = true;
+    return energies->values;
+}
+
+void fw_particles_pair_energies(const fw_solid *solid, double *energies)
+{
+    memcpy(energies, fw_particles_own_energies((const fw_particles *)solid),
+           (size_t)solid->count * sizeof *energies);
+}
+
+fw_tensor fw_particles_virial(const fw_solid *solid, int group)
+{
     const fw_particles *particles = (const fw_particles *)solid;
-    const double radius = particles->bond_radius;
-#pragma omp parallel for schedule(static) if (solid->count > PARALLEL_FROM)
-    for (int i = 0; i < solid->count; ++i) {
-        const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-        double sum = 0;
-        int bonds = 0;
-        fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
-        for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
-            if (particles->group_of[j] != particles->group_of[i]) continue;
-            const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
-            const double r2 = dx * dx + dy * dy;
-            if (!(r2 < radius * radius)) continue;
-            const fw_return_pair pair =
-                fw_return_pair_at(&group->return_force, group->axes, dx, dy, r2);
-            const fw_vec2 force = turned(group->turn, pair.first, pair.second);
-            sum += sqrt(force.x * force.x + force.y * force.y);
-            bonds += 1;
-        }
-        lengths[i] = bonds > 0 ? sum / bonds : NAN;
-    }
+    const int first = group < 0 ? 0 : particles->groups[group].first;
+    const int count = group < 0 ? solid->count : particles->groups[group].count;
+    double *const *v = particles->virial;
+    const fw_sum_arrays out = {.virial = {v[0], v[1], v[2], v[3]}};
+    sum_bodies(particles, group < 0 ? 0 : group, group < 0 ? particles->group_count : group + 1,
+               &out);
+    const size_t size = (size_t)count;
+    return (fw_tensor){fw_array_sum(v[0] + first, size), fw_array_sum(v[1] + first, size),
+                       fw_array_sum(v[2] + first, size), fw_array_sum(v[3] + first, size)};
 }
 
 fw_vec2 fw_particles_force_on(const fw_solid *solid, int group, int by_group)
@@ -90,78 +83,6 @@ fw_vec2 fw_particles_force_on(const fw_solid *solid, int group, int by_group)
         }
     }
     return sum;
-}
-
-/* Calls for each neighbour of i whether it is in the same body, and how strong the potential is. */
-static double strength_of(const fw_particles *particles, int i, int j)
-{
-    const bool own = particles->group_of[i] == particles->group_of[j];
-    return own ? particles->groups[particles->group_of[i]].strength : particles->strength_across;
-}
-
-void fw_particles_pair_energies(const fw_solid *solid, double *energies)
-{
-    const fw_particles *particles = (const fw_particles *)solid;
-#pragma omp parallel for schedule(static) if (solid->count > PARALLEL_FROM)
-    for (int i = 0; i < solid->count; ++i) {
-        const fw_turn turn = particles->groups[particles->group_of[i]].turn;
-        const fw_return_pair sums = return_sums(particles, i);
-        /* Surface axes add a force that has no potential; what is left is V for fixed axes. */
-        double energy = turn.first * sums.energy + turn.second * sums.energy_second;
-        fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
-        for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
-            const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
-            const fw_pair pair = fw_pair_at(&particles->potential, dx * dx + dy * dy);
-            energy += strength_of(particles, i, j) * pair.energy;
-        }
-        energies[i] = 0.5 * energy;
-    }
-}
-
-/* Sum over the neighbours of i of (r_i - r_j) (x) F_ij / 2. */
-static fw_tensor virial_of(const fw_particles *particles, int i)
-{
-    const fw_solid *head = &particles->langevin.head;
-    const fw_particle_group *group = &particles->groups[particles->group_of[i]];
-    fw_tensor sum = {0};
-    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
-    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
-        const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
-        const double r2 = dx * dx + dy * dy;
-        const double push =
-            strength_of(particles, i, j) * fw_pair_at(&particles->potential, r2).push;
-        fw_vec2 force = {push * dx, push * dy};
-        if (particles->group_of[j] == particles->group_of[i]) {
-            const fw_return_pair pair =
-                fw_return_pair_at(&group->return_force, group->axes, dx, dy, r2);
-            force = fw_vec2_add(force, turned(group->turn, pair.first, pair.second));
-        }
-        sum.xx += 0.5 * dx * force.x;
-        sum.xy += 0.5 * dx * force.y;
-        sum.yx += 0.5 * dy * force.x;
-        sum.yy += 0.5 * dy * force.y;
-    }
-    return sum;
-}
-
-fw_tensor fw_particles_virial(const fw_solid *solid, int group)
-{
-    const fw_particles *particles = (const fw_particles *)solid;
-    const int first = group < 0 ? 0 : particles->groups[group].first;
-    const int count = group < 0 ? solid->count : particles->groups[group].count;
-    double *const *virial = particles->virial;
-#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int i = first; i < first + count; ++i) {
-        const fw_tensor own = virial_of(particles, i);
-        virial[0][i] = own.xx;
-        virial[1][i] = own.xy;
-        virial[2][i] = own.yx;
-        virial[3][i] = own.yy;
-    }
-    const size_t size = (size_t)count;
-    return (fw_tensor){fw_array_sum(virial[0] + first, size), fw_array_sum(virial[1] + first, size),
-                       fw_array_sum(virial[2] + first, size),
-                       fw_array_sum(virial[3] + first, size)};
 }
 
 fw_phase fw_particles_bond_order(const fw_solid *solid, int particle, int *bonds)

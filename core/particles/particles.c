@@ -46,6 +46,8 @@ static void destroy(fw_solid *solid)
     free(particles->sum_cosine);
     free(particles->sum_sine);
     for (int v = 0; v < 4; ++v) free(particles->virial[v]);
+    if (particles->energies) free(particles->energies->values);
+    free(particles->energies);
     fw_langevin_release(&particles->langevin);
     free(particles);
 }
@@ -54,8 +56,8 @@ static fw_energies energies(const fw_solid *solid)
 {
     const fw_langevin *langevin = (const fw_langevin *)solid;
     const double kinetic = fw_langevin_kinetic_energy(langevin);
-    fw_particles_pair_energies(solid, langevin->scratch);
-    return (fw_energies){kinetic, fw_array_sum(langevin->scratch, (size_t)solid->count)};
+    const double *own = fw_particles_own_energies((const fw_particles *)solid);
+    return (fw_energies){kinetic, fw_array_sum(own, (size_t)solid->count)};
 }
 
 static void state(fw_solid *solid, fw_state_list *list)
@@ -149,6 +151,10 @@ static bool allocate_arrays(fw_particles *particles, bool turning)
     particles->amplitudes = fw_array_of_doubles(groups);
     particles->group_of = fw_array_allocate(count, sizeof *particles->group_of);
     bool complete = particles->groups && particles->amplitudes && particles->group_of;
+    particles->energies = calloc(1, sizeof *particles->energies);
+    if (!particles->energies) return false;
+    particles->energies->values = fw_array_of_doubles(count);
+    complete = complete && particles->energies->values;
     for (int v = 0; v < 4; ++v) {
         particles->virial[v] = fw_array_of_doubles(count);
         complete = complete && particles->virial[v];
