@@ -16,3 +16,9 @@ void fw_noise_gaussians(uint64_t seed, uint32_t first, uint64_t step, uint32_t s
 {
     FW_KERNELS_CHOSEN(fw_noise)->gaussians(seed, first, step, stream, count, x, y);
 }
+
+void fw_noise_gaussians_of_some(uint64_t seed, const int *particles, uint64_t step, uint32_t stream,
+                                int count, double *x, double *y)
+{
+    FW_KERNELS_CHOSEN(fw_noise)->gaussians_of_some(seed, particles, step, stream, count, x, y);
+}

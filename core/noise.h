@@ -48,4 +48,8 @@ fw_vec2 fw_noise_gaussian(uint64_t seed, uint32_t particle, uint64_t step, uint3
 void fw_noise_gaussians(uint64_t seed, uint32_t first, uint64_t step, uint32_t stream, int count,
                         double *x, double *y);
 
+/* The same for particles[0] to particles[count - 1]. */
+void fw_noise_gaussians_of_some(uint64_t seed, const int *particles, uint64_t step, uint32_t stream,
+                                int count, double *x, double *y);
+
 #endif

@@ -192,33 +192,41 @@ static inline fw_vec2 mix(const fw_baoab *baoab, fw_vec2 kicked, double root_inv
                      baoab->keep * kicked.y + shake * noise.y};
 }
 
-static fw_vec2 noise_of(const fw_langevin *solid, const fw_baoab *baoab, int i)
+/* What the step would bring one particle, with that noise. */
+static fw_prediction prediction_of(const fw_langevin *solid, const fw_baoab *baoab, int i,
+                                   fw_vec2 noise)
 {
-    if (!(baoab->shake > 0)) return (fw_vec2){0, 0};
-    return fw_noise_gaussian(solid->seed, (uint32_t)i, (uint64_t)solid->head.ticks,
-                             FW_NOISE_THERMOSTAT);
+    const fw_solid *head = &solid->head;
+    const double push = baoab->half * solid->inverse_mass[i];
+    const double root = solid->root_inverse_mass[i];
+    const fw_vec2 velocity = {solid->velocity_x[i], solid->velocity_y[i]};
+    fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
+    if (head->loaded)
+        force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
+    const fw_vec2 kicked = kick(velocity, push, force);
+    return (fw_prediction){
+        .displacement =
+            fw_vec2_scale(baoab->half, fw_vec2_add(kicked, mix(baoab, kicked, root, noise))),
+        .inertial =
+            fw_vec2_scale(baoab->half, fw_vec2_add(velocity, mix(baoab, velocity, root, noise))),
+        .mobility = fw_sym2_scalar(baoab->half * push * (1 + baoab->keep))};
 }
 
 void fw_langevin_predict(const fw_solid *head, const int *particles, int count, fw_prediction *out)
 {
+    enum { SOME = 128 }; /* whose noise is drawn together */
     const fw_langevin *solid = (const fw_langevin *)head;
     const fw_baoab baoab = baoab_of(&solid->controls);
 #pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int k = 0; k < count; ++k) {
-        const int i = particles[k];
-        const double push = baoab.half * solid->inverse_mass[i];
-        const double root = solid->root_inverse_mass[i];
-        const fw_vec2 noise = noise_of(solid, &baoab, i);
-        const fw_vec2 velocity = {solid->velocity_x[i], solid->velocity_y[i]};
-        fw_vec2 force = {solid->force_x[i], solid->force_y[i]};
-        if (head->loaded)
-            force = fw_vec2_add(force, (fw_vec2){head->external_x[i], head->external_y[i]});
-        const fw_vec2 kicked = kick(velocity, push, force);
-        out[k].displacement =
-            fw_vec2_scale(baoab.half, fw_vec2_add(kicked, mix(&baoab, kicked, root, noise)));
-        out[k].inertial =
-            fw_vec2_scale(baoab.half, fw_vec2_add(velocity, mix(&baoab, velocity, root, noise)));
-        out[k].mobility = fw_sym2_scalar(baoab.half * push * (1 + baoab.keep));
+    for (int begin = 0; begin < count; begin += SOME) {
+        const int some = count - begin < SOME ? count - begin : SOME;
+        double noise_x[SOME] = {0}, noise_y[SOME] = {0};
+        if (baoab.shake > 0)
+            fw_noise_gaussians_of_some(solid->seed, particles + begin, (uint64_t)head->ticks,
+                                       FW_NOISE_THERMOSTAT, some, noise_x, noise_y);
+        for (int k = 0; k < some; ++k)
+            out[begin + k] = prediction_of(solid, &baoab, particles[begin + k],
+                                           (fw_vec2){noise_x[k], noise_y[k]});
     }
 }
 

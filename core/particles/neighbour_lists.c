@@ -293,11 +293,6 @@ int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists)
     return lists->renewed;
 }
 
-static void begin_run(fw_neighbour_walk *walk)
-{
-    walk->run_end = walk->slot + walk->head->count[walk->run];
-}
-
 fw_neighbour_walk fw_neighbours_around(const fw_neighbour_lists *lists, int particle)
 {
     int low = 0, high = lists->body_count;
@@ -309,27 +304,11 @@ fw_neighbour_walk fw_neighbours_around(const fw_neighbour_lists *lists, int part
     const int within = particle - lists->chunks[chunk_first].body_first;
     const fw_chunk *chunk = &lists->chunks[chunk_first + within / CHUNK];
     const int block = within % CHUNK / FW_LANES;
-    fw_neighbour_walk walk = {.slots = &chunk->near,
-                              .head = &chunk->near.head[block],
-                              .slot = chunk->near.head[block].begin,
-                              .particle = particle,
-                              .lane = within % FW_LANES};
-    begin_run(&walk);
-    return walk;
-}
-
-int fw_neighbour_next(fw_neighbour_walk *walk)
-{
-    for (;;) {
-        while (walk->slot == walk->run_end) {
-            if (walk->run + 1 == FW_SLOT_RUNS) return -1;
-            walk->run += 1;
-            begin_run(walk);
-        }
-        const uint32_t slot = walk->slot++;
-        if (!(walk->slots->mask[slot] >> walk->lane & 1)) continue;
-        const int32_t offset = walk->slots->offset[slot];
-        return walk->head->gathered[walk->run] ? walk->slots->row[offset][walk->lane]
-                                               : walk->particle + offset;
-    }
+    const fw_slot_head *its_head = &chunk->near.head[block];
+    return (fw_neighbour_walk){.slots = &chunk->near,
+                               .head = its_head,
+                               .slot = its_head->begin,
+                               .run_end = its_head->begin + its_head->count[0],
+                               .particle = particle,
+                               .lane = within % FW_LANES};
 }

@@ -52,7 +52,22 @@ typedef struct fw_neighbour_walk {
     int run, particle, lane;
 } fw_neighbour_walk;
 fw_neighbour_walk fw_neighbours_around(const fw_neighbour_lists *lists, int particle);
+
 /* -1 after the last. */
-int fw_neighbour_next(fw_neighbour_walk *walk);
+static inline int fw_neighbour_next(fw_neighbour_walk *walk)
+{
+    for (;;) {
+        while (walk->slot == walk->run_end) {
+            if (walk->run + 1 == FW_SLOT_RUNS) return -1;
+            walk->run += 1;
+            walk->run_end = walk->slot + walk->head->count[walk->run];
+        }
+        const uint32_t slot = walk->slot++;
+        if (!(walk->slots->mask[slot] >> walk->lane & 1)) continue;
+        const int32_t offset = walk->slots->offset[slot];
+        return walk->head->gathered[walk->run] ? walk->slots->row[offset][walk->lane]
+                                               : walk->particle + offset;
+    }
+}
 
 #endif

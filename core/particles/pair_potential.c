@@ -46,7 +46,8 @@ double fw_pair_potential_curvature(const fw_pair_potential *potential, double r)
     if (r >= cut.outer) return 0;
     double energy, slope, curvature; /* without the cut */
     if (potential->kind == FW_LENNARD_JONES) {
-        const double sixth = pow(potential->distance / r, 6);
+        const double ratio = potential->distance / r, cube = ratio * ratio * ratio;
+        const double sixth = cube * cube;
         energy = sixth * (sixth - 2);
         slope = -12 * sixth * (sixth - 1) / r;
         curvature = 12 * sixth * (13 * sixth - 7) / (r * r);

@@ -128,6 +128,7 @@ static double stiffness_around(const fw_particles *particles, int i)
         const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
         const double r2 = dx * dx + dy * dy, strength = strength_of(particles, i, j);
         if (!(strength * particles->potential.depth > 0)) continue;
+        if (r2 >= particles->potential.cut.outer * particles->potential.cut.outer) continue;
         const double radial = fw_pair_potential_curvature(&particles->potential, sqrt(r2));
         const double along = strength * fmax(0, radial) / r2;
         const double across = strength * fmax(0, -fw_pair_at(&particles->potential, r2).push) / r2;
@@ -200,6 +201,8 @@ fw_status fw_particles_check_overlaps(const fw_particles *particles, double limi
             const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
             const double r2 = dx * dx + dy * dy;
             if (!(strength * particles->potential.depth > 0)) continue;
+            /* U <= 0 from the minimum on. */
+            if (r2 > particles->potential.distance * particles->potential.distance) continue;
             const double energy = strength * fw_pair_at(&particles->potential, r2).energy;
             if (energy <= limit) continue;
             return fw_fail(error, FW_BAD_INPUT,

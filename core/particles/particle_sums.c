@@ -67,20 +67,39 @@ fw_tensor fw_particles_virial(const fw_solid *solid, int group)
                        fw_array_sum(v[2] + first, size), fw_array_sum(v[3] + first, size)};
 }
 
+/* Are there particles of other bodies near to those eight? */
+static bool touches(const fw_chunk *chunk, int block)
+{
+    const fw_slot_head *head = &chunk->near.head[block];
+    return head->count[0] > 0 || head->count[FW_RUN_OWN + 1] > 0;
+}
+
+/* On one particle. */
+static fw_vec2 force_across(const fw_particles *particles, int i, int by_group)
+{
+    const fw_solid *head = &particles->langevin.head;
+    fw_vec2 sum = {0, 0};
+    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
+    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
+        if (particles->group_of[j] != by_group) continue;
+        const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
+        const double push =
+            particles->strength_across * fw_pair_at(&particles->potential, dx * dx + dy * dy).push;
+        sum = fw_vec2_add(sum, (fw_vec2){push * dx, push * dy});
+    }
+    return sum;
+}
+
 fw_vec2 fw_particles_force_on(const fw_solid *solid, int group, int by_group)
 {
     const fw_particles *particles = (const fw_particles *)solid;
-    const fw_particle_group *body = &particles->groups[group];
     fw_vec2 sum = {0, 0};
-    for (int i = body->first; i < body->first + body->count; ++i) {
-        fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
-        for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
-            if (particles->group_of[j] != by_group) continue;
-            const double dx = solid->x[i] - solid->x[j], dy = solid->y[i] - solid->y[j];
-            const double push = particles->strength_across *
-                                fw_pair_at(&particles->potential, dx * dx + dy * dy).push;
-            sum = fw_vec2_add(sum, (fw_vec2){push * dx, push * dy});
-        }
+    const int end = fw_neighbour_lists_first(particles->lists, group + 1);
+    for (int c = fw_neighbour_lists_first(particles->lists, group); c < end; ++c) {
+        const fw_chunk *chunk = fw_neighbour_lists_chunk(particles->lists, c);
+        for (int k = 0; k < chunk->count; ++k)
+            if (touches(chunk, k / FW_LANES))
+                sum = fw_vec2_add(sum, force_across(particles, chunk->first + k, by_group));
     }
     return sum;
 }
