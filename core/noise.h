@@ -10,6 +10,9 @@
 
 #include "core/vec2.h"
 
+/* Philox is plain C: with this its header leaves those of the compiler's vector instructions
+ * unread, which take longer than all else here. */
+#define R123_USE_SSE 0
 #include <Random123/philox.h>
 #include <stdint.h>
 
