@@ -15,6 +15,8 @@ void fw_automaton_release(fw_automaton *body)
         free(colour->span);
         free(colour->rim);
         free(colour->row);
+        for (int row = 0; colour->gaps && row < body->row_count; ++row) free(colour->gaps[row].rim);
+        free(colour->gaps);
     }
     free(body->run);
     free(body->cell);
@@ -22,7 +24,8 @@ void fw_automaton_release(fw_automaton *body)
     free(body->border);
     free(body->bonds);
     free(body->built);
-    free(body->moved);
+    free(body->torn);
+    free(body->tear);
     free(body->share);
     fw_arena_release(&body->cells);
     fw_solid_head_release(&body->head);

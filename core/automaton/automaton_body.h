@@ -22,11 +22,17 @@ typedef struct fw_automaton_span {
     bool held; /* in this tick a constraint decides for one of its cells */
 } fw_automaton_span;
 
-/* The first span and the first rim entry of a row of the lattice; the next row has those past the
- * last. */
+/* The first cell, span and rim entry of a row of the lattice; the next row has those past the last.
+ */
 typedef struct fw_automaton_row {
-    int span, rim;
+    int cell, span, rim;
 } fw_automaton_row;
+
+/* Where spans of a row are interrupted: rim entries of cells that broke, ascending by cell. */
+typedef struct fw_automaton_gaps {
+    int count, room;
+    int *rim;
+} fw_automaton_gaps;
 
 /* Sites side by side, and their particles: black and white in turn. */
 typedef struct fw_automaton_run {
@@ -39,6 +45,8 @@ typedef struct fw_automaton_run {
  * (1 + reflection)/2 inverse_mass s. */
 typedef struct fw_automaton_rim {
     int cell;
+    int span;                     /* that the cell left when it broke; -1: it was at a rim from the
+                                   * first */
     int neighbour[FW_DIRECTIONS]; /* cells of the other colour; -1: no bond */
     double weight[FW_DIRECTIONS]; /* of the bond's energy: 1, 1/2 along an edge, 0: no bond */
     fw_sym2 pull[FW_DIRECTIONS];  /* weight B, or what `mirror` makes of it */
@@ -52,10 +60,11 @@ typedef struct fw_automaton_colour {
     int *particle; /* of each cell */
     int *place;    /* of each cell: number of its rim entry, or ~number of its span */
     int *held;     /* of each cell: index of its constraint in this tick, else -1 */
-    int span_count, rim_count;
+    int span_count, rim_count, rim_room;
     fw_automaton_span *span;
     fw_automaton_rim *rim;
     fw_automaton_row *row;                /* row_count of the body and one more */
+    fw_automaton_gaps *gaps;              /* of each row; NULL: the body is unbreakable */
     const fw_sym2 *matrix[FW_DIRECTIONS]; /* B for black, D for white */
 } fw_automaton_colour;
 
@@ -63,7 +72,16 @@ typedef struct fw_automaton_colour {
 typedef struct fw_automaton_share {
     double work, dissipated;
     fw_vec2 impulse, drag;
+    bool torn; /* some bond was stretched too far, and stands in `torn` of the body */
 } fw_automaton_share;
+
+/* What a bond took with it. */
+typedef struct fw_automaton_tear {
+    int tick;            /* of those that are taken together */
+    int cell, direction; /* black end */
+    double energy;
+    fw_vec2 drag;
+} fw_automaton_tear;
 
 typedef struct fw_automaton {
     fw_solid head;
@@ -71,7 +89,7 @@ typedef struct fw_automaton {
     fw_boundary_rule boundary;
     double reflection;
     double break_at; /* stretch of a bond that breaks it */
-    bool breaks;     /* break_at is finite: every cell then has a rim entry */
+    bool breaks;     /* break_at is finite */
     fw_lattice lattice;
     fw_vec2 turn; /* cosine and sine of its angle */
     int run_count;
@@ -89,7 +107,11 @@ typedef struct fw_automaton {
     uint8_t *bonds;   /* breakable bodies: bit d of black cell n, its bond in direction d is
                        * whole; else NULL */
     int (*built)[FW_DIRECTIONS]; /* breakable bodies: white neighbours of each black cell as made */
-    fw_vec2 *moved; /* breakable bodies: displacement of each cell of the colour that moved */
+    uint8_t *torn;    /* breakable bodies: bit d of each cell that moved, its bond in direction d
+                       * is to break; all zero between ticks */
+    bool links_stale; /* links of the head are still those of an earlier tick */
+    int tear_count, tear_booked, tear_room;
+    fw_automaton_tear *tear;   /* not yet booked */
     fw_automaton_share *share; /* of each row in FW_SHARED_TICKS ticks */
 } fw_automaton;
 
@@ -166,7 +188,6 @@ void fw_automaton_masses(const fw_solid *solid, double *values);
 extern const fw_field fw_automaton_fields[];
 
 /* Breaking: automaton_fracture.c. */
-void fw_automaton_break_stretched(fw_automaton *body);
-void fw_automaton_rebuild_bonds(fw_automaton *body);
+fw_status fw_automaton_rebuild_bonds(fw_automaton *body, fw_error *error);
 
 #endif

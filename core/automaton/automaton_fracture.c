@@ -3,74 +3,207 @@
  * Dong, closing section). What remains of a cell is renormalised as at a free boundary of kind
  * `bond`: its mass is that of the bonds it still has. The energy and the momentum that the bond
  * carried go with it, into the ledger.
- * State: one bit per bond, kept at its black end. Start reading at fw_automaton_break_stretched().
- */
-#include "automaton_body.h"
+ *
+ * A cell that loses a bond leaves its span and gets a rim entry; its row remembers where the span
+ * is interrupted. So a body costs what its whole cells cost in spans, and more only where it broke.
+ * State: one bit per bond, kept at its black end. Start reading at fw_automaton_tear_row(). */
+#include "automaton_sweep.h"
 
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
 
-/* Writes into both rim entries whether a bond of the black cell is whole. */
-static void set_bond(fw_automaton *body, int black_cell, int direction, bool whole)
+/* The row in which a span lies. */
+static int row_of_span(const fw_automaton *body, const fw_automaton_colour *colour, int span)
 {
-    const int partner = body->built[black_cell][direction];
-    const int end[FW_COLOURS] = {black_cell, partner};
+    int low = 0, high = body->row_count - 1;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (colour->row[middle + 1].span > span)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    return low;
+}
+
+/* Room for one more of `count` entries; false: no memory. */
+static bool make_room(void **list, int count, int *room, size_t size)
+{
+    if (count < *room) return true;
+    const int more = count < 8 ? 8 : 2 * count;
+    void *larger = realloc(*list, (size_t)more * size);
+    if (!larger) return false;
+    *list = larger;
+    *room = more;
+    return true;
+}
+
+/* Takes a cell out of its span. */
+static fw_status leave_span(fw_automaton *body, int c, int cell, fw_error *error)
+{
+    fw_automaton_colour *colour = &body->colour[c];
+    const int place = colour->place[cell];
+    if (place >= 0) return FW_OK;
+    const int number = ~place;
+    fw_automaton_gaps *gaps = &colour->gaps[row_of_span(body, colour, number)];
+    void *rims = colour->rim, *list = gaps->rim;
+    const bool enough =
+        make_room(&rims, colour->rim_count, &colour->rim_room, sizeof *colour->rim) &&
+        make_room(&list, gaps->count, &gaps->room, sizeof *gaps->rim);
+    colour->rim = rims;
+    gaps->rim = list;
+    if (!enough) return fw_fail_memory(error, "the broken bonds of an automaton");
+    fw_automaton_rim *rim = &colour->rim[colour->rim_count];
+    *rim = (fw_automaton_rim){.cell = cell, .span = number};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        rim->neighbour[d] = cell + colour->span[number].offset[d];
+        rim->weight[d] = 1;
+    }
+    (void)fw_automaton_rim_weigh(body, c, rim);
+    colour->place[cell] = colour->rim_count;
+    int at = gaps->count++;
+    for (; at > 0 && colour->rim[gaps->rim[at - 1]].cell > cell; --at)
+        gaps->rim[at] = gaps->rim[at - 1];
+    gaps->rim[at] = colour->rim_count++;
+    return FW_OK;
+}
+
+/* Makes the rim entries of both ends say whether a bond of the black cell is whole; a whole one
+ * needs none. */
+static fw_status set_bond(fw_automaton *body, int black_cell, int direction, bool whole,
+                          fw_error *error)
+{
+    const int end[FW_COLOURS] = {black_cell, body->built[black_cell][direction]};
     for (int c = 0; c < FW_COLOURS; ++c) {
-        fw_automaton_rim *rim = &body->colour[c].rim[end[c]];
+        fw_automaton_colour *colour = &body->colour[c];
+        if (!whole) FW_TRY(leave_span(body, c, end[c], error));
+        if (colour->place[end[c]] < 0) continue;
+        fw_automaton_rim *rim = &colour->rim[colour->place[end[c]]];
         const int d = c == FW_BLACK ? direction : fw_opposite(direction);
         rim->neighbour[d] = whole ? end[!c] : -1;
         rim->weight[d] = whole ? 1 : 0;
         /* Cannot fail: only matrices that are positive definite may break. */
         (void)fw_automaton_rim_weigh(body, c, rim);
     }
+    return FW_OK;
 }
 
-static void break_bond(fw_automaton *body, int cell, int direction, int moved)
+/* Both ends of a broken bond are exposed from now on. */
+static void expose(fw_solid *head, int particle)
 {
-    const fw_automaton_rim *rim = &body->colour[FW_BLACK].rim[cell];
-    const fw_vec2 difference =
-        fw_vec2_subtract(fw_automaton_at(&body->colour[FW_WHITE], rim->neighbour[direction]),
-                         fw_automaton_at(&body->colour[FW_BLACK], cell));
-    const fw_vec2 pull = fw_sym2_apply(rim->pull[direction], difference);
-    const double energy = fw_vec2_dot(difference, pull) / 2;
-    fw_solid_ledger *ledger = &body->head.ledger;
-    ledger->fracture += energy;
-    ledger->dissipated += energy;
+    int low = 0, high = head->boundary_count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (head->boundary[middle] < particle)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    if (low < head->boundary_count && head->boundary[low] == particle) return;
+    for (int n = head->boundary_count++; n > low; --n) head->boundary[n] = head->boundary[n - 1];
+    head->boundary[low] = particle;
+}
+
+/* `moved`: the colour that moved last. What goes into the ledger waits for
+ * fw_automaton_book_tears(). */
+static fw_status break_bond(fw_automaton *body, int cell, int direction, int moved, int tick,
+                            fw_error *error)
+{
+    const int partner = body->built[cell][direction];
+    void *list = body->tear;
+    if (!make_room(&list, body->tear_count, &body->tear_room, sizeof *body->tear))
+        return fw_fail_memory(error, "the broken bonds of an automaton");
+    body->tear = list;
+    const fw_vec2 difference = fw_vec2_subtract(fw_automaton_at(&body->colour[FW_WHITE], partner),
+                                                fw_automaton_at(&body->colour[FW_BLACK], cell));
+    const fw_vec2 pull = fw_sym2_apply(body->matrices.bond[direction], difference);
     /* p = 1/2 sum B (w - b) once white has moved, the negative once black has. */
-    ledger->drag = fw_vec2_add(ledger->drag, fw_vec2_scale(moved == FW_WHITE ? -0.5 : 0.5, pull));
+    body->tear[body->tear_count++] =
+        (fw_automaton_tear){.tick = tick,
+                            .cell = cell,
+                            .direction = direction,
+                            .energy = fw_vec2_dot(difference, pull) / 2,
+                            .drag = fw_vec2_scale(moved == FW_WHITE ? -0.5 : 0.5, pull)};
     body->bonds[cell] &= (uint8_t) ~(1 << direction);
-    set_bond(body, cell, direction, false);
+    FW_TRY(set_bond(body, cell, direction, false, error));
+    expose(&body->head, body->colour[FW_BLACK].particle[cell]);
+    expose(&body->head, body->colour[FW_WHITE].particle[partner]);
+    body->head.boundary_revision += 1;
+    body->links_stale = true;
+    return FW_OK;
 }
 
-/* Measured against the place of the moving colour halfway through its move: in a rigid motion the
- * two ends of a bond are then exactly at their lattice distance. */
-void fw_automaton_break_stretched(fw_automaton *body)
+fw_status fw_automaton_tear_row(fw_automaton *body, int colour, int row, int tick, fw_error *error)
 {
-    bool broken = false;
-    const int moved = fw_automaton_moving(body);
-    const fw_automaton_colour *black = &body->colour[FW_BLACK], *white = &body->colour[FW_WHITE];
-    for (int n = 0; n < black->count; ++n)
-        for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            const int partner = black->rim[n].neighbour[d];
-            if (partner < 0) continue;
-            fw_vec2 stretch =
-                fw_vec2_subtract(fw_automaton_at(white, partner), fw_automaton_at(black, n));
-            const fw_vec2 back = body->moved[moved == FW_BLACK ? n : partner];
-            stretch = fw_vec2_add(stretch, fw_vec2_scale(moved == FW_BLACK ? 0.5 : -0.5, back));
-            if (!(hypot(stretch.x, stretch.y) > body->break_at)) continue;
-            break_bond(body, n, d, moved);
-            broken = true;
+    const fw_automaton_row *cells = &body->colour[colour].row[row];
+    for (int n = cells[0].cell; n < cells[1].cell; ++n) {
+        const uint8_t torn = body->torn[n];
+        body->torn[n] = 0;
+        for (int d = 0; d < FW_DIRECTIONS && torn; ++d) {
+            if (!(torn >> d & 1)) continue;
+            double weight;
+            const int partner = fw_automaton_cell_neighbour(body, colour, n, d, &weight);
+            if (colour == FW_BLACK)
+                FW_TRY(break_bond(body, n, d, colour, tick, error));
+            else
+                FW_TRY(break_bond(body, partner, fw_opposite(d), colour, tick, error));
         }
-    if (broken) fw_automaton_list_bonds(body);
+    }
+    return FW_OK;
 }
 
-void fw_automaton_rebuild_bonds(fw_automaton *body)
+static int compare_tears(const void *left, const void *right)
 {
-    if (!body->bonds) return;
+    const fw_automaton_tear *a = left, *b = right;
+    if (a->tick != b->tick) return a->tick < b->tick ? -1 : 1;
+    if (a->cell != b->cell) return a->cell < b->cell ? -1 : 1;
+    return (a->direction > b->direction) - (a->direction < b->direction);
+}
+
+void fw_automaton_sort_tears(fw_automaton *body)
+{
+    if (body->tear_count > 0)
+        qsort(body->tear, (size_t)body->tear_count, sizeof *body->tear, compare_tears);
+    body->tear_booked = 0;
+}
+
+void fw_automaton_book_tears(fw_automaton *body, int tick)
+{
+    fw_solid_ledger *ledger = &body->head.ledger;
+    for (; body->tear_booked < body->tear_count; ++body->tear_booked) {
+        const fw_automaton_tear *tear = &body->tear[body->tear_booked];
+        if (tear->tick != tick) return;
+        ledger->fracture += tear->energy;
+        ledger->dissipated += tear->energy;
+        ledger->drag = fw_vec2_add(ledger->drag, tear->drag);
+    }
+    body->tear_count = 0;
+}
+
+/* All cells that left their spans go back. */
+static void close_gaps(fw_automaton *body)
+{
+    for (int c = 0; c < FW_COLOURS; ++c) {
+        fw_automaton_colour *colour = &body->colour[c];
+        for (int row = 0; row < body->row_count; ++row) colour->gaps[row].count = 0;
+        while (colour->rim_count > 0 && colour->rim[colour->rim_count - 1].span >= 0) {
+            const fw_automaton_rim *rim = &colour->rim[--colour->rim_count];
+            colour->place[rim->cell] = ~rim->span;
+        }
+    }
+}
+
+fw_status fw_automaton_rebuild_bonds(fw_automaton *body, fw_error *error)
+{
+    if (!body->bonds) return FW_OK;
+    close_gaps(body);
     for (int n = 0; n < body->colour[FW_BLACK].count; ++n)
         for (int d = 0; d < FW_DIRECTIONS; ++d)
-            if (body->built[n][d] >= 0) set_bond(body, n, d, body->bonds[n] >> d & 1);
+            if (body->built[n][d] >= 0)
+                FW_TRY(set_bond(body, n, d, body->bonds[n] >> d & 1, error));
     fw_automaton_list_bonds(body);
+    return FW_OK;
 }
 
 bool fw_elastic_automaton_break(fw_solid *solid, int particle, int direction)
@@ -78,14 +211,16 @@ bool fw_elastic_automaton_break(fw_solid *solid, int particle, int direction)
     fw_automaton *body = fw_automaton_of(solid);
     assert(body->bonds);
     const int colour = body->white[particle], cell = body->cell[particle];
-    const int partner = body->colour[colour].rim[cell].neighbour[direction];
+    double weight;
+    const int partner = fw_automaton_cell_neighbour(body, colour, cell, direction, &weight);
     if (partner < 0) return false;
     /* Between ticks the colour that moved last is the one that does not move next. */
     const int moved = !fw_automaton_moving(body);
-    if (colour == FW_BLACK)
-        break_bond(body, cell, direction, moved);
-    else
-        break_bond(body, partner, fw_opposite(direction), moved);
+    const int black = colour == FW_BLACK ? cell : partner;
+    const int from_black = colour == FW_BLACK ? direction : fw_opposite(direction);
+    if (break_bond(body, black, from_black, moved, 0, NULL) != FW_OK) return false;
+    fw_automaton_sort_tears(body);
+    fw_automaton_book_tears(body, 0);
     fw_automaton_list_bonds(body);
     return true;
 }

@@ -8,13 +8,14 @@
 /* What the loop has to do; constant where it is inlined, so that each combination is a loop of its
  * own without branches. */
 typedef struct kind {
-    bool loaded, damped;
+    bool loaded, damped, breakable;
 } kind;
 
 /* What passed, lane by lane. */
 typedef struct passed {
     fw_vector work[FW_PARTS], impulse_x[FW_PARTS], impulse_y[FW_PARTS];
     fw_vector dissipated[FW_PARTS], drag_x[FW_PARTS], drag_y[FW_PARTS];
+    bool torn;
 } passed;
 
 /* The arrays of a move from the span's first cell on. */
@@ -22,6 +23,7 @@ typedef struct stream {
     double *x, *y;
     const double *neighbour_x[FW_DIRECTIONS], *neighbour_y[FW_DIRECTIONS];
     const double *force_x, *force_y; /* of every second particle */
+    uint8_t *torn;
 } stream;
 
 typedef struct pair {
@@ -69,14 +71,53 @@ FW_INLINE pair load_force(const stream *s, int k, int count)
     return (pair){fw_load(x), fw_load(y)};
 }
 
+/* Notes the bonds of cells that are too long; kept apart from the loop, which seldom comes here. */
+__attribute__((noinline, cold)) static void tear(const double *neighbour_x,
+                                                 const double *neighbour_y, const double *middle_x,
+                                                 const double *middle_y, int count, double break_at,
+                                                 uint8_t bit, uint8_t *torn, bool *any)
+{
+    for (int lane = 0; lane < FW_WIDTH && lane < count; ++lane) {
+        const double x = neighbour_x[lane] - middle_x[lane];
+        const double y = neighbour_y[lane] - middle_y[lane];
+        if (!(hypot(x, y) > break_at)) continue;
+        torn[lane] |= bit;
+        *any = true;
+    }
+}
+
+/* Bonds of the cells from k on, from the middle of the cells' ways to their neighbours. */
+FW_INLINE void look_for_tears(const fw_automaton_move *move, const stream *s, int k, int count,
+                              const pair neighbour[FW_DIRECTIONS], pair middle, bool *any)
+{
+    fw_vector square[FW_DIRECTIONS];
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        const fw_vector x = neighbour[d].x - middle.x, y = neighbour[d].y - middle.y;
+        square[d] = x * x + y * y;
+    }
+    const fw_vector largest = fw_larger(fw_larger(square[FW_EAST], square[FW_NORTH]),
+                                        fw_larger(square[FW_WEST], square[FW_SOUTH]));
+    /* A little less than the square of break_at, for hypot() rounds otherwise. */
+    const double least = move->break_at * move->break_at * (1 - 1e-12);
+    if (__builtin_expect(!fw_any(fw_less(fw_splat(least), largest)), 1)) return;
+    double middle_x[FW_WIDTH], middle_y[FW_WIDTH];
+    fw_store(middle_x, middle.x);
+    fw_store(middle_y, middle.y);
+    for (int d = 0; d < FW_DIRECTIONS; ++d)
+        tear(s->neighbour_x[d] + k, s->neighbour_y[d] + k, middle_x, middle_y, count,
+             move->break_at, (uint8_t)(1 << d), s->torn + k, any);
+}
+
 /* The cells of part `part` of a block, from k on; of them `count` are there. */
 FW_INLINE void move_part(const fw_automaton_move *move, const stream *s, int k, int part, int count,
                          lanes l, kind has, passed *sum)
 {
     const pair self = load(s->x, s->y, k, l);
-    pair pull[FW_DIRECTIONS], force = {0};
-    for (int d = 0; d < FW_DIRECTIONS; ++d)
-        pull[d] = pull_of(move->matrix[d], load(s->neighbour_x[d], s->neighbour_y[d], k, l), self);
+    pair neighbour[FW_DIRECTIONS], pull[FW_DIRECTIONS], force = {0};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        neighbour[d] = load(s->neighbour_x[d], s->neighbour_y[d], k, l);
+        pull[d] = pull_of(move->matrix[d], neighbour[d], self);
+    }
     const pair all = {(pull[FW_EAST].x + pull[FW_NORTH].x) + (pull[FW_WEST].x + pull[FW_SOUTH].x),
                       (pull[FW_EAST].y + pull[FW_NORTH].y) + (pull[FW_WEST].y + pull[FW_SOUTH].y)};
 
@@ -88,6 +129,10 @@ FW_INLINE void move_part(const fw_automaton_move *move, const stream *s, int k, 
         way.y += move->share_of_pull * force.y;
     }
     store(s->x, s->y, k, l, (pair){self.x + way.x, self.y + way.y});
+    if (has.breakable) {
+        const pair middle = {self.x + 0.5 * way.x, self.y + 0.5 * way.y};
+        look_for_tears(move, s, k, count, neighbour, middle, &sum->torn);
+    }
 
     /* dE = F.d - k d.d, dp = F - k d */
     if (has.loaded) {
@@ -118,6 +163,7 @@ FW_INLINE void move_span(const fw_automaton_move *moved, const fw_automaton_span
         s.force_x = move->force_x + span->particle;
         s.force_y = move->force_y + span->particle;
     }
+    if (has.breakable) s.torn = move->torn + span->begin;
     int k = 0;
     for (; k + FW_BLOCK <= span->count; k += FW_BLOCK)
         for (int part = 0; part < FW_PARTS; ++part)
@@ -128,6 +174,7 @@ FW_INLINE void move_span(const fw_automaton_move *moved, const fw_automaton_span
     for (int part = 0; part * FW_WIDTH < left; ++part)
         move_part(move, &s, k + part * FW_WIDTH, part, left - part * FW_WIDTH,
                   (lanes){.mask = fw_mask_of(bits, part)}, has, &sum);
+    share->torn |= sum.torn;
     if (has.loaded) {
         share->work += fw_sum_block(sum.work);
         share->impulse.x += fw_sum_block(sum.impulse_x);
@@ -144,14 +191,20 @@ static void move_cells(const fw_automaton_move *move, const fw_automaton_span *s
                        fw_automaton_share *share)
 {
     const bool loaded = move->force_x != NULL, damped = move->loss > 0;
-    if (!loaded && !damped)
-        move_span(move, span, share, (kind){false, false});
-    else if (!damped)
-        move_span(move, span, share, (kind){true, false});
-    else if (!loaded)
-        move_span(move, span, share, (kind){false, true});
-    else
-        move_span(move, span, share, (kind){true, true});
+    if (move->torn) {
+        if (!loaded && !damped)
+            move_span(move, span, share, (kind){.breakable = true});
+        else
+            move_span(move, span, share, (kind){loaded, damped, true});
+    } else if (!loaded && !damped) {
+        move_span(move, span, share, (kind){0});
+    } else if (!damped) {
+        move_span(move, span, share, (kind){.loaded = true});
+    } else if (!loaded) {
+        move_span(move, span, share, (kind){.damped = true});
+    } else {
+        move_span(move, span, share, (kind){.loaded = true, .damped = true});
+    }
 }
 
 const fw_automaton_kernels FW_KERNELS_HERE(fw_automaton_kernels) = {.move = move_cells};

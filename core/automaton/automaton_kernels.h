@@ -15,11 +15,15 @@ typedef struct fw_automaton_move {
     double share_of_pull;            /* (1 + a)/2 */
     double loss;                     /* (1 - a)/(1 + a) */
     const double *force_x, *force_y; /* of each particle; NULL: no loads */
+    double break_at;                 /* stretch of a bond that breaks it */
+    uint8_t *torn;                   /* of each cell: see the body's; NULL: unbreakable */
 } fw_automaton_move;
 
 typedef struct fw_automaton_kernels {
     /* Moves the cells of a span by (1 + a)/2 (s + F), s = sum_d matrix[d] (neighbour - self), and
-     * adds what passed to the share. */
+     * adds what passed to the share. Breakable cells note the bonds that are stretched too far: by
+     * where the cell was halfway, so that the ends of a bond in rigid motion are exactly at their
+     * lattice distance. */
     void (*move)(const fw_automaton_move *move, const fw_automaton_span *span,
                  fw_automaton_share *share);
 } fw_automaton_kernels;

@@ -116,7 +116,7 @@ static double bond_weight(const surroundings *around, fw_boundary_rule boundary,
 
 static bool is_inside(const fw_automaton *body, const surroundings *around, int particle)
 {
-    if (body->breaks) return false;
+
     for (int d = 0; d < FW_DIRECTIONS; ++d)
         if (bond_weight(around, body->boundary, particle, d) < 1) return false;
     return true;
@@ -208,7 +208,7 @@ static void cut_spans(fw_automaton *body, const surroundings *around, fw_automat
     for (int r = 0; r < body->run_count; ++r) {
         const fw_automaton_run *run = &body->run[r];
         if (r == 0 || run->site.j != run[-1].site.j) {
-            colour->row[row++] = (fw_automaton_row){colour->span_count, colour->rim_count};
+            colour->row[row++] = (fw_automaton_row){n, colour->span_count, colour->rim_count};
             span.count = 0;
         }
         for (; n < colour->count && colour->particle[n] < run->particle + run->count; ++n) {
@@ -227,7 +227,7 @@ static void cut_spans(fw_automaton *body, const surroundings *around, fw_automat
             if (colour->span) colour->span[colour->span_count - 1] = span;
         }
     }
-    colour->row[row] = (fw_automaton_row){colour->span_count, colour->rim_count};
+    colour->row[row] = (fw_automaton_row){n, colour->span_count, colour->rim_count};
 }
 
 static fw_status fill_rim(fw_automaton *body, const surroundings *around, int c,
@@ -240,6 +240,7 @@ static fw_status fill_rim(fw_automaton *body, const surroundings *around, int c,
         const fw_site site = sites->site[particle];
         fw_automaton_rim *rim = &colour->rim[colour->place[n]];
         rim->cell = n;
+        rim->span = -1;
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
             rim->neighbour[d] = next[d] < 0 ? -1 : body->cell[next[d]];
             rim->weight[d] = bond_weight(around, body->boundary, particle, d);
@@ -270,6 +271,7 @@ static fw_status lay_out_colour(fw_automaton *body, const surroundings *around, 
     cut_spans(body, around, colour);
     colour->span = fw_array_allocate((size_t)colour->span_count, sizeof *colour->span);
     colour->rim = fw_array_allocate((size_t)colour->rim_count, sizeof *colour->rim);
+    colour->rim_room = colour->rim_count;
     if (!colour->span || !colour->rim) return fw_fail_memory(error, "the rims of an automaton");
     cut_spans(body, around, colour);
     return fill_rim(body, around, c, sites, error);
@@ -317,6 +319,7 @@ void fw_automaton_list_bonds(fw_automaton *body)
         if (exposed) head->boundary[head->boundary_count++] = p;
     }
     head->boundary_revision += 1;
+    body->links_stale = false;
 }
 
 static fw_status lay_out_breakable(fw_automaton *body, fw_error *error)
@@ -326,12 +329,17 @@ static fw_status lay_out_breakable(fw_automaton *body, fw_error *error)
         black->count > body->colour[FW_WHITE].count ? black->count : body->colour[FW_WHITE].count;
     body->bonds = fw_array_allocate((size_t)black->count, sizeof *body->bonds);
     body->built = fw_array_allocate((size_t)black->count, sizeof *body->built);
-    body->moved = fw_array_allocate((size_t)most, sizeof *body->moved);
-    if (!body->bonds || !body->built || !body->moved)
+    body->torn = fw_array_allocate((size_t)most, sizeof *body->torn);
+    for (int c = 0; c < FW_COLOURS; ++c)
+        body->colour[c].gaps =
+            fw_array_allocate((size_t)body->row_count, sizeof *body->colour[c].gaps);
+    if (!body->bonds || !body->built || !body->torn || !body->colour[FW_BLACK].gaps ||
+        !body->colour[FW_WHITE].gaps)
         return fw_fail_memory(error, "the breaking bonds");
     for (int n = 0; n < black->count; ++n)
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            body->built[n][d] = black->rim[n].neighbour[d];
+            double weight;
+            body->built[n][d] = fw_automaton_cell_neighbour(body, FW_BLACK, n, d, &weight);
             if (body->built[n][d] >= 0) body->bonds[n] |= (uint8_t)(1 << d);
         }
     return FW_OK;

@@ -28,7 +28,9 @@ fw_half_step fw_half_step_of(const fw_automaton *body, int colour)
                                     .share_of_pull = step.share_of_pull,
                                     .loss = step.loss,
                                     .force_x = body->head.loaded ? body->head.external_x : NULL,
-                                    .force_y = body->head.loaded ? body->head.external_y : NULL};
+                                    .force_y = body->head.loaded ? body->head.external_y : NULL,
+                                    .break_at = body->break_at,
+                                    .torn = body->torn};
     for (int d = 0; d < FW_DIRECTIONS; ++d) step.move.matrix[d] = *own->matrix[d];
     return step;
 }
@@ -78,6 +80,25 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
     }
 }
 
+/* As in the kernels: notes the bonds of a cell that are too long, from the middle of its way. */
+static bool tear(const fw_half_step *step, int cell, fw_vec2 middle)
+{
+    const fw_automaton *body = step->body;
+    bool any = false;
+    for (int direction = 0; direction < FW_DIRECTIONS; ++direction) {
+        double weight;
+        const int partner =
+            fw_automaton_cell_neighbour(body, step->colour, cell, direction, &weight);
+        if (partner < 0) continue;
+        const fw_vec2 stretch =
+            fw_vec2_subtract(fw_automaton_at(&body->colour[!step->colour], partner), middle);
+        if (!(hypot(stretch.x, stretch.y) > body->break_at)) continue;
+        step->move.torn[cell] |= (uint8_t)(1 << direction);
+        any = true;
+    }
+    return any;
+}
+
 /* Moves one cell by d, or by what its constraint says, and adds what went through its bounds to the
  * share. */
 static void move(const fw_half_step *step, int cell, int particle, fw_sym2 mass,
@@ -92,9 +113,10 @@ static void move(const fw_half_step *step, int cell, int particle, fw_sym2 mass,
     }
     if (step->constraints && colour->held[cell] >= 0)
         d = step->constraints[colour->held[cell]].displacement;
+    const fw_vec2 middle = fw_vec2_add(fw_automaton_at(colour, cell), fw_vec2_scale(0.5, d));
     colour->x[cell] += d.x;
     colour->y[cell] += d.y;
-    if (step->body->moved) step->body->moved[cell] = d;
+    if (step->move.torn) share->torn |= tear(step, cell, middle);
     /* dE = F.d - k d.m d, dp = F - k m d: see the header. A cell without mass takes nothing up. */
     if (head->loaded && inverse_mass.xx > 0) {
         share->work += fw_vec2_dot(force, d);
@@ -127,19 +149,48 @@ static void move_rim(const fw_half_step *step, const fw_automaton_rim *rim,
          share);
 }
 
+static void move_span(const fw_half_step *step, const fw_automaton_span *span,
+                      fw_automaton_share *share)
+{
+    if (span->held)
+        move_held_span(step, span, share);
+    else
+        step->kernels->move(&step->move, span, share);
+}
+
+/* What is left of a span between the gaps from *gap on. */
+static void move_pieces(const fw_half_step *step, const fw_automaton_span *span,
+                        const fw_automaton_gaps *gaps, int *gap, fw_automaton_share *share)
+{
+    const fw_automaton_rim *rim = step->body->colour[step->colour].rim;
+    const int end = span->begin + span->count;
+    for (int begin = span->begin; begin < end;) {
+        const bool cut = *gap < gaps->count && rim[gaps->rim[*gap]].cell < end;
+        const int until = cut ? rim[gaps->rim[(*gap)++]].cell : end;
+        fw_automaton_span piece = *span;
+        piece.begin = begin;
+        piece.count = until - begin;
+        piece.particle += 2 * (begin - span->begin);
+        if (piece.count > 0) move_span(step, &piece, share);
+        begin = until + 1;
+    }
+}
+
 void fw_half_step_move_row(const fw_half_step *step, int number, fw_automaton_share *share)
 {
     const fw_automaton_colour *colour = &step->body->colour[step->colour];
     const fw_automaton_row *row = &colour->row[number];
-    *share = (fw_automaton_share){0, 0, {0, 0}, {0, 0}};
+    const fw_automaton_gaps none = {0}, *gaps = colour->gaps ? &colour->gaps[number] : &none;
+    *share = (fw_automaton_share){0};
+    int gap = 0;
     for (int n = row[0].span; n < row[1].span; ++n) {
-        const fw_automaton_span *span = &colour->span[n];
-        if (span->held)
-            move_held_span(step, span, share);
+        if (gap < gaps->count)
+            move_pieces(step, &colour->span[n], gaps, &gap, share);
         else
-            step->kernels->move(&step->move, span, share);
+            move_span(step, &colour->span[n], share);
     }
     for (int n = row[0].rim; n < row[1].rim; ++n) move_rim(step, &colour->rim[n], share);
+    for (int n = 0; n < gaps->count; ++n) move_rim(step, &colour->rim[gaps->rim[n]], share);
 }
 
 void fw_automaton_book(fw_automaton *body, const fw_automaton_share *shares)
@@ -196,7 +247,6 @@ static void note_constraints(fw_half_step *step, const fw_constraint *constraint
 fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints,
                                int constraint_count, fw_error *error)
 {
-    (void)error;
     fw_automaton *body = fw_automaton_of(solid);
     fw_half_step step = fw_half_step_of(body, fw_automaton_moving(body));
     note_constraints(&step, constraints, constraint_count, true);
@@ -205,7 +255,10 @@ fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints
         fw_half_step_move_row(&step, row, &body->share[row]);
     if (fw_half_step_passes(&step)) fw_automaton_book(body, body->share);
     note_constraints(&step, constraints, constraint_count, false);
-    if (body->breaks) fw_automaton_break_stretched(body);
+    for (int row = 0; body->breaks && row < body->row_count; ++row)
+        if (body->share[row].torn) FW_TRY(fw_automaton_tear_row(body, step.colour, row, 0, error));
+    fw_automaton_sort_tears(body);
+    fw_automaton_book_tears(body, 0);
     fw_automaton_tick(body, 1);
     fw_automaton_place_boundary(body);
     return FW_OK;

@@ -32,11 +32,18 @@ static inline bool fw_half_step_passes(const fw_half_step *step)
     return step->body->head.loaded || step->loss > 0;
 }
 
-/* Moves the cells of a row. `share`: what they add to the ledger; all zero if nothing passes. */
+/* Moves the cells of a row. `share`: what they add to the ledger; all zero if nothing passes
+ * and nothing tears. */
 void fw_half_step_move_row(const fw_half_step *step, int row, fw_automaton_share *share);
 
 /* Ends a half-step, or several: adds the rows' shares of one to the ledger. */
 void fw_automaton_book(fw_automaton *body, const fw_automaton_share *shares);
+/* Breaks the bonds of a row of the colour that has moved, in that tick of those that are taken
+ * together, and after all of them: in order of black cells, by ticks into the ledger. Threads keep
+ * off. */
+fw_status fw_automaton_tear_row(fw_automaton *body, int colour, int row, int tick, fw_error *error);
+void fw_automaton_sort_tears(fw_automaton *body);
+void fw_automaton_book_tears(fw_automaton *body, int tick);
 /* Counts ticks that were taken; displacements stay small. */
 void fw_automaton_tick(fw_automaton *body, int ticks);
 

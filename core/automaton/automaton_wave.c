@@ -17,25 +17,33 @@
 enum { FRONT_BYTES = 1 << 19 };
 
 typedef struct front {
+    fw_automaton *body;
     fw_half_step step[FW_COLOURS]; /* of the colour that moves in even ticks, in odd ones */
     int ticks, strips;
+    fw_status status; /* of what breaks; then there is but one strip */
+    fw_error *error;
 } front;
 
-static void move_row(const front *f, int tick, int row)
+/* Bonds break at once: a bond of this row joins it to rows that have moved one tick less, and have
+ * yet to be moved by what breaks. */
+static void move_row(front *f, int tick, int row)
 {
-    const fw_automaton *body = f->step[0].body;
+    fw_automaton *body = f->body;
+    const fw_half_step *step = &f->step[tick & 1];
     fw_automaton_share share;
-    fw_half_step_move_row(&f->step[tick & 1], row, &share);
-    if (fw_half_step_passes(&f->step[0])) body->share[tick * body->row_count + row] = share;
+    fw_half_step_move_row(step, row, &share);
+    if (fw_half_step_passes(step)) body->share[tick * body->row_count + row] = share;
+    if (share.torn && f->status == FW_OK)
+        f->status = fw_automaton_tear_row(body, step->colour, row, tick, f->error);
 }
 
 /* The first row of a strip, or one past the last row of all. */
 static int begin_of(const front *f, int strip)
 {
-    return (int)((int64_t)f->step[0].body->row_count * strip / f->strips);
+    return (int)((int64_t)f->body->row_count * strip / f->strips);
 }
 
-static void move_strip(const front *f, int strip)
+static void move_strip(front *f, int strip)
 {
     const int begin = begin_of(f, strip), end = begin_of(f, strip + 1);
     const int left = strip > 0, right = strip < f->strips - 1;
@@ -47,13 +55,13 @@ static void move_strip(const front *f, int strip)
 }
 
 /* What the strips on both sides of a row have left. */
-static void fill_wedge(const front *f, int middle)
+static void fill_wedge(front *f, int middle)
 {
     for (int tick = 1; tick < f->ticks; ++tick)
         for (int row = middle - tick; row < middle + tick; ++row) move_row(f, tick, row);
 }
 
-static void run_front(const front *f)
+static void run_front(front *f)
 {
 #pragma omp parallel for schedule(static) num_threads(f->strips) if (f->strips > 1)
     for (int strip = 0; strip < f->strips; ++strip) move_strip(f, strip);
@@ -71,40 +79,52 @@ static int depth_of(const fw_automaton *body, int most, bool passes)
     return depth < most ? depth : most;
 }
 
+static int threads_of(const fw_automaton *body)
+{
+    return body->head.count >= FW_THREADS_FROM ? omp_get_max_threads() : 1;
+}
+
 static int strips_of(const fw_automaton *body, int depth)
 {
-    const int threads = body->head.count >= FW_THREADS_FROM ? omp_get_max_threads() : 1;
+    const int threads = threads_of(body);
     const int room = body->row_count / (2 * depth);
     return threads < room ? threads : room > 1 ? room : 1;
 }
 
-/* Takes up to `most` ticks, and returns how many. */
-static int advance_front(fw_automaton *body, int most)
+/* Takes up to `most` ticks; *taken: how many. */
+static fw_status advance_front(fw_automaton *body, int most, int *taken, fw_error *error)
 {
     const int moving = fw_automaton_moving(body);
-    front f = {.step = {fw_half_step_of(body, moving), fw_half_step_of(body, !moving)}};
+    front f = {.body = body,
+               .step = {fw_half_step_of(body, moving), fw_half_step_of(body, !moving)},
+               .error = error};
     const bool passes = fw_half_step_passes(&f.step[0]);
     f.ticks = depth_of(body, most, passes);
-    f.strips = strips_of(body, f.ticks);
+    f.strips = body->breaks ? 1 : strips_of(body, f.ticks);
     run_front(&f);
-    for (int tick = 0; passes && tick < f.ticks; ++tick)
-        fw_automaton_book(body, body->share + (size_t)tick * (size_t)body->row_count);
-    return f.ticks;
+    FW_TRY(f.status);
+    fw_automaton_sort_tears(body);
+    for (int tick = 0; tick < f.ticks; ++tick) {
+        if (passes) fw_automaton_book(body, body->share + (size_t)tick * (size_t)body->row_count);
+        fw_automaton_book_tears(body, tick);
+    }
+    fw_automaton_tick(body, f.ticks);
+    *taken = f.ticks;
+    return FW_OK;
 }
 
 fw_status fw_automaton_advance_free(fw_solid *solid, int ticks, fw_error *error)
 {
     fw_automaton *body = fw_automaton_of(solid);
-    /* A breakable body changes from tick to tick, and rows in a ring have no first one. */
-    const bool one_by_one = body->breaks || body->ring_of_rows;
+    /* Rows in a ring have no first one, and what breaks in one strip reaches into the next. */
+    const bool one_by_one = body->ring_of_rows || (body->breaks && threads_of(body) > 1);
     while (ticks > 0) {
         const int left = FW_RECENTRE_EVERY - (int)(solid->ticks % FW_RECENTRE_EVERY);
         int taken = 1;
         if (one_by_one) {
             FW_TRY(fw_automaton_advance(solid, NULL, 0, error));
         } else {
-            taken = advance_front(body, ticks < left ? ticks : left);
-            fw_automaton_tick(body, taken);
+            FW_TRY(advance_front(body, ticks < left ? ticks : left, &taken, error));
         }
         ticks -= taken;
     }

@@ -170,7 +170,7 @@ static fw_status restored(fw_solid *solid, fw_error *error)
                 return fw_fail(error, FW_BAD_INPUT,
                                "black cell %d has a bond in direction %d, where no cell lies", n,
                                d);
-    fw_automaton_rebuild_bonds(body);
+    FW_TRY(fw_automaton_rebuild_bonds(body, error));
     fw_automaton_place(solid);
     return FW_OK;
 }

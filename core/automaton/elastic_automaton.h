@@ -75,7 +75,8 @@ fw_status fw_elastic_automaton_spectral_radius(const fw_elastic_automaton_def *d
 fw_vec2 fw_elastic_automaton_displacement(const fw_solid *solid, int particle);
 bool fw_elastic_automaton_is_black(const fw_solid *solid, int particle);
 /* Breaks the bond of a particle in a direction of the lattice, if there is one; the body must be
- * breakable. Its energy and momentum go into the ledger. Returns whether a bond was there. */
+ * breakable. Its energy and momentum go into the ledger. Returns whether it broke: there was a
+ * bond (and memory). */
 bool fw_elastic_automaton_break(fw_solid *solid, int particle, int direction);
 /* Particles that have lost their last bond: they have neither mass nor velocity left and stay
  * where they are. */
