@@ -151,6 +151,33 @@ FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_kind kind, 
     return terms;
 }
 
+/* U'' with the cut, 0 from there on, in the unit of forces. */
+FW_INLINE fw_vector fw_pair_curvature(const fw_pair_rule *rule, fw_pair_kind kind,
+                                      const fw_pair_lanes *pair)
+{
+    const fw_vector r = fw_root(pair->r2);
+    fw_vector bare;
+    if (kind == FW_LENNARD_JONES) {
+        const fw_vector c = pair->inverse * pair->inverse * pair->inverse;
+        bare = c * (13 * c - 7 * rule->q) * pair->inverse;
+    } else {
+        const fw_vector e = fw_exponential(-rule->steepness * (r - rule->distance));
+        bare = rule->steepness * e * (2 * e - 1);
+    }
+    /* U'' S + 2 U' S' + U S'' */
+    const fw_weights at = fw_weights_at(&rule->cut, r);
+    const double scale = rule->cut.scale;
+    const fw_vector both = at.x * at.y, square = at.y * at.y;
+    const fw_vector slope = -fw_pair_push(rule, kind, pair) * r;
+    const fw_vector energy = rule->energy * fw_pair_energy(rule, kind, pair);
+    const fw_vector faded = bare * (fw_weight_value(at) * square) -
+                            60 * scale * slope * (both * both) -
+                            60 * scale * scale * energy * (both * (1 - 2 * at.x));
+    const fw_mask fading = fw_less(fw_splat(rule->inner_2), pair->r2);
+    const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+    return fw_keep(inside, fw_select(fading, faded, bare));
+}
+
 /* --- the return force --- */
 
 /* A complex number in each lane. */

@@ -118,34 +118,14 @@ static double strength_of(const fw_particles *particles, int i, int j)
     return g == particles->group_of[j] ? particles->groups[g].strength : particles->strength_across;
 }
 
-/* What particle i feels of its neighbours, each fixed: the positive parts of second derivatives. */
-static double stiffness_around(const fw_particles *particles, int i)
-{
-    const fw_solid *head = &particles->langevin.head;
-    fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
-    fw_sym2 sum = {0, 0, 0};
-    for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
-        const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
-        const double r2 = dx * dx + dy * dy, strength = strength_of(particles, i, j);
-        if (!(strength * particles->potential.depth > 0)) continue;
-        if (r2 >= particles->potential.cut.outer * particles->potential.cut.outer) continue;
-        const double radial = fw_pair_potential_curvature(&particles->potential, sqrt(r2));
-        const double along = strength * fmax(0, radial) / r2;
-        const double across = strength * fmax(0, -fw_pair_at(&particles->potential, r2).push) / r2;
-        sum = fw_sym2_add(sum,
-                          (fw_sym2){along * dx * dx + across * dy * dy, (along - across) * dx * dy,
-                                    along * dy * dy + across * dx * dx});
-    }
-    return 0.5 * (sum.xx + sum.yy) + hypot(0.5 * (sum.xx - sum.yy), sum.xy);
-}
-
 double fw_particles_start_limit(const fw_solid *solid, int *particle)
 {
     const fw_particles *particles = (const fw_particles *)solid;
     double highest = 0;
+    fw_particles_stiffness(particles, particles->langevin.scratch);
     for (int i = 0; i < solid->count; ++i) {
         const double square =
-            2 * stiffness_around(particles, i) * particles->langevin.inverse_mass[i];
+            2 * particles->langevin.scratch[i] * particles->langevin.inverse_mass[i];
         if (!(square > highest)) continue;
         highest = square;
         if (particle) *particle = i;

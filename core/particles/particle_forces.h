@@ -39,6 +39,10 @@ fw_pair_task fw_particles_task(const fw_particles *particles, int group);
 /* Half of the energy of each particle's pairs; valid until the next step. */
 const double *fw_particles_own_energies(const fw_particles *particles);
 
+/* What each particle feels of its neighbours, each fixed: the larger eigenvalue of the sum of the
+ * positive parts of the second derivatives. */
+void fw_particles_stiffness(const fw_particles *particles, double *stiffness);
+
 /* As fw_langevin.find_forces. */
 fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *error);
 

@@ -53,6 +53,7 @@ typedef struct fw_sum_arrays {
     double *energy;              /* half of the energy of its pairs */
     double *return_x, *return_y; /* net return force */
     double *bond_length;         /* mean length of the return forces of its bonds; NaN: no bonds */
+    double *stiffness;           /* see fw_particles_start_limit() */
     double *virial[4];           /* xx, xy, yx, yy of (r_i - r_j) (x) F_ij/2 */
 } fw_sum_arrays;
 

@@ -38,6 +38,11 @@ void fw_particles_bond_return_forces(const fw_solid *solid, double *lengths)
     sum_all(solid, (fw_sum_arrays){.bond_length = lengths});
 }
 
+void fw_particles_stiffness(const fw_particles *particles, double *stiffness)
+{
+    sum_all(&particles->langevin.head, (fw_sum_arrays){.stiffness = stiffness});
+}
+
 const double *fw_particles_own_energies(const fw_particles *particles)
 {
     fw_particle_energies *energies = particles->energies;

@@ -1,18 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sum_kernels.c - energies, virial and return forces of movable lattice particles, eight particles
- * at a time; compiled once for each instruction set. Keeps no state. As in particle_kernels.c every
- * particle adds its neighbours in ascending order. Start reading at add_pair(). */
+/* sum_kernels.c - energies, virial, stiffness and return forces of movable lattice particles, eight
+ * particles at a time; compiled once for each instruction set. Keeps no state. As in
+ * particle_kernels.c every particle adds its neighbours in ascending order. Start reading at
+ * add_pair(). */
 #include "pair_vectors.h"
 
 #include <stddef.h>
 
 /* What is wanted; energies alone, which are asked for most often, have a loop of their own. */
 typedef struct fw_wanted {
-    bool energy, force, virial, lengths;
+    bool energy, force, virial, lengths, stiffness;
 } fw_wanted;
 
 typedef struct fw_lane_sums {
-    fw_vector energy, return_x, return_y, length, bonds, virial[4];
+    fw_vector energy, return_x, return_y, length, bonds, virial[4], stiffness[3];
 } fw_lane_sums;
 
 /* The return force of a pair and its energy, with the body's turn. */
@@ -41,6 +42,27 @@ FW_INLINE fw_pull pull_of(const fw_return_rule *rule, const fw_pair_lanes *pair,
         fw_keep(inside, a * (bond.energy * cosine) + b * energy_second)};
 }
 
+/* Positive parts of the second derivatives of the potential: U'' along the bond, U'/r across. */
+FW_INLINE void add_stiffness(const fw_pair_rule *rule, fw_pair_kind kind, double unit,
+                             const fw_pair_lanes *pair, fw_vector push, fw_lane_sums *sums)
+{
+    const fw_vector none = fw_splat(0);
+    const fw_vector curvature = unit * fw_pair_curvature(rule, kind, pair);
+    const fw_vector along = fw_larger(curvature, none) * pair->inverse;
+    const fw_vector across = fw_larger(-push, none) * pair->inverse;
+    const fw_vector dx = fw_keep(pair->held, pair->dx), dy = fw_keep(pair->held, pair->dy);
+    sums->stiffness[0] += along * dx * dx + across * dy * dy;
+    sums->stiffness[1] += (along - across) * dx * dy;
+    sums->stiffness[2] += along * dy * dy + across * dx * dx;
+}
+
+/* The larger eigenvalue of a symmetric matrix. */
+FW_INLINE fw_vector larger_eigenvalue(const fw_vector m[3])
+{
+    const fw_vector half = 0.5 * (m[0] - m[2]);
+    return 0.5 * (m[0] + m[2]) + fw_root(half * half + m[1] * m[1]);
+}
+
 FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted wanted, bool own,
                         const fw_pair_lanes *pair, fw_lane_sums *sums)
 {
@@ -63,6 +85,7 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted w
         sums->length += fw_keep(bond, fw_root(square));
         sums->bonds += fw_keep(bond, fw_splat(1));
     }
+    if (wanted.stiffness) add_stiffness(&task->pair, kind, unit, pair, push, sums);
     if (wanted.virial) {
         const fw_vector dx = fw_keep(pair->held, pair->dx), dy = fw_keep(pair->held, pair->dy);
         const fw_vector force_x = push * dx + pull.force.x, force_y = push * dy + pull.force.y;
@@ -111,28 +134,39 @@ FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_kind kind, fw_wanted 
             store(out->return_x, first, held, sums.return_x);
             store(out->return_y, first, held, sums.return_y);
             store(out->bond_length, first, held, sums.length / sums.bonds);
+            store(out->stiffness, first, held, larger_eigenvalue(sums.stiffness));
             for (int v = 0; v < 4; ++v) store(out->virial[v], first, held, sums.virial[v]);
         }
 }
 
-static void energies(const fw_pair_task *task, const fw_chunk *chunk, const fw_sum_arrays *out)
+FW_INLINE void sum_either(const fw_pair_task *task, fw_wanted wanted, const fw_chunk *chunk,
+                          const fw_sum_arrays *out)
 {
-    const fw_wanted wanted = {.energy = true};
     if (task->pair.kind == FW_LENNARD_JONES)
         sum_chunk(task, FW_LENNARD_JONES, wanted, chunk, out);
     else
         sum_chunk(task, FW_MORSE, wanted, chunk, out);
 }
 
+static void energies(const fw_pair_task *task, const fw_chunk *chunk, double *energy)
+{
+    sum_either(task, (fw_wanted){.energy = true}, chunk, &(fw_sum_arrays){.energy = energy});
+}
+
+static void stiffnesses(const fw_pair_task *task, const fw_chunk *chunk, double *stiffness)
+{
+    sum_either(task, (fw_wanted){.stiffness = true}, chunk,
+               &(fw_sum_arrays){.stiffness = stiffness});
+}
+
 static void sums(const fw_pair_task *task, const fw_chunk *chunk, const fw_sum_arrays *out)
 {
-    const fw_wanted all = {true, true, true, true};
-    if (out->energy && !out->return_x && !out->bond_length && !out->virial[0])
-        energies(task, chunk, out);
-    else if (task->pair.kind == FW_LENNARD_JONES)
-        sum_chunk(task, FW_LENNARD_JONES, all, chunk, out);
-    else
-        sum_chunk(task, FW_MORSE, all, chunk, out);
+    if (out->energy) energies(task, chunk, out->energy);
+    if (out->stiffness) stiffnesses(task, chunk, out->stiffness);
+    if (!out->return_x && !out->bond_length && !out->virial[0]) return;
+    fw_sum_arrays rest = *out;
+    rest.energy = rest.stiffness = NULL;
+    sum_either(task, (fw_wanted){.force = true, .virial = true, .lengths = true}, chunk, &rest);
 }
 
 const fw_sum_kernels FW_KERNELS_HERE(fw_particle_sums) = {.sums = sums};
