@@ -4,29 +4,24 @@
  * The step is in langevin.c; start reading at find_forces(). */
 #include "core/particles/linear_lattice.h"
 
+#include "linear_kernels.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { NEIGHBOURS = 6, PARALLEL_FROM = 4096 };
+enum { NEIGHBOURS = FW_BOND_DIRECTIONS, PARALLEL_FROM = 4096, LANES = 8 };
 
 #define ROOT_3 1.73205080756887729353
-
-/* What a bond contributes to the force on its owner, for stretch d = u_j - u_i:
- *     axial e (e . d) + plain d + turning z x d. */
-typedef struct fw_linear_bond {
-    int neighbour; /* -1: none */
-    double plain;  /* k1, or half of it on a compensated edge */
-    double turning;
-} fw_linear_bond;
 
 typedef struct fw_linear_lattice {
     fw_langevin langevin; /* first */
     double k1, k2;
     fw_vec2 direction[NEIGHBOURS]; /* Eq 1, turned with the lattice */
-    fw_vec2 *home;
-    fw_linear_bond (*bonds)[NEIGHBOURS];
+    double *homes;                 /* memory of the two below, which may be read a block beyond */
+    double *home_x, *home_y;       /* places at rest */
+    fw_linear_bonds bonds;
 } fw_linear_lattice;
 
 fw_linear_lattice_def fw_linear_lattice_def_default(void)
@@ -71,33 +66,32 @@ fw_sym2 fw_linear_lattice_dynamical_matrix(const fw_linear_lattice_def *def, fw_
 
 /* --- forces --- */
 
-static inline fw_vec2 stretch_of(const fw_linear_lattice *lattice, int i, int j)
+static fw_linear_task task_of(const fw_linear_lattice *lattice)
 {
     const fw_solid *head = &lattice->langevin.head;
-    return (fw_vec2){(head->x[j] - head->x[i]) - (lattice->home[j].x - lattice->home[i].x),
-                     (head->y[j] - head->y[i]) - (lattice->home[j].y - lattice->home[i].y)};
+    fw_linear_task task = {.bonds = &lattice->bonds,
+                           .k1 = lattice->k1,
+                           .k2 = lattice->k2,
+                           .x = head->x,
+                           .y = head->y,
+                           .home_x = lattice->home_x,
+                           .home_y = lattice->home_y};
+    memcpy(task.direction, lattice->direction, sizeof task.direction);
+    return task;
 }
 
 static fw_status find_forces(fw_langevin *solid, double travel, fw_error *error)
 {
     (void)travel;
     (void)error;
-    const fw_linear_lattice *lattice = (const fw_linear_lattice *)solid;
+    enum { SOME = 64 }; /* blocks that a thread takes at a time */
+    const fw_linear_task task = task_of((const fw_linear_lattice *)solid);
+    const fw_linear_kernels *kernels = FW_KERNELS_CHOSEN(fw_linear_loops);
+    const int blocks = (solid->head.count + LANES - 1) / LANES;
 #pragma omp parallel for schedule(static) if (solid->head.count > PARALLEL_FROM)
-    for (int i = 0; i < solid->head.count; ++i) {
-        fw_vec2 force = {0, 0};
-        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
-            const fw_linear_bond *bond = &lattice->bonds[i][alpha];
-            if (bond->neighbour < 0) continue;
-            const fw_vec2 stretch = stretch_of(lattice, i, bond->neighbour);
-            const fw_vec2 e = lattice->direction[alpha];
-            const double axial = lattice->k2 * fw_vec2_dot(e, stretch);
-            force.x += axial * e.x + bond->plain * stretch.x - bond->turning * stretch.y;
-            force.y += axial * e.y + bond->plain * stretch.y + bond->turning * stretch.x;
-        }
-        solid->force_x[i] = force.x;
-        solid->force_y[i] = force.y;
-    }
+    for (int begin = 0; begin < blocks; begin += SOME)
+        kernels->forces(&task, begin, begin + SOME < blocks ? begin + SOME : blocks, solid->force_x,
+                        solid->force_y);
     return FW_OK;
 }
 
@@ -107,22 +101,10 @@ static fw_status find_forces(fw_langevin *solid, double travel, fw_error *error)
 static void fill_potential_energy(const fw_solid *head, double *values)
 {
     const fw_linear_lattice *lattice = (const fw_linear_lattice *)head;
-    const fw_vec2 middle = {head->x[0] - lattice->home[0].x, head->y[0] - lattice->home[0].y};
-    for (int i = 0; i < head->count; ++i) {
-        const fw_vec2 moved = {head->x[i] - lattice->home[i].x - middle.x,
-                               head->y[i] - lattice->home[i].y - middle.y};
-        double energy = 0;
-        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
-            const fw_linear_bond *bond = &lattice->bonds[i][alpha];
-            if (bond->neighbour < 0) continue;
-            const fw_vec2 stretch = stretch_of(lattice, i, bond->neighbour);
-            const double axial = fw_vec2_dot(lattice->direction[alpha], stretch);
-            energy +=
-                0.25 * (lattice->k2 * axial * axial + bond->plain * fw_vec2_dot(stretch, stretch));
-            energy -= 0.5 * bond->turning * fw_vec2_dot(moved, fw_vec2_turn(stretch));
-        }
-        values[i] = energy;
-    }
+    const fw_linear_task task = task_of(lattice);
+    const fw_vec2 middle = {head->x[0] - lattice->home_x[0], head->y[0] - lattice->home_y[0]};
+    FW_KERNELS_CHOSEN(fw_linear_loops)
+        ->energies(&task, middle, 0, (head->count + LANES - 1) / LANES, values);
 }
 
 /* --- the model --- */
@@ -131,8 +113,8 @@ static void destroy(fw_solid *solid)
 {
     if (!solid) return;
     fw_linear_lattice *lattice = (fw_linear_lattice *)solid;
-    free(lattice->home);
-    free(lattice->bonds);
+    free(lattice->homes);
+    fw_linear_bonds_release(&lattice->bonds);
     fw_langevin_release(&lattice->langevin);
     free(lattice);
 }
@@ -186,7 +168,8 @@ const fw_solid_model fw_linear_lattice_model = {
 fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)
 {
     assert(solid->model == &fw_linear_lattice_model);
-    return ((const fw_linear_lattice *)solid)->home[particle];
+    const fw_linear_lattice *lattice = (const fw_linear_lattice *)solid;
+    return (fw_vec2){lattice->home_x[particle], lattice->home_y[particle]};
 }
 
 /* --- building --- */
@@ -265,10 +248,11 @@ static fw_site neighbour_site(fw_site site, int alpha)
 /* A bond is the edge of the triangle to its left, with the neighbour 60 degrees on, and of the one
  * to its right. A triangle (a, b, c), counter-clockwise, adds the potential
  * -(sqrt3/2) k1 (u_a x u_b + u_b x u_c + u_c x u_a); edges between two triangles cancel. */
-static void weigh_bonds(fw_linear_lattice *lattice, bool compensated)
+static void weigh_bonds(const fw_linear_lattice *lattice, fw_linear_bond (*bonds_of)[NEIGHBOURS],
+                        bool compensated)
 {
     for (int i = 0; i < lattice->langevin.head.count; ++i) {
-        fw_linear_bond *bonds = lattice->bonds[i];
+        fw_linear_bond *bonds = bonds_of[i];
         for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
             const int left = bonds[(alpha + 1) % NEIGHBOURS].neighbour >= 0;
             const int right = bonds[(alpha + NEIGHBOURS - 1) % NEIGHBOURS].neighbour >= 0;
@@ -281,14 +265,15 @@ static void weigh_bonds(fw_linear_lattice *lattice, bool compensated)
     }
 }
 
-static fw_status list_links(fw_linear_lattice *lattice, fw_error *error)
+static fw_status list_links(fw_linear_lattice *lattice, fw_linear_bond (*bonds_of)[NEIGHBOURS],
+                            fw_error *error)
 {
     fw_solid *head = &lattice->langevin.head;
     for (int pass = 0; pass < 2; ++pass) {
         int count = 0;
         for (int i = 0; i < head->count; ++i)
             for (int alpha = 0; alpha < NEIGHBOURS / 2; ++alpha) {
-                const int j = lattice->bonds[i][alpha].neighbour;
+                const int j = bonds_of[i][alpha].neighbour;
                 if (j < 0) continue;
                 if (pass == 1) head->links[count][0] = i, head->links[count][1] = j;
                 count += 1;
@@ -302,24 +287,15 @@ static fw_status list_links(fw_linear_lattice *lattice, fw_error *error)
     return FW_OK;
 }
 
-static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *def,
-                       fw_error *error)
+static void place(fw_linear_lattice *lattice, const fw_linear_lattice_def *def)
 {
     fw_langevin *langevin = &lattice->langevin;
     fw_solid *head = &langevin->head;
-    const size_t count = (size_t)head->count;
-    lattice->k1 = def->k1;
-    lattice->k2 = def->k2;
-    lattice->home = fw_array_allocate(count, sizeof *lattice->home);
-    lattice->bonds = fw_array_allocate(count, sizeof *lattice->bonds);
-    if (!lattice->home || !lattice->bonds)
-        return fw_fail_memory(error, "the bonds of a linear lattice");
-    for (int alpha = 0; alpha < NEIGHBOURS; ++alpha)
-        lattice->direction[alpha] = bond_direction(&def->lattice, alpha);
     for (int i = 0; i < head->count; ++i) {
         const fw_vec2 home = fw_lattice_position(&def->lattice, def->sites->site[i]);
         const fw_vec2 moved = def->displacements ? def->displacements[i] : (fw_vec2){0, 0};
-        lattice->home[i] = home;
+        lattice->home_x[i] = home.x;
+        lattice->home_y[i] = home.y;
         head->x[i] = home.x + moved.x;
         head->y[i] = home.y + moved.y;
         langevin->mass[i] = def->mass;
@@ -327,16 +303,47 @@ static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *
             langevin->velocity_x[i] = def->velocities[i].x;
             langevin->velocity_y[i] = def->velocities[i].y;
         }
+    }
+}
+
+static fw_status tie(fw_linear_lattice *lattice, const fw_linear_lattice_def *def,
+                     fw_linear_bond (*bonds)[NEIGHBOURS], fw_error *error)
+{
+    fw_solid *head = &lattice->langevin.head;
+    for (int i = 0; i < head->count; ++i) {
         int around = 0;
         for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
             const int j = fw_sites_find(def->sites, neighbour_site(def->sites->site[i], alpha));
-            lattice->bonds[i][alpha].neighbour = j;
+            bonds[i][alpha].neighbour = j;
             around += j >= 0;
         }
         if (around < NEIGHBOURS) head->boundary[head->boundary_count++] = i;
     }
-    weigh_bonds(lattice, def->compensated);
-    FW_TRY(list_links(lattice, error));
+    weigh_bonds(lattice, bonds, def->compensated);
+    FW_TRY(list_links(lattice, bonds, error));
+    return fw_linear_bonds_create(&lattice->bonds, head->count, lattice->k1,
+                                  (const fw_linear_bond(*)[NEIGHBOURS])bonds, error);
+}
+
+static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *def,
+                       fw_error *error)
+{
+    fw_langevin *langevin = &lattice->langevin;
+    const size_t count = (size_t)langevin->head.count, row = count + 2 * LANES;
+    lattice->k1 = def->k1;
+    lattice->k2 = def->k2;
+    lattice->homes = fw_array_of_doubles(2 * row);
+    if (!lattice->homes) return fw_fail_memory(error, "the places of a linear lattice");
+    lattice->home_x = lattice->homes + LANES;
+    lattice->home_y = lattice->home_x + row;
+    for (int alpha = 0; alpha < NEIGHBOURS; ++alpha)
+        lattice->direction[alpha] = bond_direction(&def->lattice, alpha);
+    place(lattice, def);
+    fw_linear_bond(*bonds)[NEIGHBOURS] = fw_array_allocate(count, sizeof *bonds);
+    if (!bonds) return fw_fail_memory(error, "the bonds of a linear lattice");
+    const fw_status status = tie(lattice, def, bonds, error);
+    free(bonds);
+    if (status != FW_OK) return status;
     langevin->seed = def->seed;
     langevin->find_forces = find_forces;
     fw_langevin_set_controls(langevin, &def->controls);

@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* linear_bonds.h - the bonds of the linear lattice for eight particles at a time.
+ *
+ * The bonds of a block of 8 particles stand in slots, direction after direction. A slot holds those
+ * of one direction whose neighbour's number is `offset` more than the particle's own: in a lattice
+ * numbered along its rows that is one slot for each direction, and its eight neighbours are one
+ * contiguous load. Bonds never change. */
+#ifndef FW_LINEAR_BONDS_H
+#define FW_LINEAR_BONDS_H
+
+#include "core/status.h"
+#include "core/vec2.h"
+
+#include <stdint.h>
+
+enum { FW_BOND_DIRECTIONS = 6 };
+
+/* What a bond contributes to the force on its owner, for stretch d = u_j - u_i:
+ *     axial e (e . d) + plain d + turning z x d. */
+typedef struct fw_linear_bond {
+    int neighbour; /* -1: none */
+    double plain;  /* k1, or half of it on a compensated edge */
+    double turning;
+} fw_linear_bond;
+
+/* plain and turning of the eight bonds of a slot. */
+typedef struct fw_bond_weights {
+    double plain[8], turning[8];
+} fw_bond_weights;
+
+typedef struct fw_bond_slot {
+    int32_t offset;
+    int32_t weights; /* -1: k1 and 0 for all */
+    uint8_t direction;
+    uint8_t mask; /* bit k: lane k has such a bond */
+} fw_bond_slot;
+
+typedef struct fw_linear_bonds {
+    int count;       /* particles */
+    uint32_t *begin; /* block b has the slots begin[b] .. begin[b + 1] - 1 */
+    fw_bond_slot *slots;
+    fw_bond_weights *weights;
+    uint32_t weight_count;
+} fw_linear_bonds;
+
+/* FW_SYSTEM_FAILED without memory; to be released then too. */
+fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1,
+                                 const fw_linear_bond (*of)[FW_BOND_DIRECTIONS], fw_error *error);
+void fw_linear_bonds_release(fw_linear_bonds *bonds);
+
+/* Everything that forces and energies are made of. Eight numbers before and behind each array may
+ * be read. */
+typedef struct fw_linear_task {
+    const fw_linear_bonds *bonds;
+    double k1, k2;
+    fw_vec2 direction[FW_BOND_DIRECTIONS];
+    const double *x, *y, *home_x, *home_y;
+} fw_linear_task;
+
+#endif
