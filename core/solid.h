@@ -118,6 +118,7 @@ typedef struct fw_solid_model {
     /* Turns the arrow of time: the solid runs back the way it came; NULL: it cannot. */
     void (*reverse)(fw_solid *solid);
     const fw_field *fields;
+    bool solid_between_links; /* its links enclose matter: no other such body may enter it */
 } fw_solid_model;
 
 /* The head shared by all models. Everybody may read it; external_x/y is what loads write. */

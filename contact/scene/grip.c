@@ -110,13 +110,18 @@ static fw_vec2 centre_of(const fw_grip *grip, const fw_solid *solid)
     return fw_vec2_scale(1.0 / grip->count, sum);
 }
 
-void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
-                       fw_constraint *constraints)
+fw_vec2 fw_grip_displacement(fw_grip *grip, const fw_solid *solid, double time)
 {
     fw_solid_predict(solid, grip->particles, grip->count, grip->predictions);
     const block sum = add_up(grip);
-    const fw_vec2 w = fw_drive_solve(&grip->drive, sum.inertia, sum.push, grip->ledger.displacement,
-                                     time, solid->tick);
+    return fw_drive_solve(&grip->drive, sum.inertia, sum.push, grip->ledger.displacement, time,
+                          solid->tick);
+}
+
+void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
+                       fw_constraint *constraints)
+{
+    const fw_vec2 w = fw_grip_displacement(grip, solid, time);
     const fw_vec2 centre = centre_of(grip, solid);
     fw_grip_ledger *ledger = &grip->ledger;
     fw_vec2 total = {0, 0};
@@ -135,6 +140,15 @@ void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
     ledger->work += fw_vec2_dot(total, w);
     ledger->displacement = fw_vec2_add(ledger->displacement, w);
     ledger->path_length = fw_vec2_add(ledger->path_length, (fw_vec2){fabs(w.x), fabs(w.y)});
+}
+
+void fw_grip_book_contact(fw_grip *grip, fw_vec2 force, fw_vec2 displacement, double tick)
+{
+    fw_grip_ledger *ledger = &grip->ledger;
+    ledger->force = fw_vec2_subtract(ledger->force, force);
+    ledger->reaction = fw_vec2_subtract(ledger->reaction, fw_vec2_scale(0.5, force));
+    ledger->impulse = fw_vec2_subtract(ledger->impulse, fw_vec2_scale(tick, force));
+    ledger->work -= fw_vec2_dot(force, displacement);
 }
 
 int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries)

@@ -60,6 +60,12 @@ fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *erro
 void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
                        fw_constraint *constraints);
 
+/* By how much its particles will move in the tick that begins at `time`. */
+fw_vec2 fw_grip_displacement(fw_grip *grip, const fw_solid *solid, double time);
+/* Another body pushes one of its particles with that force in this tick, which the grip bears: its
+ * own force is so much less than what the particle needs. After fw_grip_constrain. */
+void fw_grip_book_contact(fw_grip *grip, fw_vec2 force, fw_vec2 displacement, double tick);
+
 /* After the tick: adds the particles' velocities to the list, where the drive prescribes any,
  * marked with `owner`; returns how many it added. Afterwards enter in the ledger what
  * they took, as the solid has reported it. */

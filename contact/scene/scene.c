@@ -26,15 +26,15 @@ static void apply_loads(fw_scene *scene)
 }
 
 /* 2. predict: where boundary particles would go, and how they yield to a force. */
-static void predict_boundaries(fw_scene *scene)
+static fw_status predict_boundaries(fw_scene *scene, fw_error *error)
 {
-    if (scene->wall_count == 0) return;
-    for (int b = 0; b < scene->body_count; ++b) {
+    for (int b = 0; b < scene->body_count && scene->wall_count > 0; ++b) {
         scene_body *body = &scene->bodies[b];
         fw_solid_predict(body->solid, fw_boundary_particles(body->boundary),
                          fw_boundary_count(body->boundary),
                          fw_boundary_predictions(body->boundary));
     }
+    return scene_predict_edges(scene, error);
 }
 
 /* 3. find, and 4. constrain: which facets are near which run of boundary particles, and the forces
@@ -112,9 +112,10 @@ static fw_status step_once(fw_scene *scene, fw_error *error)
 {
     for (int tick = 0; tick < scene->ticks_per_step; ++tick) {
         apply_loads(scene);
-        predict_boundaries(scene);
+        FW_TRY(predict_boundaries(scene, error));
         FW_TRY(constrain_contacts(scene, error));
         scene_book_contacts(scene);
+        scene_book_joint(scene);
         FW_TRY(advance_solids(scene, error));
         FW_TRY(scene_check_room(scene, error));
         scene_advance_pistons(scene);
@@ -131,7 +132,8 @@ static bool is_free(const fw_scene *scene)
 {
     for (int b = 0; b < scene->body_count; ++b)
         if (!scene->bodies[b].solid->model->place) return false;
-    return scene->wall_count == 0 && scene->load_count == 0 && scene->grip_count == 0;
+    return scene->wall_count == 0 && scene->load_count == 0 && scene->grip_count == 0 &&
+           !scene->joint;
 }
 
 /* What is left of step_once() then. */

@@ -25,6 +25,24 @@ typedef struct fw_wall_ledger {
     double held;       /* particle steps held since the beginning */
 } fw_wall_ledger;
 
+/* What other bodies do to a body. Forces are those on the body; of all bodies they add up to zero.
+ */
+typedef struct fw_body_ledger {
+    fw_vec2 force;    /* of this tick: momentum per time */
+    fw_vec2 reaction; /* [F(t) + F(t-1)]/2: the physical force, free of the held mode */
+    fw_vec2 impulse;  /* sum of force times tick */
+    double contacts;  /* its particles and segments that push in this tick */
+} fw_body_ledger;
+
+/* How contact between bodies was solved since the beginning. */
+typedef struct fw_contact_ledger {
+    double ticks;       /* in which bodies touched */
+    double iterations;  /* of midpoint normals, of all islands together */
+    double unconverged; /* ticks with an island in which they did not settle: gaps are then inexact,
+                           energy and momentum are not */
+    double residual;    /* the largest energy that a tick took or gave by rounding, of one island */
+} fw_contact_ledger;
+
 /* What the whole scene has exchanged since it began. Closes to rounding:
  * see fw_ledger_energy and fw_ledger_momentum. */
 typedef struct fw_ledger {
@@ -58,9 +76,11 @@ fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, f
 /* The load acts on particles of that body. */
 fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
 
-/* Builds the broadphase and boundaries. FW_BAD_INPUT where a particle starts behind a wall, or
- * where there are pistons and a body that moves in half-steps. */
+/* Builds the broadphase and boundaries. FW_BAD_INPUT where a particle starts behind a wall, or a
+ * body in another one, or where there are pistons and a body that moves in half-steps. */
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
+/* The body that starts in another one, where that was refused; -1: none was. */
+int fw_scene_refused_body(const fw_scene *scene);
 
 /* One step of time (two ticks where an automaton takes part). FW_DIVERGED names a particle or
  * piston whose numbers are no longer finite, or that escaped, and a particle that walls which close
@@ -103,6 +123,10 @@ int fw_scene_grip_count(const fw_scene *scene);
 fw_grip *fw_scene_grip(fw_scene *scene, int grip);
 const fw_grip *fw_scene_observe_grip(const fw_scene *scene, int grip);
 
+/* Do two bodies keep out of each other: matter between links, and the same clock? */
+bool fw_scene_bodies_meet(const fw_scene *scene, int a, int b);
+const fw_body_ledger *fw_scene_body_ledger(const fw_scene *scene, int body);
+const fw_contact_ledger *fw_scene_contact_ledger(const fw_scene *scene);
 const fw_wall_ledger *fw_scene_wall_ledger(const fw_scene *scene, int wall);
 fw_ledger fw_scene_ledger(const fw_scene *scene);
 fw_energies fw_scene_energies(const fw_scene *scene);
@@ -113,8 +137,10 @@ int64_t fw_scene_unresolved(const fw_scene *scene);
 /* How deep any boundary particle of the body (-1: of any body) lies behind a wall; 0 if none does.
  */
 double fw_scene_penetration(const fw_scene *scene, int body);
-/* Adds the forces of walls and grips in the last tick to x and y, one number per particle of the
- * body. */
+/* The same for bodies that keep out of each other: how deep any particle lies in another body. */
+double fw_scene_body_penetration(const fw_scene *scene);
+/* Adds the forces of walls, grips and other bodies in the last tick to x and y, one number per
+ * particle of the body. */
 void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y);
 /* Marks with 1, and leaves the others alone, the body's particles that a grip holds: they all move
  * as one, and have no temperature. */
@@ -122,8 +148,8 @@ void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held);
 /* How many queries the broadphase has answered. */
 long fw_scene_query_count(const fw_scene *scene);
 
-/* The state, section by section: the scene's own, one per body, those of the grips and of the
- * pistons. */
+/* The state, section by section: the scene's own, one per body, those of the grips, of the pistons
+ * and of the contact between bodies. */
 int fw_scene_section_count(const fw_scene *scene);
 const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list);
 /* After saved values were written back into the arrays of all sections. FW_BAD_INPUT: they hold

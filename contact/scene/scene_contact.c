@@ -32,7 +32,7 @@ static bool yields(const scene_wall *wall, const fw_facet *facet)
            fw_piston_yields(wall->piston, fw_facet_is_curved(facet) ? anywhere : facet->normal);
 }
 
-static void place_candidates(fw_scene *scene, int ticks)
+void scene_place_candidates(fw_scene *scene, int ticks)
 {
     for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
     for (int f = 0; f < scene->facet_count; ++f) {
@@ -86,7 +86,7 @@ static int compare_contacts(const void *left, const void *right)
 }
 
 /* Springs are no constraints. */
-static void list_near(fw_scene *scene, fw_boundary_run run)
+void scene_list_near(fw_scene *scene, fw_boundary_run run)
 {
     scene->near_count = 0;
     for (int n = 0; n < run.facet_count; ++n)
@@ -126,7 +126,7 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
                                   fw_vec2_add(position, solution->displacement), error));
         fw_boundary_run extended = fw_boundary_observe_run(body->boundary, run_number);
         if (extended.facet_count == run.facet_count) return FW_OK;
-        list_near(scene, extended);
+        scene_list_near(scene, extended);
         if (memory) *memory = before;
     }
 }
@@ -225,7 +225,7 @@ static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *err
         if (run.facet_count == 0 && !body->memory && scene->soft_count == 0 &&
             !knows_rows(body, run))
             continue;
-        list_near(scene, run);
+        scene_list_near(scene, run);
         for (int entry = run.first; entry < run.first + run.count; ++entry)
             if (!body->gripped || !body->gripped[fw_boundary_particles(body->boundary)[entry]])
                 FW_TRY(constrain_entry(scene, body, n, entry, error));
@@ -239,10 +239,10 @@ static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *err
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
-        place_candidates(scene, scene->bodies[b].solid->model->ticks_per_step);
+        scene_place_candidates(scene, scene->bodies[b].solid->model->ticks_per_step);
         FW_TRY(constrain_body(scene, &scene->bodies[b], error));
     }
-    return FW_OK;
+    return scene->joint ? scene_meet_bodies(scene, error) : FW_OK;
 }
 
 static int compare_constraints(const void *left, const void *right)
@@ -268,6 +268,7 @@ void scene_collect_constraints(fw_scene *scene, int number)
                           body->constraints + body->constraint_count);
         body->constraint_count += fw_grip_particle_count(grip);
     }
+    scene_book_on_grips(scene, number);
     qsort(body->constraints, (size_t)body->constraint_count, sizeof *body->constraints,
           compare_constraints);
 }

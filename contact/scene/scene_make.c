@@ -39,6 +39,7 @@ void fw_scene_destroy(fw_scene *scene)
         free(body->constraints);
         free(body->carries);
     }
+    scene_destroy_edges(scene);
     fw_broadphase_destroy(scene->broadphase);
     for (int w = 0; w < scene->wall_count; ++w) {
         fw_wall_destroy(scene->walls[w].wall);
@@ -286,8 +287,12 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
         }
         FW_TRY(scene_check_soft(scene, error));
     }
+    FW_TRY(scene_make_edges(scene, error));
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
+        if (body->edge && !body->contacts)
+            body->contacts = calloc((size_t)body->solid->count, sizeof *body->contacts);
+        if (body->edge && !body->contacts) return fw_fail_memory(error, "the contacts of a body");
         body->constraints = calloc((size_t)body->solid->count, sizeof *body->constraints);
         body->carries = calloc((size_t)body->solid->count, sizeof *body->carries);
         if (!body->constraints || !body->carries)
@@ -302,7 +307,8 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
 
 int fw_scene_section_count(const fw_scene *scene)
 {
-    return 1 + scene->body_count + (scene->grip_count > 0) + (scene->piston_count > 0);
+    return 1 + scene->body_count + (scene->grip_count > 0) + (scene->piston_count > 0) +
+           (scene->joint != NULL);
 }
 
 const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
@@ -317,6 +323,14 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
         fw_state_list_add(list, "momentum-at-start", FW_F64, 2, &scene->momentum_at_start);
         fw_state_list_add(list, "energy-scale", FW_F64, 1, &scene->energy_scale);
         return "scene";
+    }
+    if (scene->joint && section + 1 == fw_scene_section_count(scene)) {
+        fw_state_list_add(list, "contact", FW_F64, sizeof scene->joint->ledger / sizeof(double),
+                          &scene->joint->ledger);
+        fw_state_list_add(list, "bodies", FW_F64,
+                          (size_t)scene->body_count * sizeof *scene->joint->bodies / sizeof(double),
+                          scene->joint->bodies);
+        return "bodies";
     }
     if (section > scene->body_count + (scene->grip_count > 0)) {
         for (int w = 0; w < scene->wall_count; ++w)
@@ -375,6 +389,7 @@ fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
         if (status != FW_OK && error) fw_fail_within(error, "body %s", body->name);
         FW_TRY(status);
         FW_TRY(check_memory(scene, body, error));
+        if (body->edge) body->edge->entries_revision = -1;
         if (!body->boundary) continue;
         fw_boundary_destroy(body->boundary);
         body->boundary = NULL;

@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
  * scene_soft.c, scene_carry.c, scene_room.c, scene_pistons.c and scene_jams.c (its contact phase),
- * scene_make.c (making, restoring) and scene_observe.c, and by nobody else. */
+ * scene_edges.c, scene_meet.c and scene_joint.c (bodies against bodies), scene_make.c (making,
+ * restoring) and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
+#include "contact/constraint/joint.h"
 #include "contact/scene/scene.h"
 #include "contact/search/boundary.h"
+#include "contact/search/meeting.h"
 
 typedef struct scene_contact {
     int particle, entry;          /* of the solid, of the boundary */
@@ -15,6 +18,59 @@ typedef struct scene_contact {
     fw_vec2 soft_path; /* ... for this displacement: that of the constraint, to rounding */
     double mobility;   /* of the particle, the larger of x and y */
 } scene_contact;
+
+/* The edge of a body that meets others; per point of its contour. */
+typedef struct scene_edge {
+    int revision; /* of the solid when it was made */
+    fw_contour contour;
+    fw_vec2 *home; /* per particle: where it was when the scene began */
+    fw_prediction *predictions;
+    fw_vec2 *paths;       /* displacements in this tick, as far as they are known */
+    int *end;             /* in the joint contact of this tick, or -1 */
+    int *entry;           /* of the boundary; beyond it for points that meet no walls */
+    int entries_revision; /* of the boundary when `entry` was made */
+} scene_edge;
+
+/* A particle that takes part in the joint contact of this tick. */
+typedef struct scene_end {
+    int body, point;
+    int contact;       /* what walls alone did to it, among the body's contacts; or -1 */
+    int grip;          /* that holds it; or -1 */
+    int row;           /* its latest row as the point that passes, or -1 */
+    int wall_rows;     /* facets that are rows */
+    fw_vec2 soft;      /* force of penalty walls ... */
+    fw_vec2 soft_path; /* ... for this displacement */
+} scene_end;
+
+/* What a row of the joint contact is about. */
+typedef struct scene_row {
+    int facet;             /* of a wall; -1: of a body */
+    int body, from, to;    /* the other body's points */
+    int next;              /* an earlier row of the same end, or -1 */
+    double when;           /* part of the tick after which it was passed */
+    int point_body, point; /* what passes */
+} scene_row;
+
+/* Contact of bodies with each other: all of it but the ledger is of one tick only. */
+typedef struct scene_joint {
+    fw_joint *solver;
+    fw_meeting *search;
+    fw_meeting_body *members; /* one per body that meets others */
+    int *member_bodies;
+    int member_count;
+    double reach; /* how far points may go for the pairs of `search` to be complete */
+    int end_count, end_capacity;
+    scene_end *ends;
+    fw_joint_end *joint_ends;
+    int row_count, row_capacity;
+    scene_row *rows;
+    fw_joint_row *joint_rows;
+    int found_count, found_capacity;
+    scene_row *found;
+    fw_joint_outcome outcome; /* of this tick */
+    fw_contact_ledger ledger;
+    fw_body_ledger *bodies; /* per body of the scene */
+} scene_joint;
 
 typedef struct scene_body {
     char *name;
@@ -30,6 +86,7 @@ typedef struct scene_body {
     fw_constraint *constraints;       /* of contacts and grips, ascending; room for all particles */
     int constraint_count;
     fw_carry *carries; /* after the tick; room for all particles */
+    scene_edge *edge;  /* NULL where it meets no other body */
 } scene_body;
 
 /* A number lies between these. */
@@ -103,6 +160,8 @@ struct fw_scene {
     int near_count;
     int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
     int passable_count;
+    scene_joint *joint; /* NULL where no bodies meet */
+    int refused;        /* 1 + the body that starts in another one */
     double energy_at_start;
     fw_vec2 momentum_at_start;
     double energy_scale; /* see fw_scene_energy_scale */
@@ -117,6 +176,35 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error);
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
 /* The same together with the motions of the pistons, which follow from those forces. */
 fw_status scene_move_pistons(fw_scene *scene, fw_error *error);
+/* Place and motion of all facets in this tick, for bodies each of whose particles moves once in so
+ * many ticks. */
+void scene_place_candidates(fw_scene *scene, int ticks);
+/* The hard facets of a run become scene->near. */
+void scene_list_near(fw_scene *scene, fw_boundary_run run);
+
+/* Contours of bodies that meet others, made when the scene begins. FW_BAD_INPUT: bodies start in
+ * each other. */
+fw_status scene_make_edges(fw_scene *scene, fw_error *error);
+void scene_destroy_edges(fw_scene *scene);
+/* Brings contours up to date where links have broken, and predicts their points. */
+fw_status scene_predict_edges(fw_scene *scene, fw_error *error);
+/* What keeps bodies out of each other, on top of what walls do. */
+fw_status scene_meet_bodies(fw_scene *scene, fw_error *error);
+/* A row that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED without memory. */
+fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error);
+bool scene_knows_row(const scene_joint *joint, int end, const scene_row *row);
+/* The end of a point, which is made where there is none. */
+fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error);
+/* Rows of all walls that ends pass. */
+fw_status scene_add_passed_walls(fw_scene *scene, fw_error *error);
+/* Solves all rows, and puts the points where that leads. */
+fw_status scene_solve_joint(fw_scene *scene, fw_error *error);
+/* The forces that were found become contacts of the bodies. */
+void scene_hand_over_joint(fw_scene *scene);
+/* Enters the tick in the ledgers of the bodies, and of grips that were pushed. */
+void scene_book_joint(fw_scene *scene);
+void scene_book_on_grips(fw_scene *scene, int body);
+
 /* Ends the tick of the pistons. */
 void scene_advance_pistons(fw_scene *scene);
 /* A force on a particle at `position` pushes the piston back. */

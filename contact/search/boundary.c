@@ -157,6 +157,13 @@ fw_prediction *fw_boundary_predictions(fw_boundary *boundary)
     return boundary->predictions;
 }
 
+int fw_boundary_run_of(const fw_boundary *boundary, int entry)
+{
+    assert(entry >= 0 && entry < boundary->count);
+    (void)boundary;
+    return entry / RUN;
+}
+
 int fw_boundary_run_count(const fw_boundary *boundary)
 {
     return boundary->run_count;

@@ -40,6 +40,8 @@ typedef struct fw_boundary_run {
     int facet_count;
 } fw_boundary_run;
 
+/* The run that has this entry. */
+int fw_boundary_run_of(const fw_boundary *boundary, int entry);
 int fw_boundary_run_count(const fw_boundary *boundary);
 fw_boundary_run fw_boundary_observe_run(const fw_boundary *boundary, int run);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// broadphase.cpp - walls in a Box2D world, and the question what is near a box.
+// broadphase.cpp - walls in a Box2D world, and the question what is near a box; at the end the same
+// for boxes that move (box_tree.h).
 // State: one body per wall at `centre`, one fixture per facet, grown by `margin`.
 // Invariant: a fixture's box in the tree covers its facet wherever the wall is within `margin`
 // (per component) of `centre`, all rounding included. Start reading at fw_broadphase_query().
@@ -8,6 +9,7 @@
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpedantic"
 #include "contact/search/broadphase.h"
+#include "box_tree.h"
 #pragma GCC diagnostic pop
 
 #include <algorithm>
@@ -282,4 +284,95 @@ int fw_broadphase_query(const fw_broadphase *b, fw_box box, int *facets, int cap
     asked.upperBound.Set(rounded_up(high.x), rounded_up(high.y));
     b->world.QueryAABB(&found, asked);
     return found.found();
+}
+
+struct fw_box_tree {
+    fw_vec2 origin;
+    double scale; // a power of two
+    b2DynamicTree tree;
+    std::vector<int32> proxies; // per box, or -1
+
+    b2AABB outward(fw_box box) const
+    {
+        const fw_vec2 low = fw_vec2_scale(scale, fw_vec2_subtract(box.low, origin));
+        const fw_vec2 high = fw_vec2_scale(scale, fw_vec2_subtract(box.high, origin));
+        b2AABB rounded;
+        rounded.lowerBound.Set(rounded_down(low.x), rounded_down(low.y));
+        rounded.upperBound.Set(rounded_up(high.x), rounded_up(high.y));
+        return rounded;
+    }
+};
+
+namespace
+{
+
+// Box2D makes its boxes larger by a tenth: little, beside what is in the tree.
+constexpr double span_of_boxes = 4096;
+
+class box_list
+{
+  public:
+    box_list(const b2DynamicTree &asked, int *list, int room)
+        : tree(asked), numbers(list), capacity(room)
+    {
+    }
+
+    bool QueryCallback(int32 proxy)
+    {
+        if (count < capacity)
+            numbers[count] = static_cast<int>(reinterpret_cast<uintptr_t>(tree.GetUserData(proxy)));
+        count += 1;
+        return true;
+    }
+
+    int count = 0;
+
+  private:
+    const b2DynamicTree &tree;
+    int *numbers;
+    int capacity;
+};
+
+} // namespace
+
+fw_box_tree *fw_box_tree_create(int count, fw_box extent)
+{
+    try {
+        auto *made = new fw_box_tree;
+        const fw_vec2 size = fw_vec2_subtract(extent.high, extent.low);
+        made->origin = fw_vec2_add(extent.low, fw_vec2_scale(0.5, size));
+        const double span = magnitude(size);
+        made->scale = span > 0 ? std::exp2(std::floor(std::log2(span_of_boxes / span))) : 1;
+        made->proxies.assign(static_cast<size_t>(count), b2_nullNode);
+        return made;
+    } catch (...) {
+        return nullptr;
+    }
+}
+
+void fw_box_tree_destroy(fw_box_tree *tree)
+{
+    delete tree;
+}
+
+bool fw_box_tree_put(fw_box_tree *tree, int number, fw_box box)
+{
+    try {
+        int32 &proxy = tree->proxies[static_cast<size_t>(number)];
+        if (proxy == b2_nullNode)
+            proxy = tree->tree.CreateProxy(
+                tree->outward(box), reinterpret_cast<void *>(static_cast<uintptr_t>(number)));
+        else
+            tree->tree.MoveProxy(proxy, tree->outward(box), b2Vec2_zero);
+        return true;
+    } catch (...) {
+        return false;
+    }
+}
+
+int fw_box_tree_query(const fw_box_tree *tree, fw_box box, int *numbers, int capacity)
+{
+    box_list list(tree->tree, numbers, capacity);
+    tree->tree.Query(&list, tree->outward(box));
+    return list.count;
 }

@@ -45,6 +45,19 @@ static void cut_into_spans(lb_solid *lb)
     lb->chunk_span[lb->chunk_count] = count;
 }
 
+/* Of a particle with four links: is a cell around it open? One side of the cell that does not touch
+ * the particle is broken, and what comes through there can reach it. */
+static bool lies_at_crack(const lb_solid *lb, int l)
+{
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        const int next = (d + 1) % FW_DIRECTIONS;
+        if (!(lb->present[lb->neighbour[d][l]] & (1u << next)) ||
+            !(lb->present[lb->neighbour[next][l]] & (1u << d)))
+            return true;
+    }
+    return false;
+}
+
 void lb_layout_rebuild(lb_solid *lb)
 {
     fw_solid *head = &lb->head;
@@ -57,7 +70,7 @@ void lb_layout_rebuild(lb_solid *lb)
                 head->links[head->link_count][1] = lb->neighbour[d][l];
                 head->link_count += 1;
             }
-        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS)
+        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS || lies_at_crack(lb, l))
             head->boundary[head->boundary_count++] = l;
     }
     head->boundary_revision += 1;

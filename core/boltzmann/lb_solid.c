@@ -417,4 +417,5 @@ const fw_solid_model fw_lb_solid_model = {
     .restored = restored,
     .reverse = fw_lb_solid_reverse,
     .fields = lb_fields,
+    .solid_between_links = true,
 };

@@ -163,6 +163,7 @@ const fw_solid_model fw_linear_lattice_model = {
     .state = fw_langevin_state,
     .restored = fw_langevin_restored,
     .fields = fields,
+    .solid_between_links = true,
 };
 
 fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)

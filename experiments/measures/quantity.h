@@ -66,6 +66,7 @@ static inline void fw_quantity_put(double *out, fw_vec2 v)
 
 /* The tables, each in the file of its name. */
 extern const fw_quantity fw_common_quantities[];
+extern const fw_quantity fw_contact_quantities[];
 extern const fw_quantity fw_boltzmann_quantities[];
 extern const fw_quantity fw_elastic_quantities[];
 extern const fw_quantity fw_particle_quantities[];

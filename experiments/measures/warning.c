@@ -44,7 +44,8 @@ static fw_status look_for_meetings(fw_warning *warning, const fw_experiment *exp
         for (int b = a + 1; b < experiment->body_count; ++b) {
             bool found;
             fw_vec2 where;
-            if (experiment->bodies[a].solid == experiment->bodies[b].solid) continue;
+            const int first = experiment->bodies[a].solid, second = experiment->bodies[b].solid;
+            if (first == second || fw_scene_bodies_meet(experiment->scene, first, second)) continue;
             FW_TRY(fw_overlap_find(experiment->scene, &experiment->bodies[a],
                                    &experiment->bodies[b], &found, &where, error));
             if (!found) continue;

@@ -101,8 +101,12 @@ static fw_status add_force(fw_experiment *experiment, int number, fw_error *erro
 
 static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, fw_error *error)
 {
+    const int first = experiment->bodies[a].solid, second = experiment->bodies[b].solid;
     bool found;
     fw_vec2 where;
+    /* Within one solid the energy of overlapping particles was looked at already, and the scene
+     * itself refuses bodies that are to keep out of each other. */
+    if (first == second || fw_scene_bodies_meet(experiment->scene, first, second)) return FW_OK;
     FW_TRY(fw_overlap_find(experiment->scene, &experiment->bodies[a], &experiment->bodies[b],
                            &found, &where, error));
     if (!found) return FW_OK;
@@ -180,6 +184,18 @@ static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, fw_erro
                            : fw_scene_add_wall(scene, &wall->def, error);
 }
 
+/* What the scene refuses is said at the body that it names, or else at the walls. */
+static fw_status begin_scene(fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
+    const fw_status status = fw_scene_begin(experiment->scene, error);
+    const int refused = fw_scene_refused_body(experiment->scene);
+    for (int b = 0; b < scenario->body_count; ++b)
+        if (experiment->bodies[b].solid == refused) place = scenario->bodies[b].place;
+    return fw_scenario_fail_again(scenario, place, status, error);
+}
+
 static fw_status fill(fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
@@ -191,9 +207,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     FW_TRY(refuse_reversal(experiment, error));
     for (int a = 0; a < scenario->body_count; ++a)
         for (int b = a + 1; b < scenario->body_count; ++b)
-            /* Within one solid the energy of overlapping particles was looked at already. */
-            if (experiment->bodies[a].solid != experiment->bodies[b].solid)
-                FW_TRY(refuse_overlap(experiment, a, b, error));
+            FW_TRY(refuse_overlap(experiment, a, b, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
         FW_TRY(fw_scenario_fail_again(scenario, wall->place,
@@ -204,9 +218,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     FW_TRY(fw_grips_add(scenario, experiment->scene, experiment->bodies, error));
     FW_TRY(fw_phases_check(scenario, experiment->scene, error));
     FW_TRY(fw_period_check(scenario, experiment->scene, error));
-    fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
-    FW_TRY(
-        fw_scenario_fail_again(scenario, place, fw_scene_begin(experiment->scene, error), error));
+    FW_TRY(begin_scene(experiment, error));
     return note_start(experiment, error);
 }
 

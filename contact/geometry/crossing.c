@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* crossing.c - paths of points through segments. Keeps no state. */
+#include "contact/geometry/crossing.h"
+
+/* Segments are longer than they are by this part, so that nothing slips between two that meet. */
+static const double END_TOLERANCE = 1e-9;
+
+static fw_vec2 place_at(fw_moving_point point, double time)
+{
+    return fw_vec2_add(point.at, fw_vec2_scale(time, point.motion));
+}
+
+/* Where along the segment the point is at that time, within 0 to 1? */
+static bool lies_beside(fw_moving_point point, fw_moving_point from, fw_moving_point to,
+                        double time, double tolerance)
+{
+    const fw_vec2 start = place_at(from, time);
+    const fw_vec2 along = fw_vec2_subtract(place_at(to, time), start);
+    const double part = fw_vec2_dot(fw_vec2_subtract(place_at(point, time), start), along);
+    const double length_squared = fw_vec2_dot(along, along);
+    return part >= -tolerance * length_squared && part <= (1 + tolerance) * length_squared;
+}
+
+bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_moving_point to,
+                            double behind, double *when)
+{
+    const fw_vec2 edge = fw_vec2_subtract(to.at, from.at);
+    const fw_vec2 turn = fw_vec2_subtract(to.motion, from.motion);
+    const fw_vec2 apart = fw_vec2_subtract(point.at, from.at);
+    const fw_vec2 way = fw_vec2_subtract(point.motion, from.motion);
+    /* Twice the area of the triangle: a0 + a1 t + a2 t^2. */
+    const double a0 = fw_vec2_cross(edge, apart);
+    const double a1 = fw_vec2_cross(edge, way) + fw_vec2_cross(turn, apart);
+    const double a2 = fw_vec2_cross(turn, way);
+    const double end = a0 + (a1 + a2);
+    *when = 0;
+    if (a0 < 0) {
+        if (a0 < -behind * fw_vec2_dot(edge, edge) || end >= a0) return false;
+        return lies_beside(point, from, to, 0, 0);
+    }
+    if (a0 > 0) {
+        const double discriminant = a1 * a1 - 4 * a0 * a2;
+        if (!(discriminant >= 0)) return false;
+        const double denominator = sqrt(discriminant) - a1;
+        if (!(denominator > 0) || 2 * a0 > denominator) return false;
+        *when = 2 * a0 / denominator;
+    }
+    if (*when >= 1 || a0 == 0) {
+        if (!(end < 0)) return false;
+    }
+    return lies_beside(point, from, to, *when, END_TOLERANCE);
+}
+
+bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when)
+{
+    const fw_vec2 apart = fw_vec2_subtract(b.at, a.at);
+    const fw_vec2 way = fw_vec2_subtract(b.motion, a.motion);
+    const double approach = -fw_vec2_dot(apart, way), squared = fw_vec2_dot(way, way);
+    const double miss = fw_vec2_cross(apart, way), size = fw_vec2_dot(apart, apart);
+    *when = 0;
+    if (!(size > 0) || !(approach > 0) || approach > squared) return false;
+    *when = approach / squared;
+    /* |miss|/|way| is how far apart they pass. */
+    return miss * miss <= END_TOLERANCE * END_TOLERANCE * squared * size;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* crossing.h - does a moving point pass through a moving segment in the course of a step? In double
+ * precision and in continuous time: all three move evenly, so that the area between them is a
+ * quadratic function of time. */
+#ifndef FW_CROSSING_H
+#define FW_CROSSING_H
+
+#include "core/vec2.h"
+
+#include <stdbool.h>
+
+/* A point that moves evenly by `motion` in the step. */
+typedef struct fw_moving_point {
+    fw_vec2 at, motion;
+} fw_moving_point;
+
+/* Does the point pass from the left of the segment from -> to to its right? Both ends belong to the
+ * segment. A point behind it by no more than `behind` times its length, which rounding or an
+ * iteration may have put there, passes where it would go deeper. *when is the part of the step
+ * after which it passes, 0 to 1. */
+bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_moving_point to,
+                            double behind, double *when);
+
+/* Do two points meet, as the ends of chains do that lie in one line? They pass each other no
+ * further apart than rounding explains. Points that start at one place do not meet. */
+bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when);
+
+#endif

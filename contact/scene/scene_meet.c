@@ -1,0 +1,210 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene_meet.c - which points of bodies pass which edges of others in this tick, found again and
+ * again until none does: rows are added and never removed, so that it ends.
+ * State: none. Start reading at scene_meet_bodies(). */
+#include "contact/geometry/crossing.h"
+#include "scene_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { ROUNDS = 60 };
+
+/* How far behind a segment a point may be, in units of its length, and count as on it: an iterate
+ * that did not converge leaves such gaps. Nothing of another body lies there by right. */
+static const double BEHIND = 1e-6;
+
+/* --- where all points would go --- */
+
+/* Points of which no wall and no grip knows keep their predictions. */
+static void begin_paths(fw_scene *scene)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
+        scene_edge *edge = body->edge;
+        if (!edge) continue;
+        for (int point = 0; point < edge->contour.point_count; ++point)
+            edge->paths[point] = edge->predictions[point].displacement;
+        for (int n = 0; n < body->contact_count; ++n) {
+            const int point = edge->contour.points[body->contacts[n].particle];
+            if (point >= 0) edge->paths[point] = body->contacts[n].solution.displacement;
+        }
+    }
+    for (int n = 0; n < scene->grip_count; ++n) {
+        const scene_body *body = &scene->bodies[scene->grips[n].body];
+        fw_grip *grip = scene->grips[n].grip;
+        if (!body->edge) continue;
+        const fw_vec2 w = fw_grip_displacement(grip, body->solid, fw_scene_time(scene));
+        const int *particles = fw_grip_particles(grip);
+        for (int k = 0; k < fw_grip_particle_count(grip); ++k) {
+            const int point = body->edge->contour.points[particles[k]];
+            if (point >= 0) body->edge->paths[point] = w;
+        }
+    }
+}
+
+static double longest_path(const fw_scene *scene)
+{
+    double squared = 0;
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_edge *edge = scene->bodies[b].edge;
+        for (int point = 0; edge && point < edge->contour.point_count; ++point)
+            squared = fmax(squared, fw_vec2_dot(edge->paths[point], edge->paths[point]));
+    }
+    return sqrt(squared);
+}
+
+/* --- which of them pass --- */
+
+static fw_moving_point moving(const scene_body *body, int point)
+{
+    return (fw_moving_point){fw_solid_position(body->solid, body->edge->contour.particles[point]),
+                             body->edge->paths[point]};
+}
+
+static fw_status note(scene_joint *joint, const scene_row *row, fw_error *error)
+{
+    if (joint->found_count == joint->found_capacity) {
+        const size_t capacity = 2 * (size_t)joint->found_capacity + 64;
+        scene_row *found = realloc(joint->found, capacity * sizeof *found);
+        if (!found) return fw_fail_memory(error, "the contact of bodies");
+        joint->found = found;
+        joint->found_capacity = (int)capacity;
+    }
+    joint->found[joint->found_count++] = *row;
+    return FW_OK;
+}
+
+/* Only false where the paths of a point and of a segment keep apart. */
+static bool come_near(fw_moving_point a, fw_moving_point from, fw_moving_point to)
+{
+    const fw_vec2 end = fw_vec2_add(a.at, a.motion), from_end = fw_vec2_add(from.at, from.motion),
+                  to_end = fw_vec2_add(to.at, to.motion);
+    const double low_x = fmin(fmin(from.at.x, from_end.x), fmin(to.at.x, to_end.x));
+    const double high_x = fmax(fmax(from.at.x, from_end.x), fmax(to.at.x, to_end.x));
+    const double low_y = fmin(fmin(from.at.y, from_end.y), fmin(to.at.y, to_end.y));
+    const double high_y = fmax(fmax(from.at.y, from_end.y), fmax(to.at.y, to_end.y));
+    const double room = BEHIND * (1 + (high_x - low_x) + (high_y - low_y));
+    return fmax(a.at.x, end.x) >= low_x - room && fmin(a.at.x, end.x) <= high_x + room &&
+           fmax(a.at.y, end.y) >= low_y - room && fmin(a.at.y, end.y) <= high_y + room;
+}
+
+static fw_status note_unknown(fw_scene *scene, const scene_row *row, fw_error *error)
+{
+    const int end = scene->bodies[row->point_body].edge->end[row->point];
+    if (end >= 0 && scene_knows_row(scene->joint, end, row)) return FW_OK;
+    return note(scene->joint, row, error);
+}
+
+/* Does that point pass that segment, or the tip at which it begins? */
+static fw_status look_at(fw_scene *scene, int body, int point, int other,
+                         const fw_contour_segment *segment, fw_error *error)
+{
+    const scene_body *of = &scene->bodies[other];
+    const fw_moving_point a = moving(&scene->bodies[body], point), from = moving(of, segment->from),
+                          to = moving(of, segment->to);
+    scene_row row = {.facet = -1, .body = other, .point_body = body, .point = point, .next = -1};
+    if (!come_near(a, from, to)) return FW_OK;
+    row.from = row.to = segment->from;
+    if (scene->bodies[body].edge->contour.tips[point] && of->edge->contour.tips[segment->from] &&
+        fw_crossing_of_points(a, from, &row.when))
+        FW_TRY(note_unknown(scene, &row, error));
+    row.to = segment->to;
+    if (row.from == row.to ||
+        !fw_crossing_of_segment(a, from, to, segment->two_sided ? 0 : BEHIND, &row.when))
+        return FW_OK;
+    return note_unknown(scene, &row, error);
+}
+
+/* Points of one run against segments of another one. */
+static fw_status look_at_runs(fw_scene *scene, const fw_meeting_run *points,
+                              const fw_meeting_run *segments, fw_error *error)
+{
+    const int body = scene->joint->member_bodies[points->body];
+    const int other = scene->joint->member_bodies[segments->body];
+    const fw_contour *own = &scene->bodies[body].edge->contour;
+    const fw_contour *theirs = &scene->bodies[other].edge->contour;
+    for (int n = 0; n < points->count; ++n)
+        for (int m = 0; m < segments->count; ++m)
+            FW_TRY(look_at(scene, body, own->segments[points->first + n].from, other,
+                           &theirs->segments[segments->first + m], error));
+    return FW_OK;
+}
+
+static int compare_ints(int a, int b)
+{
+    return (a > b) - (a < b);
+}
+
+/* By point; of each point, what it passes first. */
+static int compare_found(const void *left, const void *right)
+{
+    const scene_row *a = left, *b = right;
+    int order = compare_ints(a->point_body, b->point_body);
+    if (order == 0) order = compare_ints(a->point, b->point);
+    if (order == 0) order = (a->when > b->when) - (a->when < b->when);
+    if (order == 0) order = compare_ints(a->body, b->body);
+    if (order == 0) order = compare_ints(a->from, b->from);
+    return order != 0 ? order : compare_ints(a->to, b->to);
+}
+
+/* One row for each point that passes something: a corner between two segments belongs to either,
+ * and rows that say the same twice make the problem singular. */
+static fw_status add_passed_edges(fw_scene *scene, fw_error *error)
+{
+    scene_joint *joint = scene->joint;
+    int count;
+    const fw_meeting_pair *pairs = fw_meeting_pairs(joint->search, &count);
+    joint->found_count = 0;
+    for (int n = 0; n < count; ++n) {
+        const fw_meeting_run a = fw_meeting_observe_run(joint->search, pairs[n].a),
+                             b = fw_meeting_observe_run(joint->search, pairs[n].b);
+        FW_TRY(look_at_runs(scene, &a, &b, error));
+        FW_TRY(look_at_runs(scene, &b, &a, error));
+    }
+    if (joint->found_count > 0)
+        qsort(joint->found, (size_t)joint->found_count, sizeof *joint->found, compare_found);
+    for (int n = 0; n < joint->found_count; ++n) {
+        const scene_row *row = &joint->found[n];
+        if (n > 0 && row[-1].point_body == row->point_body && row[-1].point == row->point) continue;
+        FW_TRY(scene_add_row(scene, row, error));
+    }
+    return FW_OK;
+}
+
+/* --- until none does --- */
+
+static fw_status search_within(fw_scene *scene, double reach, fw_error *error)
+{
+    scene->joint->reach = reach;
+    return fw_meeting_refresh(scene->joint->search, scene->joint->members, reach, error);
+}
+
+static void forget_ends(fw_scene *scene)
+{
+    scene_joint *joint = scene->joint;
+    for (int e = 0; e < joint->end_count; ++e)
+        scene->bodies[joint->ends[e].body].edge->end[joint->ends[e].point] = -1;
+    joint->end_count = joint->row_count = 0;
+    joint->outcome = (fw_joint_outcome){0};
+}
+
+fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
+{
+    scene_joint *joint = scene->joint;
+    forget_ends(scene);
+    begin_paths(scene);
+    FW_TRY(search_within(scene, 2 * longest_path(scene), error));
+    for (int round = 0; round < ROUNDS; ++round) {
+        const int known = joint->row_count;
+        FW_TRY(add_passed_edges(scene, error));
+        FW_TRY(scene_add_passed_walls(scene, error));
+        if (joint->row_count == known) break;
+        FW_TRY(scene_solve_joint(scene, error));
+        /* Light particles can be hit further than any went before. */
+        const double longest = longest_path(scene);
+        if (longest > joint->reach) FW_TRY(search_within(scene, 2 * longest, error));
+    }
+    scene_hand_over_joint(scene);
+    return FW_OK;
+}

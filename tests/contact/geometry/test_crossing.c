@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_crossing.c - paths of points through moving segments, against many small steps. */
+#include "tests/support/laws.h"
+
+#include "contact/geometry/crossing.h"
+
+static double random_between(uint64_t *seed, double low, double high)
+{
+    *seed = *seed * 6364136223846793005u + 1442695040888963407u;
+    return low + (high - low) * (double)(*seed >> 11) / 9007199254740992.0;
+}
+
+static fw_moving_point random_point(uint64_t *seed, double size, double speed)
+{
+    fw_moving_point p;
+    p.at.x = random_between(seed, -size, size);
+    p.at.y = random_between(seed, -size, size);
+    p.motion.x = random_between(seed, -speed, speed);
+    p.motion.y = random_between(seed, -speed, speed);
+    return p;
+}
+
+static fw_vec2 at(fw_moving_point p, double time)
+{
+    return fw_vec2_add(p.at, fw_vec2_scale(time, p.motion));
+}
+
+/* Twice the area, and where along the segment. */
+static double area(fw_moving_point p, fw_moving_point a, fw_moving_point b, double time,
+                   double *part)
+{
+    const fw_vec2 edge = fw_vec2_subtract(at(b, time), at(a, time));
+    const fw_vec2 apart = fw_vec2_subtract(at(p, time), at(a, time));
+    *part = fw_vec2_dot(edge, apart) / fw_vec2_dot(edge, edge);
+    return fw_vec2_cross(edge, apart);
+}
+
+/* The first time at which the area turns negative, by small steps; 2: it does not. */
+static double first_passage(fw_moving_point p, fw_moving_point a, fw_moving_point b, double *part)
+{
+    enum { STEPS = 2000 };
+    double before = area(p, a, b, 0, part);
+    for (int n = 1; n <= STEPS; ++n) {
+        const double now = area(p, a, b, (double)n / STEPS, part);
+        if (before >= 0 && now < 0) return (double)n / STEPS;
+        if (before < 0) return 2;
+        before = now;
+    }
+    return 2;
+}
+
+static void points_pass_when_small_steps_say_so(void **state)
+{
+    (void)state;
+    uint64_t seed = 3;
+    int passed = 0;
+    for (int n = 0; n < 20000; ++n) {
+        const fw_moving_point a = random_point(&seed, 1, 0.5), b = random_point(&seed, 1, 0.5),
+                              p = random_point(&seed, 1, 1.5);
+        double when, part, start;
+        const bool does = fw_crossing_of_segment(p, a, b, 0, &when);
+        const double seen = first_passage(p, a, b, &part);
+        area(p, a, b, 0, &start);
+        if (fabs(part) < 0.05 || fabs(part - 1) < 0.05) continue; /* too near to an end to tell */
+        if (does) assert_true(fabs(seen - when) < 2e-3 || seen == 2);
+        if (seen < 0.999) assert_int_equal(does, part > 0 && part < 1);
+        passed += does;
+    }
+    assert_true(passed > 1000);
+}
+
+static fw_moving_point still(double x, double y)
+{
+    return (fw_moving_point){{x, y}, {0, 0}};
+}
+
+static void what_is_behind_does_not_pass_but_for_rounding(void **state)
+{
+    (void)state;
+    double when;
+    fw_moving_point p = {{0.5, -1e-8}, {0, -0.1}};
+    assert_false(fw_crossing_of_segment(p, still(0, 0), still(1, 0), 0, &when));
+    assert_true(fw_crossing_of_segment(p, still(0, 0), still(1, 0), 1e-6, &when));
+    p.motion.y = 0.1; /* it comes out */
+    assert_false(fw_crossing_of_segment(p, still(0, 0), still(1, 0), 1e-6, &when));
+    p.at.y = -1e-3; /* that is no rounding */
+    p.motion.y = -0.1;
+    assert_false(fw_crossing_of_segment(p, still(0, 0), still(1, 0), 1e-6, &when));
+}
+
+static void ends_belong_to_both_segments_that_meet_there(void **state)
+{
+    (void)state;
+    double when;
+    const fw_moving_point p = {{1, 0.1}, {0, -0.2}};
+    assert_true(fw_crossing_of_segment(p, still(0, 0), still(1, 0), 0, &when));
+    assert_close(when, 0.5, 1e-15);
+    assert_true(fw_crossing_of_segment(p, still(1, 0), still(2, 0), 0, &when));
+    assert_false(fw_crossing_of_segment(p, still(1.001, 0), still(2, 0), 0, &when));
+    /* To land on it is not to pass. */
+    const fw_moving_point lands = {{0.5, 0.25}, {0, -0.25}};
+    assert_false(fw_crossing_of_segment(lands, still(0, 0), still(1, 0), 0, &when));
+}
+
+static void tips_meet_only_in_one_line(void **state)
+{
+    (void)state;
+    double when;
+    const fw_moving_point a = {{0, 0}, {0.1, 0}};
+    assert_true(fw_crossing_of_points(a, still(0.05, 0), &when));
+    assert_close(when, 0.5, 1e-15);
+    assert_false(fw_crossing_of_points(a, still(0.2, 0), &when));
+    assert_false(fw_crossing_of_points(a, still(-0.05, 0), &when));
+    assert_false(fw_crossing_of_points(a, still(0.05, 1e-6), &when));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(points_pass_when_small_steps_say_so),
+        cmocka_unit_test(what_is_behind_does_not_pass_but_for_rounding),
+        cmocka_unit_test(ends_belong_to_both_segments_that_meet_there),
+        cmocka_unit_test(tips_meet_only_in_one_line),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

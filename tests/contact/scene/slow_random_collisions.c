@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* slow_random_collisions.c - two bodies of any shape, angle and offset collide: energy and momentum
+ * stay, and no particle of one gets into a cell of the other. Cells are looked at one by one, with
+ * nothing of what contact itself uses. */
+#include "tests/support/scenes.h"
+
+#include "core/noise.h"
+
+#include <stdio.h>
+
+typedef struct shaped_body {
+    fw_sites sites;
+    fw_solid *solid;
+} shaped_body;
+
+typedef struct outcome {
+    double energy, momentum, depth;
+    double ticks, unconverged, iterations;
+    int touched, deep;
+} outcome;
+
+static double between(uint64_t seed, int n, double low, double high)
+{
+    const double x = fw_noise_uniform(seed, (uint32_t)n, 0, FW_NOISE_PLACEMENT).x;
+    return low + 0.5 * (x + 1) * (high - low);
+}
+
+static void make_sites(fw_sites *sites, uint64_t seed, int n)
+{
+    static const char ell[] = "###....\n###....\n###....\n#######\n#######\n#######\n";
+    const int kind = (int)between(seed, n, 0, 4);
+    const int columns = (int)between(seed, n + 1, 2, 9), rows = (int)between(seed, n + 2, 2, 9);
+    if (kind == 0) must(fw_sites_rectangle(sites, columns, columns, &error));
+    if (kind == 1) must(fw_sites_rectangle(sites, columns, rows, &error));
+    if (kind == 2) must(fw_sites_disc(sites, FW_SQUARE, between(seed, n + 3, 1.5, 5), &error));
+    if (kind == 3) must(fw_sites_mask(sites, ell, &error));
+}
+
+static shaped_body add_shape(fw_scene *scene, uint64_t seed, int n, fw_vec2 middle, fw_vec2 v)
+{
+    shaped_body made;
+    make_sites(&made.sites, seed, n);
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    fw_vec2 *velocity = malloc((size_t)made.sites.count * sizeof *velocity);
+    for (int l = 0; l < made.sites.count; ++l) velocity[l] = v;
+    def.sites = &made.sites;
+    def.velocity = velocity;
+    def.lattice.angle = between(seed, n + 4, 0, 1) < 0.3 ? 0 : between(seed, n + 5, 0, FW_TWO_PI);
+    def.rest_mass = fw_sym2_scalar(between(seed, n + 6, 0, 1) < 0.5 ? 0 : 1);
+    fw_vec2 centre = {0, 0};
+    for (int l = 0; l < made.sites.count; ++l)
+        centre = fw_vec2_add(centre, fw_lattice_vector(&def.lattice, made.sites.site[l]));
+    def.lattice.origin = fw_vec2_subtract(middle, fw_vec2_scale(1.0 / made.sites.count, centre));
+    must(fw_lb_solid_create(&made.solid, &def, &error));
+    free(velocity);
+    int body;
+    must(fw_scene_adopt_body(scene, "shape", made.solid, &body, &error));
+    return made;
+}
+
+/* How deep a place lies in a triangle; negative outside. */
+static double depth_in_triangle(fw_vec2 at, fw_vec2 a, fw_vec2 b, fw_vec2 c)
+{
+    const fw_vec2 corner[] = {a, b, c};
+    const double turn = fw_vec2_cross(fw_vec2_subtract(b, a), fw_vec2_subtract(c, a));
+    double depth = INFINITY;
+    for (int k = 0; k < 3; ++k) {
+        const fw_vec2 edge = fw_vec2_subtract(corner[(k + 1) % 3], corner[k]);
+        const double side = fw_vec2_cross(edge, fw_vec2_subtract(at, corner[k]));
+        depth = fmin(depth, (turn > 0 ? side : -side) / sqrt(fw_vec2_dot(edge, edge)));
+    }
+    return depth;
+}
+
+/* The deepest particle of one body in the cells of the other. */
+static double depth_between(const shaped_body *in, const shaped_body *of)
+{
+    double deepest = 0;
+    for (int l = 0; l < in->sites.count; ++l) {
+        fw_site s = in->sites.site[l];
+        const int corner[] = {l, fw_sites_find(&in->sites, (fw_site){s.i + 1, s.j}),
+                              fw_sites_find(&in->sites, (fw_site){s.i + 1, s.j + 1}),
+                              fw_sites_find(&in->sites, (fw_site){s.i, s.j + 1})};
+        fw_vec2 p[4];
+        if (corner[1] < 0 || corner[2] < 0 || corner[3] < 0) continue;
+        for (int k = 0; k < 4; ++k) p[k] = fw_solid_position(in->solid, corner[k]);
+        for (int i = 0; i < of->solid->count; ++i) {
+            const fw_vec2 at = fw_solid_position(of->solid, i);
+            if (fabs(at.x - p[0].x) > 3 || fabs(at.y - p[0].y) > 3) continue;
+            deepest = fmax(deepest, depth_in_triangle(at, p[0], p[1], p[2]));
+            deepest = fmax(deepest, depth_in_triangle(at, p[0], p[2], p[3]));
+        }
+    }
+    return deepest;
+}
+
+static void collide(uint64_t seed, double fastest, outcome *all)
+{
+    fw_scene *scene = empty_scene(1e4);
+    const double angle = between(seed, 90, 0, FW_TWO_PI),
+                 speed = between(seed, 91, 0.1, 1) * fastest;
+    const fw_vec2 towards = {cos(angle), sin(angle)};
+    const fw_vec2 middle = fw_vec2_add(
+        fw_vec2_scale(13, towards), fw_vec2_scale(between(seed, 92, -5, 5), fw_vec2_turn(towards)));
+    shaped_body a = add_shape(scene, seed, 0, (fw_vec2){0, 0}, fw_vec2_scale(speed, towards));
+    shaped_body b = add_shape(scene, seed, 20, middle, (fw_vec2){0, 0});
+    begin(scene);
+    const double energy = energy_of(scene);
+    const fw_vec2 momentum = fw_scene_momentum(scene);
+    const int steps = (int)(14 / speed) + 40;
+    double depth = 0;
+    for (int t = 0; t < steps; ++t) {
+        must(fw_scene_step(scene, &error));
+        depth = fmax(depth, fmax(depth_between(&a, &b), depth_between(&b, &a)));
+    }
+    const fw_vec2 change = fw_vec2_subtract(fw_scene_momentum(scene), momentum);
+    const double size = sqrt(fw_vec2_dot(momentum, momentum));
+    const fw_contact_ledger *ledger = fw_scene_contact_ledger(scene);
+    all->energy = fmax(all->energy, fabs(energy_of(scene) / energy - 1));
+    all->momentum = fmax(all->momentum, (fabs(change.x) + fabs(change.y)) / size);
+    all->depth = fmax(all->depth, depth);
+    all->deep += depth > 1e-9;
+    all->touched += ledger->ticks > 0;
+    all->ticks += ledger->ticks;
+    all->unconverged += ledger->unconverged;
+    all->iterations += ledger->iterations;
+    fw_scene_destroy(scene);
+    fw_sites_clear(&a.sites);
+    fw_sites_clear(&b.sites);
+}
+
+static void collide_often(double fastest)
+{
+    outcome all = {0};
+    for (int n = 0; n < 1000; ++n) collide((uint64_t)n, fastest, &all);
+    print_message(
+        "v <= %g: %d of 1000 touch, in %g ticks; dE/E %.1e, dP/P %.1e, depth %.1e, %d bodies "
+        "deeper than 1e-9, %g ticks not converged, %.1f iterations a tick\n",
+        fastest, all.touched, all.ticks, all.energy, all.momentum, all.depth, all.deep,
+        all.unconverged, all.iterations / all.ticks);
+    assert_true(all.touched > 600);
+    assert_true(all.energy < 1e-12);
+    assert_true(all.momentum < 1e-12);
+    assert_int_equal(all.deep, 0);
+}
+
+static void slow_bodies_keep_everything_and_stay_out(void **state)
+{
+    (void)state;
+    collide_often(0.1);
+}
+
+static void fast_bodies_keep_everything_and_stay_out(void **state)
+{
+    (void)state;
+    collide_often(0.5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slow_bodies_keep_everything_and_stay_out),
+        cmocka_unit_test(fast_bodies_keep_everything_and_stay_out),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
