@@ -4,6 +4,7 @@
  * scene_make_edges(). */
 #include "scene_parts.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -225,7 +226,9 @@ static fw_status refuse_inside(const fw_scene *scene, int number, int other, fw_
 
 static fw_status refuse_overlaps(fw_scene *scene, fw_error *error)
 {
-    FW_TRY(fw_meeting_refresh(scene->joint->search, scene->joint->members, 0, error));
+    int jumped;
+    FW_TRY(fw_meeting_begin(scene->joint->search, scene->joint->members, &jumped, error));
+    FW_TRY(fw_meeting_find(scene->joint->search, 0, error));
     FW_TRY(refuse_crossing(scene, error));
     return look_at_pairs(scene, refuse_inside, &scene->refused, error);
 }
@@ -308,6 +311,45 @@ void scene_destroy_edges(fw_scene *scene)
     free(joint);
 }
 
+void scene_predict_busy(fw_scene *scene)
+{
+    enum { MOST = 64 };
+    scene_joint *joint = scene->joint;
+    int count;
+    const int *busy = fw_meeting_busy(joint->search, &count);
+    for (; joint->predicted < count; ++joint->predicted) {
+        const fw_meeting_run run = fw_meeting_observe_run(joint->search, busy[joint->predicted]);
+        const scene_body *body = &scene->bodies[joint->member_bodies[run.body]];
+        const fw_contour *contour = &body->edge->contour;
+        int points[MOST], particles[MOST], found = 0;
+        fw_prediction predictions[MOST];
+        assert(2 * run.count <= MOST);
+        for (int n = run.first; n < run.first + run.count; ++n) {
+            if (found == 0 || points[found - 1] != contour->segments[n].from)
+                points[found++] = contour->segments[n].from;
+            points[found++] = contour->segments[n].to;
+        }
+        for (int n = 0; n < found; ++n) particles[n] = contour->particles[points[n]];
+        fw_solid_predict(body->solid, particles, found, predictions);
+        for (int n = 0; n < found; ++n) {
+            body->edge->predictions[points[n]] = predictions[n];
+            if (body->edge->end[points[n]] < 0)
+                body->edge->paths[points[n]] = predictions[n].displacement;
+        }
+    }
+}
+
+static fw_status report_jump(const fw_scene *scene, int jumped, fw_error *error)
+{
+    const fw_meeting_run run = fw_meeting_observe_run(scene->joint->search, jumped);
+    const scene_body *body = &scene->bodies[scene->joint->member_bodies[run.body]];
+    const fw_vec2 at = place_of(body, body->edge->contour.segments[run.first].from);
+    return fw_fail(error, FW_DIVERGED,
+                   "step %lld: the edge of body %s near (%g, %g) came there in one step from so "
+                   "far that it may have passed another body, expected less than a spacing",
+                   (long long)scene->clock.step, body->name, at.x, at.y);
+}
+
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
 {
     if (!scene->joint) return FW_OK;
@@ -319,10 +361,12 @@ fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
         changed = true;
     }
     if (changed) FW_TRY(renew_search(scene, error));
-    for (int m = 0; m < scene->joint->member_count; ++m) {
-        const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
-        fw_solid_predict(body->solid, body->edge->contour.particles,
-                         body->edge->contour.point_count, body->edge->predictions);
-    }
+    int jumped;
+    const fw_status status =
+        fw_meeting_begin(scene->joint->search, scene->joint->members, &jumped, error);
+    if (jumped >= 0) return report_jump(scene, jumped, error);
+    FW_TRY(status);
+    scene->joint->predicted = 0;
+    scene_predict_busy(scene);
     return FW_OK;
 }

@@ -16,18 +16,16 @@ static const double BEHIND = 1e-6;
 
 /* --- where all points would go --- */
 
-/* Points of which no wall and no grip knows keep their predictions. */
-static void begin_paths(fw_scene *scene)
+/* What walls and grips have decided; of points that are no ends yet. */
+static void follow_walls_and_grips(fw_scene *scene)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         const scene_body *body = &scene->bodies[b];
-        scene_edge *edge = body->edge;
-        if (!edge) continue;
-        for (int point = 0; point < edge->contour.point_count; ++point)
-            edge->paths[point] = edge->predictions[point].displacement;
-        for (int n = 0; n < body->contact_count; ++n) {
+        const scene_edge *edge = body->edge;
+        for (int n = 0; edge && n < body->contact_count; ++n) {
             const int point = edge->contour.points[body->contacts[n].particle];
-            if (point >= 0) edge->paths[point] = body->contacts[n].solution.displacement;
+            if (point >= 0 && edge->end[point] < 0)
+                edge->paths[point] = body->contacts[n].solution.displacement;
         }
     }
     for (int n = 0; n < scene->grip_count; ++n) {
@@ -45,13 +43,38 @@ static void begin_paths(fw_scene *scene)
 
 static double longest_path(const fw_scene *scene)
 {
+    const scene_joint *joint = scene->joint;
     double squared = 0;
-    for (int b = 0; b < scene->body_count; ++b) {
-        const scene_edge *edge = scene->bodies[b].edge;
-        for (int point = 0; edge && point < edge->contour.point_count; ++point)
-            squared = fmax(squared, fw_vec2_dot(edge->paths[point], edge->paths[point]));
+    int count;
+    const int *busy = fw_meeting_busy(joint->search, &count);
+    for (int n = 0; n < count; ++n) {
+        const fw_meeting_run run = fw_meeting_observe_run(joint->search, busy[n]);
+        const scene_edge *edge = scene->bodies[joint->member_bodies[run.body]].edge;
+        const fw_contour_segment *segments = edge->contour.segments + run.first;
+        for (int k = 0; k < run.count; ++k) {
+            const fw_vec2 from = edge->paths[segments[k].from], to = edge->paths[segments[k].to];
+            squared = fmax(squared, fmax(fw_vec2_dot(from, from), fw_vec2_dot(to, to)));
+        }
     }
     return sqrt(squared);
+}
+
+/* Paths of busy points begin as predicted. */
+static void begin_paths(fw_scene *scene)
+{
+    const scene_joint *joint = scene->joint;
+    int count;
+    const int *busy = fw_meeting_busy(joint->search, &count);
+    for (int n = 0; n < count; ++n) {
+        const fw_meeting_run run = fw_meeting_observe_run(joint->search, busy[n]);
+        scene_edge *edge = scene->bodies[joint->member_bodies[run.body]].edge;
+        const fw_contour_segment *segments = edge->contour.segments + run.first;
+        for (int k = 0; k < run.count; ++k) {
+            edge->paths[segments[k].from] = edge->predictions[segments[k].from].displacement;
+            edge->paths[segments[k].to] = edge->predictions[segments[k].to].displacement;
+        }
+    }
+    follow_walls_and_grips(scene);
 }
 
 /* --- which of them pass --- */
@@ -174,10 +197,19 @@ static fw_status add_passed_edges(fw_scene *scene, fw_error *error)
 
 /* --- until none does --- */
 
-static fw_status search_within(fw_scene *scene, double reach, fw_error *error)
+/* Twice as far as any busy point would go: another one may push it. What comes near by that may go
+ * further still. */
+static fw_status search_within_reach(fw_scene *scene, fw_error *error)
 {
-    scene->joint->reach = reach;
-    return fw_meeting_refresh(scene->joint->search, scene->joint->members, reach, error);
+    scene_joint *joint = scene->joint;
+    for (;;) {
+        const double longest = longest_path(scene);
+        if (longest <= joint->reach) return FW_OK;
+        joint->reach = 2 * longest;
+        FW_TRY(fw_meeting_find(joint->search, joint->reach, error));
+        scene_predict_busy(scene);
+        follow_walls_and_grips(scene);
+    }
 }
 
 static void forget_ends(fw_scene *scene)
@@ -187,6 +219,7 @@ static void forget_ends(fw_scene *scene)
         scene->bodies[joint->ends[e].body].edge->end[joint->ends[e].point] = -1;
     joint->end_count = joint->row_count = 0;
     joint->outcome = (fw_joint_outcome){0};
+    joint->reach = 0;
 }
 
 fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
@@ -194,16 +227,18 @@ fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
     scene_joint *joint = scene->joint;
     forget_ends(scene);
     begin_paths(scene);
-    FW_TRY(search_within(scene, 2 * longest_path(scene), error));
-    for (int round = 0; round < ROUNDS; ++round) {
+    FW_TRY(fw_meeting_find(joint->search, 0, error));
+    for (int round = 0;; ++round) {
         const int known = joint->row_count;
+        FW_TRY(search_within_reach(scene, error));
         FW_TRY(add_passed_edges(scene, error));
         FW_TRY(scene_add_passed_walls(scene, error));
         if (joint->row_count == known) break;
+        if (round == ROUNDS) { /* what still passes is in a state that no row can mend */
+            joint->outcome.unconverged += 1;
+            break;
+        }
         FW_TRY(scene_solve_joint(scene, error));
-        /* Light particles can be hit further than any went before. */
-        const double longest = longest_path(scene);
-        if (longest > joint->reach) FW_TRY(search_within(scene, 2 * longest, error));
     }
     scene_hand_over_joint(scene);
     return FW_OK;

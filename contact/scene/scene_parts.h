@@ -58,7 +58,8 @@ typedef struct scene_joint {
     fw_meeting_body *members; /* one per body that meets others */
     int *member_bodies;
     int member_count;
-    double reach; /* how far points may go for the pairs of `search` to be complete */
+    int predicted; /* busy runs of `search` whose points are predicted */
+    double reach;  /* how far points may go for the pairs of `search` to be complete */
     int end_count, end_capacity;
     scene_end *ends;
     fw_joint_end *joint_ends;
@@ -186,8 +187,11 @@ void scene_list_near(fw_scene *scene, fw_boundary_run run);
  * each other. */
 fw_status scene_make_edges(fw_scene *scene, fw_error *error);
 void scene_destroy_edges(fw_scene *scene);
-/* Brings contours up to date where links have broken, and predicts their points. */
+/* Brings contours up to date where links have broken, and predicts the points that are near another
+ * body. FW_DIVERGED where a body may have passed another one unseen. */
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error);
+/* Of runs that have become busy since. */
+void scene_predict_busy(fw_scene *scene);
 /* What keeps bodies out of each other, on top of what walls do. */
 fw_status scene_meet_bodies(fw_scene *scene, fw_error *error);
 /* A row that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED without memory. */

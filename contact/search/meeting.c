@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* meeting.c - pairs of runs of contours that are near each other.
- * State: fat boxes, and pairs of runs whose fat boxes meet. Invariant after a refresh: the paths of
- * a run lie in its fat box, and `near` has every pair of runs of different bodies whose fat boxes
- * meet. Start reading at fw_meeting_refresh(). */
+ * State: fat boxes, and pairs of runs whose fat boxes meet. Invariant after fw_meeting_find: the
+ * paths of a busy run lie in its fat box, an idle one lies well within its own, and `near` has
+ * every pair of runs of different bodies whose fat boxes meet. Start reading at fw_meeting_begin().
+ */
 #include "contact/search/meeting.h"
 
 #include "box_tree.h"
@@ -10,7 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { RUN = 16 };
+enum { RUN = 16, NAP = 3 };
 
 /* A fat box has room for so many steps like the present one. */
 static const double steps_ahead = 16;
@@ -18,10 +19,16 @@ static const double steps_ahead = 16;
 struct fw_meeting {
     int run_count;
     fw_meeting_run *runs;
-    fw_box *swept, *fat; /* per run: of this step, and for some to come */
-    uint8_t *moved;      /* per run: its fat box is a new one in this refresh */
-    int *found;          /* what the tree finds: room for all runs */
+    fw_box *here, *fat; /* per run: where it is now, and where it may be for some steps */
+    double *margin;     /* per run: by how much the fat box was larger when it was made */
+    uint8_t *moved;     /* per run: its fat box has just been made */
+    uint8_t *is_busy;   /* per run */
+    int busy_count;
+    int *busy;
+    int *found; /* what the tree finds: room for all runs */
     fw_box_tree *tree;
+    int nap;    /* steps in which nobody has to look */
+    int napped; /* since the last look */
     int near_count, near_capacity;
     fw_meeting_pair *near;
     int pair_count;
@@ -104,13 +111,17 @@ fw_status fw_meeting_create(fw_meeting **meeting, const fw_meeting_body *bodies,
     size_t runs = 1;
     for (int b = 0; b < body_count; ++b) runs += (size_t)bodies[b].contour->segment_count / RUN + 1;
     made->runs = calloc(runs, sizeof *made->runs);
-    made->swept = calloc(runs, sizeof *made->swept);
+    made->here = calloc(runs, sizeof *made->here);
+    made->margin = calloc(runs, sizeof *made->margin);
+    made->is_busy = calloc(runs, sizeof *made->is_busy);
+    made->busy = calloc(runs, sizeof *made->busy);
     made->fat = calloc(runs, sizeof *made->fat);
     made->moved = calloc(runs, sizeof *made->moved);
     made->found = calloc(runs, sizeof *made->found);
     if (made->runs) cut_into_runs(made, bodies, body_count);
     made->tree = fw_box_tree_create(made->run_count, extent_of(bodies, body_count));
-    if (made->runs && made->swept && made->fat && made->moved && made->found && made->tree) {
+    if (made->runs && made->here && made->margin && made->is_busy && made->busy && made->fat &&
+        made->moved && made->found && made->tree) {
         for (int run = 0; run < made->run_count; ++run) made->fat[run] = nothing();
         return FW_OK;
     }
@@ -123,7 +134,10 @@ void fw_meeting_destroy(fw_meeting *meeting)
 {
     if (!meeting) return;
     free(meeting->runs);
-    free(meeting->swept);
+    free(meeting->here);
+    free(meeting->margin);
+    free(meeting->is_busy);
+    free(meeting->busy);
     free(meeting->fat);
     free(meeting->moved);
     free(meeting->found);
@@ -148,20 +162,12 @@ static fw_status add_near(fw_meeting *meeting, int a, int b, fw_error *error)
     return FW_OK;
 }
 
-/* Fat boxes for runs that have left theirs. Returns how many. */
-static int move_boxes(fw_meeting *meeting, double reach)
+/* A new fat box, which has to be put into the tree. */
+static void fatten(fw_meeting *meeting, int run, double margin)
 {
-    int count = 0;
-    for (int run = 0; run < meeting->run_count; ++run) {
-        const fw_box swept = meeting->swept[run];
-        meeting->moved[run] = !lies_within(swept, meeting->fat[run]);
-        if (!meeting->moved[run]) continue;
-        /* A quarter of the spacing at least, so that trembling needs no search. */
-        const double spacing = (swept.high.x - swept.low.x + swept.high.y - swept.low.y) / RUN;
-        meeting->fat[run] = grown(swept, fmax(steps_ahead * reach, spacing / 4));
-        count += 1;
-    }
-    return count;
+    meeting->margin[run] = margin;
+    meeting->fat[run] = grown(meeting->here[run], margin);
+    meeting->moved[run] = 1;
 }
 
 static fw_status search_around(fw_meeting *meeting, int run, fw_error *error)
@@ -195,18 +201,109 @@ static fw_status renew_pairs(fw_meeting *meeting, fw_error *error)
     return FW_OK;
 }
 
-fw_status fw_meeting_refresh(fw_meeting *meeting, const fw_meeting_body *bodies, double reach,
-                             fw_error *error)
+static void list_busy(fw_meeting *meeting)
 {
+    for (int n = 0; n < meeting->near_count; ++n)
+        for (int k = 0; k < 2; ++k) {
+            const int run = k == 0 ? meeting->near[n].a : meeting->near[n].b;
+            if (!meeting->is_busy[run]) meeting->busy[meeting->busy_count++] = run;
+            meeting->is_busy[run] = 1;
+        }
+}
+
+/* Did a run that has left its fat box within one step come near another one on its way? */
+static bool may_have_passed(fw_meeting *meeting, int run, fw_box before)
+{
+    const fw_box here = meeting->here[run];
+    const fw_box way = joined(joined(before, here.low), here.high);
+    const int count = fw_box_tree_query(meeting->tree, way, meeting->found, meeting->run_count);
+    for (int n = 0; n < count; ++n) {
+        const int other = meeting->found[n];
+        if (meeting->runs[other].body != meeting->runs[run].body && meets(way, meeting->fat[other]))
+            return true;
+    }
+    return false;
+}
+
+static double farthest_corner(fw_box a, fw_box b)
+{
+    return fmax(fmax(fabs(a.low.x - b.low.x), fabs(a.low.y - b.low.y)),
+                fmax(fabs(a.high.x - b.high.x), fabs(a.high.y - b.high.y)));
+}
+
+/* A spacing, roughly: that of a straight run. */
+static double spacing_of(const fw_meeting *meeting, int run)
+{
+    const fw_box here = meeting->here[run];
+    const double size = fmax(here.high.x - here.low.x, here.high.y - here.low.y);
+    return size > 0 ? size / meeting->runs[run].count : 1;
+}
+
+fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, int *jumped,
+                           fw_error *error)
+{
+    int moved = 0;
+    *jumped = -1;
+    meeting->pair_count = 0;
+    if (meeting->nap > 0) {
+        meeting->nap -= 1;
+        return FW_OK;
+    }
+    const int steps = meeting->napped + 1;
+    bool calm = true;
     for (int run = 0; run < meeting->run_count; ++run) {
         const fw_meeting_run *of = &meeting->runs[run];
-        meeting->swept[run] = grown(box_of(&bodies[of->body], of), reach);
+        const fw_box before = meeting->here[run];
+        const bool known = meeting->margin[run] > 0;
+        meeting->here[run] = box_of(&bodies[of->body], of);
+        const double way = known ? farthest_corner(before, meeting->here[run]) / steps : 0;
+        calm &= known && 2 * (NAP + 1) * way <= 0.5 * meeting->margin[run];
+        meeting->moved[run] = 0;
+        if (known &&
+            lies_within(grown(meeting->here[run], 0.5 * meeting->margin[run]), meeting->fat[run]))
+            continue;
+        if (known && !meeting->is_busy[run] &&
+            !lies_within(meeting->here[run], meeting->fat[run]) &&
+            may_have_passed(meeting, run, before)) {
+            *jumped = run;
+            return fw_fail(error, FW_DIVERGED, "points jump");
+        }
+        fatten(meeting, run, fmax(2 * steps_ahead * way, 2 * spacing_of(meeting, run)));
+        moved += 1;
     }
-    if (move_boxes(meeting, reach) > 0) FW_TRY(renew_pairs(meeting, error));
+    for (int n = 0; n < meeting->busy_count; ++n) meeting->is_busy[meeting->busy[n]] = 0;
+    meeting->busy_count = 0;
+    if (moved > 0) FW_TRY(renew_pairs(meeting, error));
+    for (int run = 0; run < meeting->run_count; ++run) meeting->moved[run] = 0;
+    list_busy(meeting);
+    meeting->nap = meeting->napped = calm && meeting->busy_count == 0 ? NAP : 0;
+    return FW_OK;
+}
+
+const int *fw_meeting_busy(const fw_meeting *meeting, int *count)
+{
+    *count = meeting->busy_count;
+    return meeting->busy;
+}
+
+fw_status fw_meeting_find(fw_meeting *meeting, double reach, fw_error *error)
+{
+    int moved = 0;
+    for (int n = 0; n < meeting->busy_count; ++n) {
+        const int run = meeting->busy[n];
+        meeting->moved[run] = 0;
+        if (lies_within(grown(meeting->here[run], reach), meeting->fat[run])) continue;
+        fatten(meeting, run, steps_ahead * reach);
+        moved += 1;
+    }
+    if (moved > 0) {
+        FW_TRY(renew_pairs(meeting, error));
+        list_busy(meeting);
+    }
     meeting->pair_count = 0;
     for (int n = 0; n < meeting->near_count; ++n) {
         const fw_meeting_pair pair = meeting->near[n];
-        if (meets(meeting->swept[pair.a], meeting->swept[pair.b]))
+        if (meets(grown(meeting->here[pair.a], reach), grown(meeting->here[pair.b], reach)))
             meeting->pairs[meeting->pair_count++] = pair;
     }
     return FW_OK;

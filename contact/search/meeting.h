@@ -1,17 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* meeting.h - which stretches of bodies' contours may touch in this step.
  *
- * Contours are cut into runs of 16 segments. A run keeps a fat box, and the list of runs of other
- * bodies whose fat boxes it meets; as long as the paths of a run stay inside, no tree is searched.
- * What is returned are pairs whose boxes meet in this very step, so that it does not depend on when
- * fat boxes were made. */
+ * Contours are cut into runs of 16 segments. A run keeps a fat box, and pairs of runs of different
+ * bodies whose fat boxes meet are near. A run that is near none is idle: nobody has to predict
+ * where its points go, and only where they are is looked at, as long as it stays well within its
+ * fat box, and then only in every fourth step where all are. That is so while idle points go no
+ * further from one look to the next than half the margin of their box, a spacing at least; whether
+ * they did is looked at then.
+ *
+ * What is returned are pairs whose paths may meet in this very step, so that it does not depend on
+ * when fat boxes were made. */
 #ifndef FW_MEETING_H
 #define FW_MEETING_H
 
 #include "contact/geometry/facet.h"
 #include "contact/search/contour.h"
 
-/* A body that takes part: arrays are read in each refresh. */
+/* A body that takes part; read in each step. */
 typedef struct fw_meeting_body {
     const fw_solid *solid;
     const fw_contour *contour;
@@ -34,10 +39,18 @@ fw_status fw_meeting_create(fw_meeting **meeting, const fw_meeting_body *bodies,
                             fw_error *error);
 void fw_meeting_destroy(fw_meeting *meeting);
 
-/* Finds the pairs whose points may touch in this step, if no point goes further than `reach`.
- * FW_SYSTEM_FAILED without memory. */
-fw_status fw_meeting_refresh(fw_meeting *meeting, const fw_meeting_body *bodies, double reach,
-                             fw_error *error);
+/* Brings boxes up to date with where points are at the beginning of a step, and empties the list of
+ * pairs. FW_DIVERGED: idle points went so far since the last look that they may have passed another
+ * body (`jumped` is their run then, else -1); FW_SYSTEM_FAILED without memory. */
+fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, int *jumped,
+                           fw_error *error);
+
+/* Runs that are near another one, without order. More may be appended by fw_meeting_find. */
+const int *fw_meeting_busy(const fw_meeting *meeting, int *count);
+
+/* Finds the pairs whose points may touch in this step, if points of busy runs go no further than
+ * `reach`. Runs may become busy by that: their points, too. FW_SYSTEM_FAILED without memory. */
+fw_status fw_meeting_find(fw_meeting *meeting, double reach, fw_error *error);
 
 fw_meeting_run fw_meeting_observe_run(const fw_meeting *meeting, int run);
 const fw_meeting_pair *fw_meeting_pairs(const fw_meeting *meeting, int *count);

@@ -144,7 +144,7 @@ static void no_pair_is_missed_wherever_bodies_are(void **state)
         fw_contour contours[BODIES];
         fw_vec2 drift[BODIES];
         fw_solid *solids[BODIES];
-        int found = 0;
+        int found = 0, jumped;
         for (int b = 0; b < BODIES; ++b) {
             solids[b] = masked("#######\n#######\n#######\n#######\n###....\n###....\n");
             const fw_vec2 shift = fw_noise_uniform(5, (uint32_t)b, 0, 0);
@@ -160,7 +160,9 @@ static void no_pair_is_missed_wherever_bodies_are(void **state)
         must(fw_meeting_create(&meeting, bodies, BODIES, &error));
         for (int step = 0; step < 100; ++step) {
             const double reach = step % 7 == 0 ? 0.5 : 0.3;
-            must(fw_meeting_refresh(meeting, bodies, reach, &error));
+            must(fw_meeting_begin(meeting, bodies, &jumped, &error));
+            must(fw_meeting_find(meeting, reach, &error));
+            assert_int_equal(jumped, -1);
             if (step % 5 == 0) found += assert_none_missed(meeting, bodies, reach);
             for (int b = 0; b < BODIES; ++b)
                 for (int i = 0; i < solids[b]->count; ++i) {
@@ -178,12 +180,45 @@ static void no_pair_is_missed_wherever_bodies_are(void **state)
     }
 }
 
+/* Two bodies far from each other, one of which is thrown through the other in one step. */
+static void nobody_jumps_over_another_body_unseen(void **state)
+{
+    (void)state;
+    fw_solid *solids[2];
+    fw_contour contours[2];
+    fw_meeting_body bodies[2];
+    int jumped, busy;
+    for (int b = 0; b < 2; ++b) {
+        solids[b] = masked("####\n####\n####\n");
+        contours[b] = contour_of(solids[b]);
+        for (int i = 0; i < solids[b]->count; ++i) solids[b]->x[i] += 20 * b;
+        bodies[b] = (fw_meeting_body){.solid = solids[b], .contour = &contours[b]};
+    }
+    fw_meeting *meeting;
+    must(fw_meeting_create(&meeting, bodies, 2, &error));
+    must(fw_meeting_begin(meeting, bodies, &jumped, &error));
+    fw_meeting_busy(meeting, &busy);
+    assert_int_equal(busy, 0);
+    for (int i = 0; i < solids[0]->count; ++i) solids[0]->x[i] += 40;
+    fw_status status = FW_OK;
+    for (int step = 0; step < 4 && status == FW_OK; ++step) /* it looks at every fourth at least */
+        status = fw_meeting_begin(meeting, bodies, &jumped, &error);
+    assert_int_equal(status, FW_DIVERGED);
+    assert_int_equal(jumped, 0);
+    fw_meeting_destroy(meeting);
+    for (int b = 0; b < 2; ++b) {
+        fw_contour_clear(&contours[b]);
+        fw_solid_destroy(solids[b]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contours_go_around_matter),
         cmocka_unit_test(triangles_are_cells_too),
         cmocka_unit_test(no_pair_is_missed_wherever_bodies_are),
+        cmocka_unit_test(nobody_jumps_over_another_body_unseen),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
