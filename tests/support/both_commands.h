@@ -28,4 +28,24 @@ static inline int both_refuse(const char *folder, const char *text, const char *
     return 1;
 }
 
+/* A scenario that is refused, and what its sentence says; a place in it is one in t.yaml. */
+typedef struct bad_scenario {
+    const char *text, *sentence;
+} bad_scenario;
+
+static inline void expect_both_refuse(const bad_scenario *bad, size_t count)
+{
+    char folder[64];
+    int wrong = 0;
+    make_quick_folder(folder, sizeof folder);
+    for (size_t n = 0; n < count; ++n) {
+        /* The place is that of another file's name here. */
+        const char *sentence = bad[n].sentence;
+        if (strncmp(sentence, "t.yaml", 6) == 0) sentence += 6;
+        wrong += both_refuse(folder, bad[n].text, sentence);
+    }
+    remove_folder(folder);
+    assert_int_equal(wrong, 0);
+}
+
 #endif

@@ -2,23 +2,12 @@
 /* test_killed_run.c - whenever `fretwork run` is killed, h5py finds every committed frame as it
  * should be, and `fretwork resume` ends with the results of the run that was not killed: see
  * killed_runs.py. slow_killed_run.c does it 300 times. */
-#include "tests/support/laws.h"
-
-#include "tests/support/scratch.h"
+#include "tests/support/killed_runs.h"
 
 static void killed_run_loses_nothing(void **state)
 {
-    char folder[64], arguments[256];
     (void)state;
-    make_quick_folder(folder, sizeof folder);
-    snprintf(arguments, sizeof arguments, "%s %s 40 1", FW_PROGRAM, folder);
-    int status = run_python("killed_runs.py", arguments);
-    if (status > 0) fail_msg("failed: killed_runs.py %s", arguments);
-    remove_folder(folder);
-    if (status == -1) {
-        print_message("no h5py here: not tested\n");
-        skip();
-    }
+    kill_runs(40, 1);
 }
 
 int main(void)
