@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* automaton_matrices.h - the coefficient matrices of the elastic automaton (Dong et al.).
  *
- * A black cell feels its neighbour in direction i through B_i, a white one through D_i = B_(i+2):
+ * A black cell is coupled to its neighbour in direction i by B_i, a white one by D_i = B_(i+2):
  * both ends of a bond have the same matrix, so four matrices say everything. */
 #ifndef FW_AUTOMATON_MATRICES_H
 #define FW_AUTOMATON_MATRICES_H

@@ -16,7 +16,7 @@ typedef enum fw_pair_kind { FW_LENNARD_JONES, FW_MORSE } fw_pair_kind;
 
 typedef struct fw_pair_potential {
     fw_pair_kind kind;
-    double depth;     /* epsilon >= 0; 0: particles do not feel each other */
+    double depth;     /* epsilon >= 0; 0: particles do not interact */
     double distance;  /* r0, where the minimum lies */
     double steepness; /* of Morse, 1/length; 6/r0 has Lennard-Jones' curvature */
     fw_smooth_cut cut;

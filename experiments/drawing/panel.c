@@ -71,7 +71,7 @@ static void draw_x_axis(const fw_panel *panel)
         panel->canvas, (fw_vec2){right, row}, axis->ticks.note,
         (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_RIGHT, FW_TEXT_TOP, 0, false});
     if (!axis->label) return;
-    /* In the middle, unless the note wants that room. */
+    /* In the middle, unless the note needs that room. */
     double width = fw_canvas_text_width(axis->label, FW_TEXT_SIZE, false);
     double middle = panel->box.left + panel->box.width / 2;
     if (note > 0) middle = fmin(middle, right - note - 4 - width / 2);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* measurement_plan.c - which quantities a scenario wants, and of what: in `measure`, in its
+/* measurement_plan.c - which quantities a scenario needs, and of what: in `measure`, in its
  * expectations, in its pictures. Keeps no state; fills the probes of a measurement.
  * Invariant: no two probes have the same quantity and subject. Start reading at add_all(). */
 #include "measurement_plan.h"

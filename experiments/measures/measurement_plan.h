@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* measurement_plan.h - the probes that a scenario wants. */
+/* measurement_plan.h - the probes that a scenario needs. */
 #ifndef FW_MEASUREMENT_PLAN_H
 #define FW_MEASUREMENT_PLAN_H
 

@@ -37,7 +37,7 @@ static const struct {
     {FW_TRAJECTORY_FILE FW_FRESH_SUFFIX, BY_START, HDF5_SIGNATURE},
     {FW_SWEEP_FILE, BY_MANIFEST, NULL},
     {FW_SWEEP_SCENARIO, BY_MANIFEST, NULL},
-    /* The last: it knows the others. */
+    /* The last: it lists the others. */
     {FW_MANIFEST_FILE, BY_START, FW_MANIFEST_KIND},
     {FW_MANIFEST_FILE FW_FRESH_SUFFIX, BY_START, FW_MANIFEST_KIND},
 };

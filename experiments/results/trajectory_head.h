@@ -3,7 +3,7 @@
  * than it was laid out for.
  *
  * Cutting is the one moment in which structure changes, in several writes; and a run that is
- * resumed wants its room back. So the head of the file, which holds all structure and no data, is
+ * resumed needs its room again. So the head of the file, which holds all structure and no data, is
  * put aside first, under a name that says that structure is changing, and afterwards under another
  * that says that it is settled. Putting it back gives exactly the file that was laid out at
  * creation; while that goes on the first name is back, and HDF5 refuses to open the file. */

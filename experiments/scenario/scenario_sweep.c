@@ -119,7 +119,7 @@ static fw_status check_measured(const fw_scenario *scenario, fw_error *error)
 
 /* --- its cases --- */
 
-/* From here on the document knows of no other case. */
+/* From here on no other case is in the document. */
 static void forget_others(fw_node *node)
 {
     static const char *const of_sweep[] = {"points", "set", NULL};

@@ -20,12 +20,12 @@ char *fw_csv_cut(char *line, char **value);
 /* A number as it was written; NaN where it is empty. */
 double fw_csv_read_number(const char *text);
 
-/* What `write` says of `object`, as a file of results that the folder's manifest knows
+/* What `write` says of `object`, as a file of results that the folder's manifest lists
  * (manifest.h). */
 fw_status fw_csv_keep(const char *directory, const char *name,
                       void (*write)(FILE *out, const void *object), const void *object,
                       fw_error *error);
-/* The same, as a file that appears whole where the user wants it (whole_file.h). */
+/* The same, as a file that appears whole where the user names it (whole_file.h). */
 fw_status fw_csv_save(const char *path, void (*write)(FILE *out, const void *object),
                       const void *object, fw_error *error);
 

@@ -126,7 +126,7 @@ fw_status fw_hdf5_create(fw_hdf5 **file, const char *path, size_t structure, fw_
     /* Not what a link of that name points to. */
     unlink(path);
     fresh->id = H5Fcreate(path, H5F_ACC_EXCL, H5P_DEFAULT, access);
-    /* At once: the next call to HDF5, whichever it is, forgets the reason. */
+    /* At once: the next call to HDF5, whichever it is, clears the reason. */
     fw_status status =
         fresh->id < 0 ? explain(error, path, "create", FW_SYSTEM_FAILED, "HDF5 refuses") : FW_OK;
     H5Pclose(access);

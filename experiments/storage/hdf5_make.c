@@ -21,7 +21,7 @@ hid_t fw_hdf5_number_type(fw_element element)
     return H5I_INVALID_HID;
 }
 
-/* A string of fixed length; at least one byte, since HDF5 knows no empty type. */
+/* A string of fixed length; at least one byte, since HDF5 has no empty type. */
 hid_t fw_hdf5_text_type(size_t size)
 {
     hid_t type = H5Tcopy(H5T_C_S1);

@@ -18,7 +18,7 @@ typedef struct fw_frame {
     double **solid_x, **solid_y;
 } fw_frame;
 
-/* Memory for one frame of what the definition wants; to be cleared also after a failure. */
+/* Memory for one frame of what the definition names; to be cleared also after a failure. */
 fw_status fw_frame_make(fw_frame *frame, const fw_experiment *experiment,
                         const fw_trajectory_def *def, fw_error *error);
 /* One that is all zero may be cleared. */

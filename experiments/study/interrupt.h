@@ -8,7 +8,7 @@
 #include <stdbool.h>
 
 /* From now on these signals are noted instead of ending the process; one that was ignored at the
- * start stays ignored, as nohup wants it. Another one that comes half a second after the first or
+ * start stays ignored, as under nohup. Another one that comes half a second after the first or
  * later ends the process as usual, but not while a checkpoint is being written. (Terminals and
  * shells may send one signal twice within an instant.) */
 void fw_interrupt_watch(void);

@@ -19,7 +19,7 @@ typedef struct fw_run_options {
     const char *name;      /* of the experiment, in sentences */
     fw_progress *progress; /* of all runs together; NULL: none */
     bool keep_open;        /* the results file is ended by fw_run_finish, not by the last step */
-    FILE *warnings;        /* where warning.h says what it sees; NULL: nowhere */
+    FILE *warnings;        /* where warnings (warning.h) are written; NULL: nowhere */
 } fw_run_options;
 
 typedef struct fw_run fw_run;

@@ -110,7 +110,7 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     /* The results are finished when the whole study is. */
     made->replicas[0].options.keep_open = true;
     for (int n = 1; n < made->run_count; ++n) FW_TRY(make_replica(made, n, options, error));
-    /* A sweep knows the work of all its cases from the beginning. */
+    /* A sweep has counted the work of all its cases at the beginning. */
     if (options->progress && !scenario->study.sweep.is_case)
         options->progress->total += fw_study_work(scenario);
     return FW_OK;

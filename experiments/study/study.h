@@ -29,7 +29,7 @@ fw_status fw_study_to_end(fw_study *study, fw_error *error);
 double fw_study_work(const fw_scenario *scenario);
 void fw_study_destroy(fw_study *study);
 
-/* The experiment's own; a measurement that knows the outcome. */
+/* The experiment's own; a measurement that has the outcome. */
 const fw_measurement *fw_study_measurement(const fw_study *study);
 /* What the user was warned of in the experiment's own run, a line each; "" if of nothing. */
 const char *fw_study_warnings(const fw_study *study);

@@ -196,7 +196,7 @@ fw_status fw_sweep_refuse(const char *directory, fw_error *error)
 
 /* --- running --- */
 
-/* The sentence of a single run knows nothing of the others. */
+/* The sentence of a single run says nothing of the others. */
 static fw_status tell_case(const fw_sweep *sweep, int number, fw_status status, fw_error *error)
 {
     const char *name = sweep->cases[number].name, *directory = sweep->options.directory;

@@ -11,8 +11,9 @@
 
 typedef struct fw_sweep fw_sweep;
 
-/* Makes every case, sees that it could begin, and takes the folder; nothing runs yet. FW_BAD_INPUT
- * leaves the folder as it was. `scenario` and what `options` point to must live as long. */
+/* Makes every case, checks that it could begin, and takes the folder; nothing runs yet.
+ * FW_BAD_INPUT leaves the folder as it was. `scenario` and what `options` point to must live as
+ * long. */
 fw_status fw_sweep_begin(fw_sweep **sweep, const fw_scenario *scenario,
                          const fw_run_options *options, fw_error *error);
 /* Goes on in a folder that fw_sweep_begin took: cases that are finished are read back. */

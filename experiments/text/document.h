@@ -2,8 +2,8 @@
 /* document.h - a text in the subset of YAML that scenarios are written in, as a tree of nodes.
  *
  * Strict: one document, no anchors and aliases, no tags, no key twice, valid UTF-8, at most
- * FW_DOCUMENT_BYTES long and FW_DOCUMENT_DEPTH deep. Every node knows where it was written, so that
- * whoever finds fault with it can say the line. All memory of a document lives until it is
+ * FW_DOCUMENT_BYTES long and FW_DOCUMENT_DEPTH deep. Every node has the place where it was written,
+ * so that whoever finds fault with it can say the line. All memory of a document lives until it is
  * destroyed, and goes at once. */
 #ifndef FW_DOCUMENT_H
 #define FW_DOCUMENT_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* number.c - grammar first, value second: strtod only ever sees what the grammar let through.
+/* number.c - grammar first, value second: strtod only ever gets what the grammar accepts.
  * Keeps no state. */
 #include "experiments/text/number.h"
 

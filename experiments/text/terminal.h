@@ -9,7 +9,7 @@
 bool fw_terminal_is(FILE *out);
 /* Columns of the terminal; 80 where it does not say. */
 int fw_terminal_width(FILE *out);
-/* May colours be used? Only on a terminal that knows them, and never where NO_COLOR is set and not
+/* May colours be used? Only on a terminal that has them, and never where NO_COLOR is set and not
  * empty (no-color.org). */
 bool fw_terminal_colours(FILE *out);
 
