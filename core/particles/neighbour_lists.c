@@ -165,7 +165,7 @@ fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *count
                                     double reach, double margin, fw_error *error)
 {
     /* Of the margin, what the near lists get: they are short, and looked through often. */
-    const double near_part = 0.25;
+    const double near_part = 0.2;
     assert(reach > 0 && margin >= 0);
     *lists = NULL;
     fw_neighbour_lists *made = calloc(1, sizeof *made);

@@ -134,9 +134,11 @@ FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_kind kind, 
 {
     fw_pair_terms terms = {fw_splat(0), fw_pair_push(rule, kind, pair), pair->held};
     if (energies) terms.energy = rule->energy * fw_pair_energy(rule, kind, pair);
-    const fw_mask fading = fw_and(pair->held, fw_less(fw_splat(rule->inner_2), pair->r2));
+    const fw_mask beyond = fw_and(pair->held, fw_less(fw_splat(rule->inner_2), pair->r2));
+    if (!fw_any(beyond)) return terms;
+    terms.inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+    const fw_mask fading = fw_and(beyond, terms.inside);
     if (fw_any(fading)) {
-        terms.inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
         const fw_vector r = fw_root(pair->r2);
         const fw_weights at = fw_weights_at(&rule->cut, r);
         const fw_vector value = fw_weight_value(at), square = at.y * at.y;

@@ -25,7 +25,7 @@ fw_particles_def fw_particles_def_default(void)
                               .controls = {.time_step = 0.005},
                               .overlap_energy = 100,
                               .bond_radius = 1.25,
-                              .margin = 0.6};
+                              .margin = 0.75};
 }
 
 /* --- life --- */

@@ -44,7 +44,7 @@ extern const fw_solid_model fw_particles_model;
 /* Mass 1, strength 1, no return force. */
 fw_particle_group_def fw_particle_group_def_default(void);
 /* Default potential, strength across 1, time step .005, no damping, temperature 0, overlap energy
- * 100, bonds up to 1.25, margin .6. */
+ * 100, bonds up to 1.25, margin .75. */
 fw_particles_def fw_particles_def_default(void);
 
 /* FW_BAD_INPUT with a sentence for whatever the parts refuse (pair_potential.h, return_force.h,
