@@ -3,6 +3,8 @@
  * caller's. Start reading at start_of(). */
 #include "core/arena.h"
 
+#include "core/array.h"
+
 #include <assert.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -36,13 +38,15 @@ fw_status fw_arena_allocate(fw_arena *arena, const char *what, fw_error *error)
 {
     assert(!arena->memory);
     const size_t pages = (arena->bytes + LINE) / PAGE + 1;
-    if (arena->bytes < SIZE_MAX / 4) arena->memory = aligned_alloc(PAGE, pages * PAGE);
-    if (!arena->memory) {
+    /* Large memory of calloc() is zero before it is touched: what nobody needs takes no room. */
+    if (arena->bytes < SIZE_MAX / 4) arena->block = calloc(pages + 1, PAGE);
+    if (!arena->block) {
         for (int n = 0; n < arena->count; ++n) set(&arena->array[n], NULL);
         return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %s (%.0f MB)", what,
                        (double)arena->bytes * 1e-6);
     }
-    memset(arena->memory, 0, pages * PAGE);
+    fw_array_ask_for_large_pages(arena->block, (pages + 1) * PAGE);
+    arena->memory = (char *)arena->block + (PAGE - (uintptr_t)arena->block % PAGE);
     size_t end = 0;
     for (int n = 0; n < arena->count; ++n) {
         const size_t start = start_of(end, n);
@@ -55,7 +59,7 @@ fw_status fw_arena_allocate(fw_arena *arena, const char *what, fw_error *error)
 void fw_arena_release(fw_arena *arena)
 {
     if (!arena->memory) return;
-    free(arena->memory);
+    free(arena->block);
     for (int n = 0; n < arena->count; ++n) set(&arena->array[n], NULL);
     *arena = (fw_arena){0};
 }

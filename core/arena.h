@@ -28,7 +28,8 @@ typedef struct fw_arena {
     int count;
     fw_arena_array array[FW_ARENA_CAPACITY];
     size_t bytes; /* of all arrays and the gaps between them; SIZE_MAX: more than there can be */
-    char *memory; /* NULL before fw_arena_allocate */
+    void *block;  /* as allocated */
+    char *memory; /* from the first page on; NULL before fw_arena_allocate */
 } fw_arena;
 
 /* `pointer` is the address of a pointer to elements of that size; it must live as long as the

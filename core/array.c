@@ -5,8 +5,10 @@
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
-enum { ALIGNMENT = 64, BLOCK = 1024 };
+enum { ALIGNMENT = 64, BLOCK = 1024, LARGE_PAGE = 1 << 21 };
 
 void fw_state_list_add(fw_state_list *list, const char *name, fw_element element, size_t count,
                        void *data)
@@ -29,12 +31,28 @@ size_t fw_element_size(fw_element element)
     return 0;
 }
 
+void fw_array_ask_for_large_pages(void *memory, size_t bytes)
+{
+#if defined(MADV_HUGEPAGE)
+    if (bytes < 2 * LARGE_PAGE) return;
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE),
+                 gap = (page - (uintptr_t)memory % page) % page;
+    /* Where the system does not want to, pages stay small. */
+    (void)madvise((char *)memory + gap, bytes - gap, MADV_HUGEPAGE);
+#else
+    (void)memory;
+    (void)bytes;
+#endif
+}
+
 void *fw_array_allocate(size_t count, size_t element_size)
 {
     if (element_size != 0 && count > (SIZE_MAX / 2) / element_size) return NULL;
     size_t bytes = (count * element_size + ALIGNMENT) / ALIGNMENT * ALIGNMENT;
     void *memory = aligned_alloc(ALIGNMENT, bytes);
-    if (memory) memset(memory, 0, bytes);
+    if (!memory) return NULL;
+    fw_array_ask_for_large_pages(memory, bytes);
+    memset(memory, 0, bytes);
     return memory;
 }
 

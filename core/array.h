@@ -35,6 +35,9 @@ size_t fw_element_size(fw_element element);
  * there is none; a count of zero gives a valid pointer. Freed with free(). */
 void *fw_array_allocate(size_t count, size_t element_size);
 double *fw_array_of_doubles(size_t count);
+/* Large memory that nobody has touched yet is to come in large pages where the system has them:
+ * they are there sooner, and found sooner. */
+void fw_array_ask_for_large_pages(void *memory, size_t bytes);
 
 /* 64-bit FNV-1a over the bytes of all arrays, in list order. */
 uint64_t fw_state_list_hash(const fw_state_list *list);

@@ -116,7 +116,6 @@ static double bond_weight(const surroundings *around, fw_boundary_rule boundary,
 
 static bool is_inside(const fw_automaton *body, const surroundings *around, int particle)
 {
-
     for (int d = 0; d < FW_DIRECTIONS; ++d)
         if (bond_weight(around, body->boundary, particle, d) < 1) return false;
     return true;
@@ -199,7 +198,7 @@ static fw_status list_runs(fw_automaton *body, const fw_sites *sites, fw_error *
 }
 
 /* Cuts the inside of a colour into spans, each in one row, and counts its rim; fills colour->place
- * and the rows, and the spans where there is room for them already. */
+ * and the rows. */
 static void cut_spans(fw_automaton *body, const surroundings *around, fw_automaton_colour *colour)
 {
     fw_automaton_span span = {0};
@@ -224,10 +223,23 @@ static void cut_spans(fw_automaton *body, const surroundings *around, fw_automat
             }
             span.count += 1;
             colour->place[n] = ~(colour->span_count - 1);
-            if (colour->span) colour->span[colour->span_count - 1] = span;
         }
     }
     colour->row[row] = (fw_automaton_row){n, colour->span_count, colour->rim_count};
+}
+
+static void fill_spans(const fw_automaton *body, const surroundings *around,
+                       fw_automaton_colour *colour)
+{
+    for (int n = 0; n < colour->count; ++n) {
+        if (colour->place[n] >= 0) continue;
+        fw_automaton_span *span = &colour->span[~colour->place[n]];
+        if (span->count++ > 0) continue;
+        span->begin = n;
+        span->particle = colour->particle[n];
+        for (int d = 0; d < FW_DIRECTIONS; ++d)
+            span->offset[d] = body->cell[around->next[span->particle][d]] - n;
+    }
 }
 
 static fw_status fill_rim(fw_automaton *body, const surroundings *around, int c,
@@ -273,7 +285,7 @@ static fw_status lay_out_colour(fw_automaton *body, const surroundings *around, 
     colour->rim = fw_array_allocate((size_t)colour->rim_count, sizeof *colour->rim);
     colour->rim_room = colour->rim_count;
     if (!colour->span || !colour->rim) return fw_fail_memory(error, "the rims of an automaton");
-    cut_spans(body, around, colour);
+    fill_spans(body, around, colour);
     return fill_rim(body, around, c, sites, error);
 }
 
