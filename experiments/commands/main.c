@@ -41,6 +41,17 @@ static void open_streams(void)
         if (fcntl(n, F_GETFD) < 0 && open("/dev/null", O_RDWR) != n) _exit(FW_SYSTEM_FAILED);
 }
 
+/* Threads that wait for each other should sleep: on cores that are shared, those that spin make
+ * steps 20 times as long. OpenMP looks for that before main() begins, so the program of a command
+ * that runs threads starts anew. Users who set it otherwise know why. */
+static void wait_asleep(const fw_command *command, char **words)
+{
+    if (getenv("OMP_WAIT_POLICY") || getenv("GOMP_SPINCOUNT")) return;
+    for (const fw_option *const *option = command->options; *option; ++option)
+        if (*option == &fw_option_threads && setenv("OMP_WAIT_POLICY", "passive", 1) == 0)
+            execv("/proc/self/exe", words);
+}
+
 int main(int count, char **words)
 {
     open_streams();
@@ -65,6 +76,7 @@ int main(int count, char **words)
     /* `help run` is `run --help`. */
     static char *help[] = {"--help"};
     if (!command) return refuse_command(words[asks_help ? 2 : 1]);
+    wait_asleep(command, words);
     fw_arguments *arguments = malloc(sizeof *arguments);
     fw_error error = {.status = FW_SYSTEM_FAILED, .sentence = "not enough memory"};
     fw_status status = FW_OK;

@@ -194,14 +194,25 @@ static void run_replica(fw_replica *replica)
     replica->status = fw_run_to_end(replica->run, &replica->error);
 }
 
+static int threads_of(const fw_study *study)
+{
+    const int cores = omp_get_num_procs();
+    const int wanted = study->at_once > 0 ? study->at_once : cores;
+    const int most = study->run_count < cores ? study->run_count : cores;
+    return wanted < most ? wanted : most;
+}
+
 static fw_status run_all(fw_study *study, fw_error *error)
 {
-    const int threads = study->at_once > 0 ? study->at_once : omp_get_num_procs();
-    if (study->run_count == 1)
+    if (study->run_count == 1) {
         run_replica(&study->replicas[0]);
-    else
+    } else {
+        /* Each run in a thread of its own, of which it needs no more; never more than cores. */
+        const int threads = threads_of(study);
+        omp_set_num_threads(1);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(threads)
         for (int n = 0; n < study->run_count; ++n) run_replica(&study->replicas[n]);
+    }
     fw_progress_end(study->replicas[0].options.progress);
     for (int n = 0; n < study->run_count; ++n) {
         if (study->replicas[n].status == FW_OK) continue;
