@@ -352,9 +352,12 @@ void scene_hand_over_joint(fw_scene *scene)
         if (body->memory) body->memory[contact.particle] = (fw_contact_memory){0};
         body->contacts[end->contact >= 0 ? end->contact : body->contact_count++] = contact;
     }
-    for (int b = 0; b < scene->body_count && joint->end_count > 0; ++b)
+    for (int e = 0; e < joint->end_count; ++e) {
+        const int b = joint->ends[e].body;
+        if (e > 0 && b == joint->ends[e - 1].body) continue;
         qsort(scene->bodies[b].contacts, (size_t)scene->bodies[b].contact_count,
               sizeof *scene->bodies[b].contacts, compare_contacts);
+    }
 }
 
 /* A force acts on its particle for `ticks`, from one move to the next. */

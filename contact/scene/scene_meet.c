@@ -98,18 +98,37 @@ static fw_status note(scene_joint *joint, const scene_row *row, fw_error *error)
     return FW_OK;
 }
 
-/* Only false where the paths of a point and of a segment keep apart. */
-static bool come_near(fw_moving_point a, fw_moving_point from, fw_moving_point to)
+static double least(double a, double b)
 {
-    const fw_vec2 end = fw_vec2_add(a.at, a.motion), from_end = fw_vec2_add(from.at, from.motion),
-                  to_end = fw_vec2_add(to.at, to.motion);
-    const double low_x = fmin(fmin(from.at.x, from_end.x), fmin(to.at.x, to_end.x));
-    const double high_x = fmax(fmax(from.at.x, from_end.x), fmax(to.at.x, to_end.x));
-    const double low_y = fmin(fmin(from.at.y, from_end.y), fmin(to.at.y, to_end.y));
-    const double high_y = fmax(fmax(from.at.y, from_end.y), fmax(to.at.y, to_end.y));
-    const double room = BEHIND * (1 + (high_x - low_x) + (high_y - low_y));
-    return fmax(a.at.x, end.x) >= low_x - room && fmin(a.at.x, end.x) <= high_x + room &&
-           fmax(a.at.y, end.y) >= low_y - room && fmin(a.at.y, end.y) <= high_y + room;
+    return a < b ? a : b;
+}
+
+static double greatest(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+/* What a point sweeps in the step. */
+static fw_box box_of(fw_moving_point p)
+{
+    const fw_vec2 end = fw_vec2_add(p.at, p.motion);
+    return (fw_box){{least(p.at.x, end.x), least(p.at.y, end.y)},
+                    {greatest(p.at.x, end.x), greatest(p.at.y, end.y)}};
+}
+
+static fw_box joined(fw_box a, fw_box b)
+{
+    return (fw_box){{least(a.low.x, b.low.x), least(a.low.y, b.low.y)},
+                    {greatest(a.high.x, b.high.x), greatest(a.high.y, b.high.y)}};
+}
+
+/* Only false where what is in the first keeps apart from what is in the second, with room for a
+ * point that counts as on a segment. */
+static bool come_near(fw_box a, fw_box b)
+{
+    const double room = BEHIND * (1 + (b.high.x - b.low.x) + (b.high.y - b.low.y));
+    return a.high.x >= b.low.x - room && a.low.x <= b.high.x + room && a.high.y >= b.low.y - room &&
+           a.low.y <= b.high.y + room;
 }
 
 static fw_status note_unknown(fw_scene *scene, const scene_row *row, fw_error *error)
@@ -127,7 +146,7 @@ static fw_status look_at(fw_scene *scene, int body, int point, int other,
     const fw_moving_point a = moving(&scene->bodies[body], point), from = moving(of, segment->from),
                           to = moving(of, segment->to);
     scene_row row = {.facet = -1, .body = other, .point_body = body, .point = point, .next = -1};
-    if (!come_near(a, from, to)) return FW_OK;
+    if (!come_near(box_of(a), joined(box_of(from), box_of(to)))) return FW_OK;
     row.from = row.to = segment->from;
     if (scene->bodies[body].edge->contour.tips[point] && of->edge->contour.tips[segment->from] &&
         fw_crossing_of_points(a, from, &row.when))
@@ -146,11 +165,18 @@ static fw_status look_at_runs(fw_scene *scene, const fw_meeting_run *points,
     const int body = scene->joint->member_bodies[points->body];
     const int other = scene->joint->member_bodies[segments->body];
     const fw_contour *own = &scene->bodies[body].edge->contour;
-    const fw_contour *theirs = &scene->bodies[other].edge->contour;
-    for (int n = 0; n < points->count; ++n)
+    const fw_contour_segment *theirs =
+        scene->bodies[other].edge->contour.segments + segments->first;
+    fw_box swept = box_of(moving(&scene->bodies[other], theirs[0].from));
+    for (int m = 0; m < segments->count; ++m)
+        swept = joined(swept, joined(box_of(moving(&scene->bodies[other], theirs[m].from)),
+                                     box_of(moving(&scene->bodies[other], theirs[m].to))));
+    for (int n = 0; n < points->count; ++n) {
+        const int point = own->segments[points->first + n].from;
+        if (!come_near(box_of(moving(&scene->bodies[body], point)), swept)) continue;
         for (int m = 0; m < segments->count; ++m)
-            FW_TRY(look_at(scene, body, own->segments[points->first + n].from, other,
-                           &theirs->segments[segments->first + m], error));
+            FW_TRY(look_at(scene, body, point, other, &theirs[m], error));
+    }
     return FW_OK;
 }
 
