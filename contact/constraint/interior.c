@@ -275,13 +275,7 @@ bool joint_solve_interior(joint_system *system, int bandwidth, double *room)
         p.want[n] = largest > 0 ? p.scale[n] * system->lines[n].wanted / largest : 0;
     fill_band(&p, system);
     const bool solved = try_known(&p, system->lambda, largest) || walk_inside(&p);
-    for (int e = 0; e < system->end_count; ++e) system->z[e] = (fw_vec2){0, 0};
-    for (int n = 0; n < p.count; ++n) {
-        const joint_line *line = &system->lines[n];
-        system->lambda[n] = p.lambda[n] * p.scale[n] * largest;
-        for (int k = 0; k < line->count; ++k)
-            system->z[line->end[k]] =
-                fw_vec2_add(system->z[line->end[k]], fw_vec2_scale(system->lambda[n], line->c[k]));
-    }
+    for (int n = 0; n < p.count; ++n) system->lambda[n] = p.lambda[n] * p.scale[n] * largest;
+    joint_add_up(system);
     return solved;
 }

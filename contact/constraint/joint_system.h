@@ -33,6 +33,20 @@ static inline double joint_dot(const joint_line *line, const fw_vec2 *z)
     return sum;
 }
 
+/* z = C^T lambda. What the rows weigh to zero, momentum, then is so to rounding: nearly dependent
+ * lines let z lean out of what they span wherever else it comes from. */
+static inline void joint_add_up(joint_system *system)
+{
+    for (int e = 0; e < system->end_count; ++e) system->z[e] = (fw_vec2){0, 0};
+    for (int n = 0; n < system->line_count; ++n) {
+        const joint_line *line = &system->lines[n];
+        if (!(system->lambda[n] > 0)) continue;
+        for (int k = 0; k < line->count; ++k)
+            system->z[line->end[k]] =
+                fw_vec2_add(system->z[line->end[k]], fw_vec2_scale(system->lambda[n], line->c[k]));
+    }
+}
+
 /* c_a . c_b */
 static inline double joint_product(const joint_line *a, const joint_line *b)
 {

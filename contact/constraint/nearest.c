@@ -201,7 +201,7 @@ static bool keeps_barred(const active_set *set)
     return true;
 }
 
-bool joint_solve_nearest(joint_system *system, double *room)
+static bool find_nearest(joint_system *system, double *room)
 {
     active_set set = open_set(system, room);
     for (int n = 0; n < system->line_count; ++n)
@@ -225,4 +225,11 @@ bool joint_solve_nearest(joint_system *system, double *room)
         find_point(&set);
     }
     return false;
+}
+
+bool joint_solve_nearest(joint_system *system, double *room)
+{
+    const bool found = find_nearest(system, room);
+    joint_add_up(system);
+    return found;
 }
