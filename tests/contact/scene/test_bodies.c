@@ -4,7 +4,7 @@
 
 #include "core/particles/linear_lattice.h"
 
-#include <stdio.h>
+#include <omp.h>
 
 typedef struct sums {
     double energy;
@@ -197,6 +197,26 @@ static void run_that_goes_on_elsewhere_has_the_same_bytes(void **state)
     fw_scene_destroy(whole);
 }
 
+static void threads_do_not_change_a_bit(void **state)
+{
+    (void)state;
+    uint64_t hash[3];
+    const int before = omp_get_max_threads();
+    for (int n = 0; n < 3; ++n) {
+        fw_scene *scene = empty_scene(1e4);
+        omp_set_num_threads(n + 1);
+        add_body(scene, (body_options){.columns = 160, .rows = 120, .velocity = {0.1, 0}});
+        add_body(scene, (body_options){.columns = 150, .rows = 130, .origin = {159.37, -20.3}});
+        begin(scene);
+        run(scene, 60);
+        assert_true(fw_scene_contact_ledger(scene)->ticks > 20);
+        hash[n] = hash_of(scene);
+        fw_scene_destroy(scene);
+    }
+    omp_set_num_threads(before);
+    assert_true(hash[0] == hash[1] && hash[0] == hash[2]);
+}
+
 static void bodies_that_start_in_each_other_are_refused(void **state)
 {
     (void)state;
@@ -373,6 +393,7 @@ int main(void)
         cmocka_unit_test(sheets_bounce_as_the_reference_does),
         cmocka_unit_test(bodies_in_a_room_stay_in_it_and_out_of_each_other),
         cmocka_unit_test(run_that_goes_on_elsewhere_has_the_same_bytes),
+        cmocka_unit_test(threads_do_not_change_a_bit),
         cmocka_unit_test(bodies_that_start_in_each_other_are_refused),
         cmocka_unit_test(body_in_the_hole_of_another_stays_there),
         cmocka_unit_test(links_that_break_open_the_way),
