@@ -117,6 +117,8 @@ typedef struct fw_solid_model {
     fw_status (*restored)(fw_solid *solid, fw_error *error);
     /* Turns the arrow of time: the solid runs back the way it came; NULL: it cannot. */
     void (*reverse)(fw_solid *solid);
+    /* In which of several ways the solid is kept, "populations"; NULL: there is but one. */
+    const char *(*form)(const fw_solid *solid);
     const fw_field *fields;
     bool solid_between_links; /* its links enclose matter: no other such body may enter it */
 } fw_solid_model;

@@ -11,15 +11,20 @@
  *     x(t+1) = x(t) + (2 mu - 1)(x(t) - x(t-1)) + mu M^-1 (L x(t) + F(t)),              (2)
  * which is the leapfrog scheme. The stretch of a link is u_m - u_l, u(t) = (x(t) + x(t-1))/2.
  *
- * State: x(t) and x(t-1). Start reading at lb_displacements_advance(). */
+ * State: x(t) and x(t-1), and what is common to all of them. Start reading at
+ * lb_displacements_advance(). */
 #include "lb_displacements.h"
 
+#include <math.h>
 #include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
 /* A body of so many particles is not worth a second thread. */
 enum { ALONE = 16384 };
+
+/* Displacements are kept below FAR, at every tick that is a multiple of COMMON_EVERY. */
+enum { FAR = 2, COMMON_EVERY = LB_DEPTH };
 
 /* Bytes of the nearest large cache that the rows of a sweep may take. */
 enum { CACHE = 1 << 19 };
@@ -122,6 +127,7 @@ void lb_displacements_state(lb_solid *lb, fw_state_list *list)
 {
     displacement_form *form = &lb->form;
     const size_t places = (size_t)form->grid.place_count;
+    fw_state_list_add(list, "displacement-common", FW_F64, 2, &form->common);
     fw_state_list_add(list, "displacement-0-x", FW_F64, places, form->x[0]);
     fw_state_list_add(list, "displacement-0-y", FW_F64, places, form->y[0]);
     fw_state_list_add(list, "displacement-1-x", FW_F64, places, form->x[1]);
@@ -192,34 +198,57 @@ static void load_rows(lb_solid *lb)
 
 /* --- positions --- */
 
-/* r = site + u */
-static void place_stretch(double *restrict r, const double *restrict site,
+/* r = site + (common + u) */
+static void place_stretch(double *restrict r, const double *restrict site, double common,
                           const double *restrict ahead, const double *restrict behind, int count)
 {
 #pragma omp simd
-    for (int k = 0; k < count; ++k) r[k] = site[k] + 0.5 * (ahead[k] + behind[k]);
+    for (int k = 0; k < count; ++k) r[k] = site[k] + (common + 0.5 * (ahead[k] + behind[k]));
+}
+
+/* `count` particles from l on, which lie at consecutive places. */
+static void place(lb_solid *lb, int l, int count)
+{
+    displacement_form *form = &lb->form;
+    const int at = form->grid.place[l];
+    place_stretch(lb->head.x + l, form->site_x + l, form->common.x, form->x[0] + at,
+                  form->x[1] + at, count);
+    place_stretch(lb->head.y + l, form->site_y + l, form->common.y, form->y[0] + at,
+                  form->y[1] + at, count);
 }
 
 void lb_displacements_place(lb_solid *lb)
 {
-    displacement_form *form = &lb->form;
+    const lb_grid *grid = &lb->form.grid;
 #pragma omp parallel for schedule(static) if (lb->head.count > ALONE)
-    for (int n = 0; n < form->grid.stretch_count; ++n) {
-        const lb_stretch s = form->grid.stretches[n];
-        place_stretch(lb->head.x + s.particle, form->site_x + s.particle, form->x[0] + s.place,
-                      form->x[1] + s.place, s.count);
-        place_stretch(lb->head.y + s.particle, form->site_y + s.particle, form->y[0] + s.place,
-                      form->y[1] + s.place, s.count);
-    }
+    for (int n = 0; n < grid->stretch_count; ++n)
+        place(lb, grid->stretches[n].particle, grid->stretches[n].count);
 }
 
 static void place_boundary(lb_solid *lb)
 {
+    for (int n = 0; n < lb->head.boundary_count; ++n) place(lb, lb->head.boundary[n], 1);
+}
+
+/* Takes whole units of length out of all displacements, so that those of a body that has moved
+ * far are rounded no more than its deformation needs. Always at the same ticks: it must not matter
+ * how many are taken at once. */
+static void take_out_common(lb_solid *lb)
+{
     displacement_form *form = &lb->form;
-    for (int n = 0; n < lb->head.boundary_count; ++n) {
-        const int l = lb->head.boundary[n], p = form->grid.place[l];
-        lb->head.x[l] = form->site_x[l] + 0.5 * (form->x[0][p] + form->x[1][p]);
-        lb->head.y[l] = form->site_y[l] + 0.5 * (form->y[0][p] + form->y[1][p]);
+    if (lb->head.ticks % COMMON_EVERY != 0) return;
+    const int first = form->grid.place[0];
+    const fw_vec2 now = {form->x[lb->parity][first], form->y[lb->parity][first]};
+    if (!(fabs(now.x) > FAR || fabs(now.y) > FAR)) return;
+    const fw_vec2 common = {rint(now.x), rint(now.y)};
+    form->common = fw_vec2_add(form->common, common);
+    for (int n = 0; n < form->grid.stretch_count; ++n) {
+        const lb_stretch s = form->grid.stretches[n];
+        for (int half = 0; half < 2; ++half)
+            for (int at = s.place; at < s.place + s.count; ++at) {
+                form->x[half][at] -= common.x;
+                form->y[half][at] -= common.y;
+            }
     }
 }
 
@@ -274,6 +303,7 @@ fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraint
 {
     displacement_form *form = &lb->form;
     const lb_grid_arrays arrays = arrays_of(lb, lb->parity, lb->head.loaded);
+    take_out_common(lb);
     FW_TRY(keep(lb, constraints, count, error));
 #pragma omp parallel for schedule(static) if (lb->head.count > ALONE)
     for (int row = 0; row < form->grid.row_count; ++row) {
@@ -353,5 +383,11 @@ void lb_displacements_advance_free(lb_solid *lb, int ticks)
     const int fitting = CACHE / row_bytes;
     const int depth = fitting < 1 ? 1 : fitting > LB_DEPTH ? LB_DEPTH : fitting;
     load_rows(lb);
-    for (int left = ticks; left > 0; left -= depth) sweep(lb, left < depth ? left : depth);
+    for (int left = ticks, steps; left > 0; left -= steps) {
+        const int aligned = COMMON_EVERY - (int)(lb->head.ticks % COMMON_EVERY);
+        steps = left < depth ? left : depth;
+        if (steps > aligned) steps = aligned;
+        take_out_common(lb);
+        sweep(lb, steps);
+    }
 }

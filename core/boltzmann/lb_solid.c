@@ -394,7 +394,13 @@ static fw_status restored(fw_solid *solid, fw_error *error)
                        lb->parity);
     FW_TRY(lb_layout_check(lb, error));
     lb_layout_rebuild(lb);
+    place(solid);
     return FW_OK;
+}
+
+static const char *form(const fw_solid *solid)
+{
+    return ((const lb_solid *)solid)->displaced ? "displacements" : "populations";
 }
 
 const fw_solid_model fw_lb_solid_model = {
@@ -416,6 +422,7 @@ const fw_solid_model fw_lb_solid_model = {
     .state = state,
     .restored = restored,
     .reverse = fw_lb_solid_reverse,
+    .form = form,
     .fields = lb_fields,
     .solid_between_links = true,
 };

@@ -46,7 +46,8 @@ typedef struct displacement_form {
     double *force_x, *force_y;
     matrices mobility, mass; /* mu M^-1; M only if mu < 1 */
     fw_sym2 plain_mobility, plain_mass;
-    double *site_x, *site_y; /* of each particle: r - u */
+    double *site_x, *site_y; /* of each particle */
+    fw_vec2 common;          /* part of all displacements: r = site + (common + u) */
     fw_solid_ledger *passed; /* of each row in each of up to LB_DEPTH steps */
     fw_vec2 *kept;           /* x(t-1) of particles that are held */
     int kept_capacity;

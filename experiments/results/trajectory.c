@@ -25,8 +25,12 @@ enum { SAMPLE_BLOCK = 256, SAMPLE_SECONDS = 1 };
 
 fw_trajectory_def fw_trajectory_def_default(void)
 {
-    return (fw_trajectory_def){
-        .directory = "results", .title = "", .scenario = "", .threads = 1, .velocity = true};
+    return (fw_trajectory_def){.directory = "results",
+                               .title = "",
+                               .scenario = "",
+                               .forms = "",
+                               .threads = 1,
+                               .velocity = true};
 }
 
 double fw_trajectory_size(const fw_trajectory_def *def)

@@ -77,6 +77,7 @@ typedef struct fw_trajectory_def {
     const char *author;   /* NULL: whoever runs the program */
     const char *title;    /* of the experiment */
     const char *scenario; /* its text as run, after every --set */
+    const char *forms;    /* of bodies whose solid has several, a line each: "BODY: FORM" */
     uint64_t seed;
     int threads;
     const fw_trajectory_body *bodies;

@@ -216,6 +216,7 @@ static void make_parameters(fw_hdf5 *file, const fw_trajectory_def *def, const f
     fw_hdf5_make_group(file, "parameters/provenance");
     for (size_t i = 0; i < sizeof facts / sizeof *facts; ++i)
         make_text(file, facts[i].path, strlen(facts[i].text), facts[i].text);
+    if (*def->forms) make_text(file, "parameters/provenance/forms", strlen(def->forms), def->forms);
     const int64_t threads = def->threads;
     fw_hdf5_write(file, fw_hdf5_make_array(file, "parameters/provenance/threads", FW_I64, 0, NULL),
                   FW_I64, 0, 1, &threads);

@@ -102,6 +102,14 @@ static fw_status fill_start(const fw_scenario *scenario, int number, const fw_si
     return fill_masses_and_links(body, sites, start, error);
 }
 
+/* Grips, and walls that stick, prescribe velocities (fw_solid_model.carry). */
+static bool may_be_carried(const fw_scenario *scenario)
+{
+    for (int w = 0; w < scenario->wall_count; ++w)
+        if (scenario->walls[w].def.surface.law == FW_STICK) return true;
+    return scenario->grip_count > 0;
+}
+
 static fw_status build(const fw_scenario *scenario, int number, const fw_sites *sites,
                        fw_solid **solid, fw_error *error)
 {
@@ -120,6 +128,7 @@ static fw_status build(const fw_scenario *scenario, int number, const fw_sites *
         def.rest_masses = start.rest_mass;
         def.stiffness_east = start.stiffness[FW_EAST];
         def.stiffness_north = start.stiffness[FW_NORTH];
+        if (!may_be_carried(scenario)) def.form = FW_LB_DISPLACEMENTS;
         if (material->break_at > 0) def.break_at = material->break_at;
         def.displacement = start.displacement;
         def.velocity = start.velocity;

@@ -44,6 +44,22 @@ static fw_status describe_bodies(fw_file_plan *plan, fw_error *error)
     return FW_OK;
 }
 
+/* Which of several algorithms the bodies run with. */
+static fw_status describe_forms(fw_file_plan *plan, fw_error *error)
+{
+    size_t size;
+    FILE *out = open_memstream(&plan->forms, &size);
+    if (!out) return fw_fail_memory(error, "the bodies of a results file");
+    for (int b = 0; b < plan->experiment->body_count; ++b) {
+        const fw_solid *solid = fw_experiment_solid(plan->experiment, b);
+        if (!solid->model->form) continue;
+        fprintf(out, "%s: %s\n", plan->experiment->bodies[b].name, solid->model->form(solid));
+    }
+    if (fclose(out) != 0) return fw_fail_memory(error, "the bodies of a results file");
+    plan->def.forms = plan->forms;
+    return FW_OK;
+}
+
 /* A field by name, from the first body that has it; once. */
 static fw_status refuse_field(const fw_file_plan *plan, fw_schema_name name, fw_error *error)
 {
@@ -165,6 +181,7 @@ fw_status fw_file_plan_make(fw_file_plan *plan, const fw_observer *observer,
     plan->def.frame_count = frame_count(scenario);
     plan->def.sample_count = fw_measurement_row_count(scenario);
     FW_TRY(describe_bodies(plan, error));
+    FW_TRY(describe_forms(plan, error));
     FW_TRY(describe_fields(plan, error));
     if (observer->profile) {
         fw_trajectory_array *arrays;
@@ -189,6 +206,7 @@ void fw_file_plan_clear(fw_file_plan *plan)
     free(plan->observables);
     free(plan->arrays);
     free(plan->groups);
+    free(plan->forms);
     free(plan->scenario);
     free(plan->directory);
     *plan = (fw_file_plan){0};

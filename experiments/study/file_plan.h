@@ -12,7 +12,7 @@ typedef struct fw_file_plan {
     const fw_experiment *experiment; /* of the observer */
     const fw_measurement *measurement;
     /* Owned. */
-    char *directory, *scenario;
+    char *directory, *scenario, *forms;
     fw_trajectory_body *bodies;
     double **masses; /* per body */
     int (**links)[2];

@@ -125,6 +125,7 @@ def parameters(file, revision):
     provenance = group["provenance"]
     assert provenance["threads"][()] == 2 and provenance["resumed"][()] == 0
     texts = {name: item[()].decode() for name, item in provenance.items() if item.dtype.kind == "S"}
+    assert texts.pop("forms") == "sheet: displacements\nchain: displacements\n"
     assert set(texts) == {"program", "version", "revision", "compiler", "flags", "instructions", "libraries",
                           "host", "start", "end", "exit_reason"}
     assert texts["revision"] == revision and texts["exit_reason"] == "finished"

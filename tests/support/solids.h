@@ -47,7 +47,7 @@ static inline fw_vec2 *scaled(const start *s, double speed)
 
 /* M0 = .8: M = (.64 + 4)/2. */
 #define LB_SOUND 0.65653216429861311
-static inline fw_solid *make_boltzmann(const start *s)
+static inline fw_solid *make_any_boltzmann(const start *s, fw_lb_form form)
 {
     fw_error error;
     fw_solid *solid;
@@ -56,12 +56,23 @@ static inline fw_solid *make_boltzmann(const start *s)
     def.sites = &s->sites;
     def.lattice = s->lattice;
     def.rest_mass = fw_sym2_scalar(0.8);
+    def.form = form;
     def.mu = 1 - s->loss * LB_SOUND / 2;
     def.displacement = s->displacement;
     def.velocity = velocity;
     const fw_status status = fw_lb_solid_create(&solid, &def, &error);
     free(velocity);
     return checked(status, solid, &error);
+}
+
+static inline fw_solid *make_boltzmann(const start *s)
+{
+    return make_any_boltzmann(s, FW_LB_POPULATIONS);
+}
+
+static inline fw_solid *make_displaced(const start *s)
+{
+    return make_any_boltzmann(s, FW_LB_DISPLACEMENTS);
 }
 
 static inline fw_solid *make_any_automaton(const start *s, fw_automaton_speeds speeds,
@@ -147,6 +158,7 @@ static inline fw_solid *make_particles(const start *s)
 /* Verlet's energy error is (omega dt)^2/8 of the ringing: .005 x 17 (20) of the stiffest bond. */
 static const solid_kind kinds[] = {
     {"lattice Boltzmann", FW_SQUARE, make_boltzmann, LB_SOUND, LB_SOUND, 1e-12, 1e-9, false},
+    {"displaced Boltzmann", FW_SQUARE, make_displaced, LB_SOUND, LB_SOUND, 1e-12, 1e-9, false},
     {"elastic automaton", FW_SQUARE, make_automaton, 0.9, 1.0295630140987001, 1e-12, 1e-9, false},
     {"automaton, trapezoid", FW_SQUARE, make_trapezoid, 0.9, 1.0295630140987001, 1e-12, 1e-9,
      false},

@@ -222,9 +222,9 @@ static void every_bad_input_gets_its_sentence_and_leaves_nothing(void **state)
     fclose(file);
     outcome seen = run_program(folder, "run bounce.yaml -q --no-plot -o done");
     expect_end(&seen, 0, "");
-    seen = run_program(folder, "run bounce.yaml -q --no-plot -o lost --set run.limit=15.5");
+    seen = run_program(folder, "run bounce.yaml -q --no-plot -o lost --set run.limit=15.45");
     expect_end(&seen, 3, "of body speck is at (");
-    seen = run_program(folder, "run bounce.yaml -q --no-plot -o other --set run.limit=15.5 "
+    seen = run_program(folder, "run bounce.yaml -q --no-plot -o other --set run.limit=15.45 "
                                "--set run.seed=2");
     expect_end(&seen, 3, "of body speck is at (");
     for (size_t n = 0; n < sizeof mess / sizeof *mess; ++n) shell(folder, mess[n]);
