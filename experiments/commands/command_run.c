@@ -3,61 +3,17 @@
  * state. Start reading at fw_command_run(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/verdict.h"
-#include "experiments/pictures/plot.h"
 #include "experiments/results/playback.h"
 #include "experiments/results/provenance.h"
 #include "experiments/study/interrupt.h"
 #include "experiments/study/leftovers.h"
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
-#include "experiments/text/terminal.h"
 #include "experiments/text/text.h"
+#include "report.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* What may be done with a result; for people only, never for a script that reads on. */
-static void suggest_next(const fw_scenario *scenario, const char *directory)
-{
-    if (!fw_terminal_is(stdout) || fw_scenario_is_sweep(scenario)) return;
-    printf("next: `fretwork table %s` gives the numbers over time, `fretwork plot %s --help` lists "
-           "other pictures, `fretwork cite %s` what to cite\n",
-           directory, directory, directory);
-}
-
-/* What comes after the last step: pictures, the table, and where everything lies. */
-static fw_status report(const fw_scenario *scenario, const fw_verdicts *verdicts,
-                        const char *warnings, const char *directory, bool no_plot, fw_error *error)
-{
-    fw_text_print_line(stdout, scenario->title);
-    printf("\n");
-    fw_verdicts_print(stdout, verdicts);
-    /* They were said when they came, and belong to what came out. */
-    if (warnings) fw_text_print(stdout, warnings);
-    if (fw_scenario_is_sweep(scenario)) {
-        char name[FW_CASE_NAME];
-        fw_scenario_case_name(scenario, 0, name);
-        printf("results: %s/%s, and of each case, such as %s/%s\n", directory, FW_SWEEP_FILE,
-               directory, name);
-    } else {
-        printf("results: %s/%s\n", directory, FW_TRAJECTORY_FILE);
-        if (scenario->profile.every != 0)
-            printf("profile: %s/%s; `fretwork profile %s` prints it\n", directory, FW_PROFILE_FILE,
-                   directory);
-    }
-    fflush(stdout);
-    /* The results are whole: whoever interrupts the pictures loses nothing else. */
-    fw_interrupt_leave();
-    const fw_status signal = fw_interrupt_seen();
-    if (signal != FW_OK && !no_plot)
-        return fw_fail(error, signal,
-                       "interrupted before the pictures; the results are whole, `fretwork plot %s` "
-                       "draws them",
-                       directory);
-    if (!no_plot) FW_TRY(fw_plot_all(directory, stdout, error));
-    suggest_next(scenario, directory);
-    return fw_verdicts_failed(verdicts) > 0 ? FW_EXPECTATION_FAILED : FW_OK;
-}
 
 static fw_status finish(fw_study *study, const fw_scenario *scenario, const char *directory,
                         bool no_plot, fw_error *error)
@@ -68,24 +24,9 @@ static fw_status finish(fw_study *study, const fw_scenario *scenario, const char
     FW_TRY(fw_study_to_end(study, error));
     FW_TRY(fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error));
     const fw_status status =
-        report(scenario, &verdicts, fw_study_warnings(study), directory, no_plot, error);
+        fw_report_result(scenario, &verdicts, fw_study_warnings(study), directory, no_plot, error);
     fw_verdicts_clear(&verdicts);
     return status;
-}
-
-static fw_status finish_sweep(fw_sweep *sweep, const fw_scenario *scenario, const char *directory,
-                              bool no_plot, fw_error *error)
-{
-    fw_interrupt_watch();
-    const fw_status status = fw_sweep_to_end(sweep, error);
-    /* Some cases have failed: the others have their verdicts and pictures all the same. */
-    if (status != FW_DIVERGED) FW_TRY(status);
-    fw_error own;
-    const fw_status reported =
-        report(scenario, fw_sweep_verdicts(sweep), NULL, directory, no_plot, &own);
-    if (status != FW_OK) return status;
-    *error = own;
-    return reported;
 }
 
 static fw_status run(const fw_scenario *scenario, const fw_run_options *options,
@@ -105,7 +46,7 @@ static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *op
     fw_sweep *sweep;
     FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
     fw_leftovers_remove(leftovers);
-    const fw_status status = finish_sweep(sweep, scenario, options->directory, no_plot, error);
+    const fw_status status = fw_report_sweep(sweep, scenario, options->directory, no_plot, error);
     fw_sweep_destroy(sweep);
     return status;
 }
@@ -205,7 +146,7 @@ static fw_status go_on_with_sweep(const char *directory, const fw_run_options *o
     fw_status status = fw_leftovers_check(directory, scenario, error);
     if (status == FW_OK) status = fw_sweep_resume(&sweep, scenario, options, error);
     if (status == FW_OK) {
-        status = finish_sweep(sweep, scenario, directory, no_plot, error);
+        status = fw_report_sweep(sweep, scenario, directory, no_plot, error);
         fw_sweep_destroy(sweep);
     }
     fw_scenario_destroy(scenario);

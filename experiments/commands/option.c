@@ -41,7 +41,8 @@ const fw_option fw_option_threads = {
     "--threads",
     "-j",
     "N",
-    "threads (1); more pay from some 100,000 particles on, results do not depend on them",
+    "threads of a run (1); of a study or a sweep, runs side by side (as many as there are "
+    "processors)",
     FW_INTO(threads),
     .least = 1,
     .most = 1024};
@@ -81,6 +82,13 @@ const fw_option fw_option_axis = {"--axis",      NULL,
                                   FW_INTO(axis), .choices = "x, y"};
 const fw_option fw_option_json = {"--json", NULL, NULL, "the same as one value of JSON",
                                   FW_INTO(json)};
+const fw_option fw_option_list_cases = {
+    "--list", NULL, NULL, "one command line per case, to be run in any order by any engine",
+    FW_INTO(list)};
+const fw_option fw_option_case = {"--case", NULL, "CASE",
+                                  "runs this case of the sweep in DIR, as A=1,p=2, unless it is "
+                                  "finished or taken",
+                                  FW_INTO(one_case)};
 const fw_option fw_option_names = {"--names", NULL, NULL, "only the names, one a line",
                                    FW_INTO(names)};
 const fw_option fw_option_help = {"--help", "-h", NULL, "this text", FW_INTO(help)};
@@ -159,7 +167,14 @@ static fw_status read_option(fw_arguments *arguments, const fw_command *command,
 {
     const char *word = words[*n], *equals = strchr(word, '=');
     size_t length = equals ? (size_t)(equals - word) : strlen(word);
-    const int number = find_option(command, word, length);
+    int number = find_option(command, word, length);
+    /* -j2, as other programs have it. */
+    if (number < 0 && word[1] != '-' && length > 2) {
+        number = find_option(command, word, 2);
+        if (number >= 0 && command->options[number]->form != FW_OPTION_FLAG) length = 2;
+        if (length > 2) number = -1;
+        if (length == 2) equals = NULL;
+    }
     if (number < 0) return refuse_option(command, word, length, error);
     const fw_option *o = command->options[number];
     if (o->form == FW_OPTION_FLAG) {
@@ -167,7 +182,10 @@ static fw_status read_option(fw_arguments *arguments, const fw_command *command,
         return fw_fail(error, FW_BAD_INPUT, "%s takes no value, but has %s", o->name,
                        fw_text_quote(equals + 1, strlen(equals + 1)).text);
     }
-    const char *value = equals ? equals + 1 : *n + 1 < count ? words[++*n] : NULL;
+    const char *value = equals           ? equals + 1
+                        : word[length]   ? word + length
+                        : *n + 1 < count ? words[++*n]
+                                         : NULL;
     if (!value)
         return fw_fail(error, FW_BAD_INPUT, "%s comes last, expected %s behind it", o->name,
                        o->value);

@@ -5,6 +5,7 @@
 
 #include "experiments/results/checkpoint.h"
 #include "experiments/results/trajectory.h"
+#include "experiments/storage/claim.h"
 #include "experiments/storage/hdf5_file.h"
 #include "experiments/storage/manifest.h"
 #include "experiments/storage/sealed_file.h"
@@ -35,6 +36,7 @@ static const struct {
     {FW_HEAD_AFTER_CUTTING, BY_START, FW_HEAD_KIND},
     {FW_TRAJECTORY_FILE, BY_CREATOR, NULL},
     {FW_TRAJECTORY_FILE FW_FRESH_SUFFIX, BY_START, HDF5_SIGNATURE},
+    {FW_CLAIM_FILE, BY_START, FW_CLAIM_KIND},
     {FW_SWEEP_FILE, BY_MANIFEST, NULL},
     {FW_SWEEP_SCENARIO, BY_MANIFEST, NULL},
     /* The last: it lists the others. */

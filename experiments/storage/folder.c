@@ -82,18 +82,28 @@ static void remove_folders(const char *path, size_t made)
     }
 }
 
+static fw_status make(const char *path, size_t *made, fw_error *error)
+{
+    if (path[0] == '\0') return fw_fail(error, FW_BAD_INPUT, "the results folder has no name");
+    const int reason = make_folders(path, made);
+    if (reason == 0) return FW_OK;
+    const bool misnamed = reason == ENOTDIR || reason == ENAMETOOLONG || reason == ELOOP;
+    remove_folders(path, *made);
+    return fw_fail(error, misnamed ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
+                   "cannot make the folder %s: %s", path, strerror(reason));
+}
+
+fw_status fw_folder_make(const char *path, fw_error *error)
+{
+    size_t made;
+    return make(path, &made, error);
+}
+
 fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error)
 {
     size_t made;
     *folder = NULL;
-    if (path[0] == '\0') return fw_fail(error, FW_BAD_INPUT, "the results folder has no name");
-    int reason = make_folders(path, &made);
-    if (reason != 0) {
-        bool misnamed = reason == ENOTDIR || reason == ENAMETOOLONG || reason == ELOOP;
-        remove_folders(path, made);
-        return fw_fail(error, misnamed ? FW_BAD_INPUT : FW_SYSTEM_FAILED,
-                       "cannot make the folder %s: %s", path, strerror(reason));
-    }
+    FW_TRY(make(path, &made, error));
     FW_TRY(fw_folder_open(folder, path, error));
     (*folder)->made = made;
     if (access(path, W_OK | X_OK) == 0) return FW_OK;

@@ -15,6 +15,8 @@ typedef struct fw_folder fw_folder;
 /* Makes the folder, and those above it, where they are missing, and holds it. FW_SYSTEM_FAILED when
  * it cannot be made or written to, FW_BAD_INPUT when another process holds it. */
 fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error);
+/* The same without holding it. */
+fw_status fw_folder_make(const char *path, fw_error *error);
 /* Holds a folder that is there; FW_BAD_INPUT when it is not. */
 fw_status fw_folder_open(fw_folder **folder, const char *path, fw_error *error);
 /* A folder that is there, without holding it: for readers, and beside its holder. */

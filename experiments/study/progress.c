@@ -5,6 +5,7 @@
 #include "experiments/text/terminal.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <string.h>
 #include <time.h>
 
@@ -91,6 +92,18 @@ static void show(fw_progress *progress)
         fprintf(progress->out, "%s: %s\n", progress->label, state);
     }
     fflush(progress->out);
+}
+
+void fw_progress_name(fw_progress *progress, const char *format, ...)
+{
+    char label[sizeof progress->label];
+    va_list arguments;
+    if (!progress) return;
+    va_start(arguments, format);
+    vsnprintf(label, sizeof label, format, arguments);
+    va_end(arguments);
+#pragma omp critical(progress)
+    memcpy(progress->label, label, sizeof label);
 }
 
 void fw_progress_find(fw_progress *progress, double work)

@@ -23,7 +23,10 @@ typedef struct fw_progress {
 
 /* NULL as `out`: says nothing. */
 fw_progress fw_progress_begin(FILE *out, const char *label);
-/* Work that was done before. `progress` may be NULL, here and below. */
+/* What is running now, by any thread (printf format). */
+void fw_progress_name(fw_progress *progress, const char *format, ...)
+    __attribute__((format(printf, 2, 3)));
+/* Work that was done before. `progress` may be NULL, here, above and below. */
 void fw_progress_find(fw_progress *progress, double work);
 /* More work was done, by any thread; shows it when it is time. */
 void fw_progress_add(fw_progress *progress, double work);

@@ -1,15 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep.c - studies one after the other.
+/* sweep.c - studies one after the other, or side by side.
  * State: the cases, and what came out of each. Invariant: the table is there when all cases are
- * finished or have diverged. Start reading at fw_sweep_to_end(). */
+ * finished or have diverged; until then all that is known lies in their folders. Start reading at
+ * fw_sweep_to_end(). */
 #include "experiments/study/sweep.h"
 
+#include "experiments/setup/memory.h"
 #include "experiments/storage/manifest.h"
 #include "experiments/study/interrupt.h"
 #include "experiments/study/study.h"
 #include "sweep_case.h"
 #include "sweep_outcome.h"
 
+#include <omp.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,7 +20,6 @@ struct fw_sweep {
     const fw_scenario *scenario;
     fw_run_options options;
     fw_folder *folder; /* NULL: nothing is written */
-    bool going_on;     /* some cases may be there already */
     int case_count;
     fw_sweep_case *cases;
     fw_verdicts verdicts;
@@ -142,17 +144,22 @@ fw_status fw_sweep_begin(fw_sweep **sweep, const fw_scenario *scenario,
     return give_up(sweep, status);
 }
 
-fw_status fw_sweep_resume(fw_sweep **sweep, const fw_scenario *scenario,
-                          const fw_run_options *options, fw_error *error)
+fw_status fw_sweep_open(fw_sweep **sweep, const fw_scenario *scenario,
+                        const fw_run_options *options, fw_error *error)
 {
     fw_status status = create(sweep, scenario, options, error);
     if (status == FW_OK) status = fw_folder_open(&(*sweep)->folder, options->directory, error);
-    if (status == FW_OK && fw_folder_has((*sweep)->folder, FW_SWEEP_FILE))
-        status =
-            fw_fail(error, FW_BAD_INPUT, "%s: the sweep is finished, there is nothing to resume",
-                    options->directory);
-    if (status == FW_OK) (*sweep)->going_on = true;
     return give_up(sweep, status);
+}
+
+fw_status fw_sweep_resume(fw_sweep **sweep, const fw_scenario *scenario,
+                          const fw_run_options *options, fw_error *error)
+{
+    FW_TRY(fw_sweep_open(sweep, scenario, options, error));
+    if (!fw_folder_has((*sweep)->folder, FW_SWEEP_FILE)) return FW_OK;
+    return give_up(sweep, fw_fail(error, FW_BAD_INPUT,
+                                  "%s: the sweep is finished, there is nothing to resume",
+                                  options->directory));
 }
 
 bool fw_sweep_is_in(const char *directory)
@@ -196,6 +203,35 @@ fw_status fw_sweep_refuse(const char *directory, fw_error *error)
 
 /* --- running --- */
 
+/* As many as there are processors, cases, and room in memory for. */
+static int choose_jobs(const fw_sweep *sweep)
+{
+    const int processors = omp_get_num_procs(), wanted = sweep->options.at_once;
+    int jobs = wanted > 0 && wanted < processors ? wanted : processors;
+    fw_error ignored;
+    if (jobs > sweep->case_count) jobs = sweep->case_count;
+    for (int n = 0; n < sweep->case_count; ++n) {
+        const fw_scenario *scenario = sweep->cases[n].scenario;
+        const int runs = (int)scenario->study.seeds * (scenario->study.control_count > 0 ? 2 : 1);
+        while (jobs > 1 && fw_memory_check(scenario, runs * jobs, &ignored) != FW_OK) jobs -= 1;
+    }
+    return jobs;
+}
+
+/* Side by side each case has one thread for its particles, and its share of the processors for its
+ * seeds. */
+static fw_run_options options_of_case(const fw_sweep *sweep, int jobs)
+{
+    const int processors = omp_get_num_procs(), wanted = sweep->options.at_once;
+    const int all = wanted > 0 && wanted < processors ? wanted : processors;
+    fw_run_options options = sweep->options;
+    options.overwrite = true; /* whatever was there and counted has been looked at */
+    if (jobs < 2) return options;
+    options.threads = 1;
+    options.at_once = all / jobs;
+    return options;
+}
+
 /* The sentence of a single run says nothing of the others. */
 static fw_status tell_case(const fw_sweep *sweep, int number, fw_status status, fw_error *error)
 {
@@ -209,21 +245,48 @@ static fw_status tell_case(const fw_sweep *sweep, int number, fw_status status, 
                    number + 1, sweep->case_count, name, directory);
 }
 
-static fw_status complete_case(fw_sweep *sweep, int number, fw_error *error)
+static fw_status complete_case(fw_sweep *sweep, int number, fw_run_options options, fw_error *error)
 {
     fw_sweep_case *c = &sweep->cases[number];
-    fw_run_options options = sweep->options;
     char path[FW_PATH_SIZE];
-    if (options.progress)
-        snprintf(options.progress->label, sizeof options.progress->label, "%.64s %d/%d %.64s",
-                 options.name ? options.name : "sweep", number + 1, sweep->case_count, c->name);
-    options.overwrite = true; /* whatever was there and counted has been looked at */
+    fw_progress_name(options.progress, "%.64s %d/%d %.64s", options.name ? options.name : "sweep",
+                     number + 1, sweep->case_count, c->name);
     if (options.directory) {
         FW_TRY(fw_path_join(path, options.directory, c->name, error));
         options.directory = path;
     }
-    return tell_case(sweep, number, fw_sweep_case_complete(c, &options, sweep->going_on, error),
-                     error);
+    return tell_case(sweep, number, fw_sweep_case_complete(c, &options, error), error);
+}
+
+/* Every case in turn, by whoever is free. A case that fails leaves the others; what stops one for
+ * another reason, as a signal or a full disk, stops all, and the first in order is told of. */
+static fw_status complete_all(fw_sweep *sweep, fw_error *error)
+{
+    const int jobs = choose_jobs(sweep);
+    const fw_run_options options = options_of_case(sweep, jobs);
+    fw_status stopped = FW_OK;
+    int first = sweep->case_count;
+    bool going = true;
+    omp_set_max_active_levels(options.at_once > 1 ? 2 : 1);
+#pragma omp parallel for schedule(dynamic, 1) num_threads(jobs) if (jobs > 1)
+    for (int n = 0; n < sweep->case_count; ++n) {
+        fw_error own = {0};
+        bool go_on;
+#pragma omp atomic read
+        go_on = going;
+        if (!go_on) continue;
+        const fw_status status = complete_case(sweep, n, options, &own);
+        if (status == FW_OK || status == FW_DIVERGED) continue;
+#pragma omp atomic write
+        going = false;
+#pragma omp critical(sweep)
+        if (n < first) {
+            first = n;
+            stopped = status;
+            *error = own;
+        }
+    }
+    return stopped;
 }
 
 /* --- the outcome --- */
@@ -258,16 +321,87 @@ static fw_status tell_failures(const fw_sweep *sweep, fw_error *error)
                    sweep->case_count, first->name, first->failure.sentence);
 }
 
-fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error)
+static fw_status conclude(fw_sweep *sweep, fw_error *error)
 {
-    for (int n = 0; n < sweep->case_count; ++n) {
-        const fw_status status = complete_case(sweep, n, error);
-        /* The others have something to say all the same. */
-        if (status != FW_DIVERGED) FW_TRY(status);
-    }
     FW_TRY(fw_sweep_outcome_verdicts(&sweep->verdicts, sweep->scenario, sweep->cases, error));
     FW_TRY(write_table(sweep, error));
     return tell_failures(sweep, error);
+}
+
+fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error)
+{
+    FW_TRY(complete_all(sweep, error));
+    return fw_sweep_missing(sweep) > 0 ? FW_OK : conclude(sweep, error);
+}
+
+int fw_sweep_missing(const fw_sweep *sweep)
+{
+    int missing = 0;
+    for (int n = 0; n < sweep->case_count; ++n) missing += sweep->cases[n].missing;
+    return missing;
+}
+
+/* Whether anybody is at work on it shows only by trying. */
+static fw_status refuse_missing(const fw_sweep *sweep, int first, fw_sweep_stage stage,
+                                fw_error *error)
+{
+    const char *directory = sweep->options.directory;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s: %d of %d cases are not finished; the first, %s, has %s. `fretwork resume "
+                   "%s` runs those that nobody is running",
+                   directory, fw_sweep_missing(sweep), sweep->case_count, sweep->cases[first].name,
+                   stage == FW_STAGE_NOT_BEGUN ? "not begun" : "begun", directory);
+}
+
+fw_status fw_sweep_collect(fw_sweep *sweep, fw_error *error)
+{
+    fw_run_options options = sweep->options;
+    fw_sweep_stage stage, first_stage = FW_STAGE_NOT_BEGUN;
+    char path[FW_PATH_SIZE];
+    int first = -1;
+    for (int n = 0; n < sweep->case_count; ++n) {
+        FW_TRY(fw_path_join(path, sweep->options.directory, sweep->cases[n].name, error));
+        options.directory = path;
+        const fw_status status = fw_sweep_case_read(&sweep->cases[n], &options, &stage, error);
+        if (status != FW_DIVERGED) FW_TRY(status);
+        if (first >= 0 || !sweep->cases[n].missing) continue;
+        first = n;
+        first_stage = stage;
+    }
+    return first < 0 ? conclude(sweep, error) : refuse_missing(sweep, first, first_stage, error);
+}
+
+/* Number of the case of that name. */
+static fw_status find_case(const fw_scenario *scenario, const char *directory, const char *name,
+                           int *number, fw_error *error)
+{
+    char known[FW_CASE_NAME];
+    for (*number = 0; *number < scenario->study.sweep.case_count; ++*number) {
+        fw_scenario_case_name(scenario, *number, known);
+        if (strcmp(known, name) == 0) return FW_OK;
+    }
+    fw_scenario_case_name(scenario, 0, known);
+    return fw_fail(error, FW_BAD_INPUT, "%s: the sweep has no case %s, expected one such as %s",
+                   directory, name, known);
+}
+
+fw_status fw_sweep_run_case(const fw_scenario *scenario, const char *name,
+                            const fw_run_options *options, bool *taken, fw_error *error)
+{
+    fw_run_options own = *options;
+    fw_sweep_case c = {.missing = false};
+    char path[FW_PATH_SIZE];
+    int number;
+    *taken = false;
+    FW_TRY(find_case(scenario, options->directory, name, &number, error));
+    FW_TRY(fw_path_join(path, options->directory, name, error));
+    own.directory = path;
+    own.overwrite = true;
+    fw_status status = fw_sweep_case_make(&c, scenario, number, error);
+    if (status == FW_OK) status = fw_sweep_case_complete(&c, &own, error);
+    *taken = c.missing;
+    fw_sweep_case_clear(&c);
+    return status;
 }
 
 const fw_verdicts *fw_sweep_verdicts(const fw_sweep *sweep)

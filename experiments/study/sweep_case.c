@@ -6,6 +6,7 @@
 
 #include "experiments/results/playback.h"
 #include "experiments/results/provenance.h"
+#include "experiments/storage/claim.h"
 #include "experiments/storage/folder.h"
 #include "experiments/study/interrupt.h"
 #include "experiments/study/study.h"
@@ -50,8 +51,6 @@ fw_status fw_sweep_case_check(const fw_sweep_case *c, fw_error *error)
 
 /* --- cases that are there already --- */
 
-typedef enum stage { NOT_BEGUN, BEGUN, FINISHED, FAILED } stage;
-
 static fw_status compare_scenarios(const fw_sweep_case *c, const fw_playback *playback,
                                    const char *path, fw_error *error)
 {
@@ -64,28 +63,37 @@ static fw_status compare_scenarios(const fw_sweep_case *c, const fw_playback *pl
                    "%s holds results of another scenario than the sweep that it lies in", path);
 }
 
-static fw_status find_stage(fw_sweep_case *c, const fw_run_options *options, stage *found,
-                            fw_error *error)
+static bool is_over(fw_sweep_stage stage)
 {
-    fw_folder *folder;
+    return stage == FW_STAGE_FINISHED || stage == FW_STAGE_FAILED;
+}
+
+/* What the results say, unless somebody is writing them; `claimed`: nobody else is. */
+static fw_status look(fw_sweep_case *c, const fw_run_options *options, bool claimed,
+                      fw_sweep_stage *found, fw_error *error)
+{
     fw_playback *playback;
-    fw_error ignored;
     const char *path = options->directory;
-    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return FW_OK;
-    const bool begun = fw_folder_has(folder, FW_TRAJECTORY_FILE);
-    fw_folder_close(folder);
-    if (!begun) return FW_OK;
-    FW_TRY(fw_trajectory_mend(path, error));
     FW_TRY(fw_playback_open(&playback, path, error));
     const fw_status status = compare_scenarios(c, playback, path, error);
-    *found = strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0 ? FINISHED
-             : playback->exit_status == FW_DIVERGED              ? FAILED
-                                                                 : BEGUN;
-    if (*found == FAILED) fw_fail(&c->failure, FW_DIVERGED, "%s", playback->exit_reason);
-    if (status == FW_OK && options->warnings)
+    *found = strcmp(playback->exit_reason, FW_RUN_FINISHED) == 0 ? FW_STAGE_FINISHED
+             : playback->exit_status == FW_DIVERGED              ? FW_STAGE_FAILED
+                                                                 : FW_STAGE_BEGUN;
+    if (*found == FW_STAGE_FAILED) fw_fail(&c->failure, FW_DIVERGED, "%s", playback->exit_reason);
+    if (status == FW_OK && options->warnings && (claimed || is_over(*found)))
         fw_provenance_compare(options->warnings, playback->revision, path);
     fw_playback_close(playback);
     return status;
+}
+
+static bool has_results(const char *path)
+{
+    fw_folder *folder;
+    fw_error ignored;
+    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return false;
+    const bool begun = fw_folder_has(folder, FW_TRAJECTORY_FILE);
+    fw_folder_close(folder);
+    return begun;
 }
 
 static fw_status read_layer(fw_sweep_case *c, const char *path, fw_error *error)
@@ -109,12 +117,12 @@ static fw_status read_case(fw_sweep_case *c, const char *path, fw_error *error)
 
 /* --- running --- */
 
-static fw_status run_case(fw_sweep_case *c, const fw_run_options *options, stage found,
+static fw_status run_case(fw_sweep_case *c, const fw_run_options *options, fw_sweep_stage found,
                           fw_error *error)
 {
     fw_study *study;
     char note[FW_SENTENCE_SIZE] = "";
-    if (found == BEGUN)
+    if (found == FW_STAGE_BEGUN)
         FW_TRY(fw_study_resume(&study, c->scenario, options, note, error));
     else
         FW_TRY(fw_study_begin(&study, c->scenario, options, error));
@@ -133,18 +141,62 @@ static fw_status run_case(fw_sweep_case *c, const fw_run_options *options, stage
     return status;
 }
 
-fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options, bool going_on,
-                                 fw_error *error)
+/* A case that is at its end, one way or the other. */
+static fw_status take_result(fw_sweep_case *c, const fw_run_options *options, fw_sweep_stage stage,
+                             fw_error *error)
 {
-    stage found = NOT_BEGUN;
-    if (going_on) FW_TRY(find_stage(c, options, &found, error));
-    if (found == FINISHED || found == FAILED)
-        fw_progress_find(options->progress, fw_study_work(c->scenario));
-    if (found == FINISHED) return read_case(c, options->directory, error);
-    if (found == FAILED) {
-        *error = c->failure;
-        return FW_DIVERGED;
+    fw_progress_find(options->progress, fw_study_work(c->scenario));
+    if (stage == FW_STAGE_FINISHED) return read_case(c, options->directory, error);
+    *error = c->failure;
+    return FW_DIVERGED;
+}
+
+fw_status fw_sweep_case_read(fw_sweep_case *c, const fw_run_options *options, fw_sweep_stage *stage,
+                             fw_error *error)
+{
+    fw_error own = {0};
+    *stage = FW_STAGE_NOT_BEGUN;
+    c->missing = true;
+    if (!has_results(options->directory)) return FW_OK;
+    /* A file that is being laid out, or was torn when its run was killed, says nothing yet; one
+     * that says it is of another scenario does. */
+    *stage = FW_STAGE_BEGUN;
+    const fw_status status = look(c, options, false, stage, &own);
+    if (status != FW_OK && is_over(*stage)) *error = own;
+    if (!is_over(*stage)) return FW_OK;
+    FW_TRY(status);
+    c->missing = false;
+    return take_result(c, options, *stage, error);
+}
+
+/* The claim is ours: nobody else changes what lies there. */
+static fw_status go_on(fw_sweep_case *c, const fw_run_options *options, fw_error *error)
+{
+    fw_sweep_stage found = FW_STAGE_NOT_BEGUN;
+    if (options->directory && has_results(options->directory)) {
+        FW_TRY(fw_trajectory_mend(options->directory, error));
+        FW_TRY(look(c, options, true, &found, error));
     }
+    if (is_over(found)) return take_result(c, options, found, error);
     const fw_status signal = fw_interrupt_seen();
     return signal == FW_OK ? run_case(c, options, found, error) : signal;
+}
+
+fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options, fw_error *error)
+{
+    fw_claim *claim;
+    fw_sweep_stage stage;
+    if (!options->directory) return go_on(c, options, error);
+    /* What is finished needs no claim, and could be on a disk that takes none. */
+    FW_TRY(fw_sweep_case_read(c, options, &stage, error));
+    if (is_over(stage)) {
+        fw_claim_tidy(options->directory);
+        return FW_OK;
+    }
+    FW_TRY(fw_claim_take(&claim, options->directory, error));
+    if (!claim) return FW_OK;
+    c->missing = false;
+    const fw_status status = go_on(c, options, error);
+    fw_claim_release(claim);
+    return status;
 }

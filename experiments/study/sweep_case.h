@@ -14,6 +14,7 @@ typedef struct fw_sweep_case {
     fw_verdicts verdicts;                /* one per expectation; none before the end */
     fw_outcome layer[FW_LAYER_MEASURES]; /* where there is a profile */
     fw_error failure;                    /* FW_DIVERGED, and why: it has none of the above */
+    bool missing;                        /* nor has it yet: somebody else is at work on it */
 } fw_sweep_case;
 
 /* Case `number` of the sweep; to be cleared also after a failure. */
@@ -23,10 +24,22 @@ void fw_sweep_case_clear(fw_sweep_case *c);
 /* Could it begin? */
 fw_status fw_sweep_case_check(const fw_sweep_case *c, fw_error *error);
 
-/* To its end, in options->directory, where `going_on` says that results may lie already. As
+/* Where a case stands, as its folder says. */
+typedef enum fw_sweep_stage {
+    FW_STAGE_NOT_BEGUN,
+    FW_STAGE_BEGUN,
+    FW_STAGE_FINISHED,
+    FW_STAGE_FAILED /* its numbers have diverged */
+} fw_sweep_stage;
+
+/* To its end, from where it stands in options->directory; NULL: from its beginning, without
+ * results. A case that somebody else claims is left to them, and is missing then. As
  * fw_study_to_end; a case that has diverged earlier is not run again. FW_BAD_INPUT: the results are
  * of another scenario. */
-fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options, bool going_on,
-                                 fw_error *error);
+fw_status fw_sweep_case_complete(fw_sweep_case *c, const fw_run_options *options, fw_error *error);
+/* Reads a case back that has come to its end there; any other is missing then, and *stage says
+ * where it stands. FW_DIVERGED as above. */
+fw_status fw_sweep_case_read(fw_sweep_case *c, const fw_run_options *options, fw_sweep_stage *stage,
+                             fw_error *error);
 
 #endif

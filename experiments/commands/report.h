@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* report.h - what comes after the last step: the table of verdicts, where everything lies, and the
+ * pictures. */
+#ifndef FW_REPORT_H
+#define FW_REPORT_H
+
+#include "experiments/measures/verdict.h"
+#include "experiments/study/sweep.h"
+
+/* `warnings` may be NULL. FW_EXPECTATION_FAILED where one did not hold. */
+fw_status fw_report_result(const fw_scenario *scenario, const fw_verdicts *verdicts,
+                           const char *warnings, const char *directory, bool no_plot,
+                           fw_error *error);
+/* Runs the sweep to its end and reports it, as far as no other process is at work on it. */
+fw_status fw_report_sweep(fw_sweep *sweep, const fw_scenario *scenario, const char *directory,
+                          bool no_plot, fw_error *error);
+/* The same of a sweep whose cases were all run. */
+fw_status fw_report_collected(fw_sweep *sweep, const fw_scenario *scenario, const char *directory,
+                              bool no_plot, fw_error *error);
+
+#endif
