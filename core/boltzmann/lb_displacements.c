@@ -27,7 +27,7 @@ enum { ALONE = 16384 };
 enum { FAR = 2, COMMON_EVERY = LB_DEPTH };
 
 /* Bytes of the nearest large cache that the rows of a sweep may take. */
-enum { CACHE = 1 << 19 };
+enum { CACHE = 1 << 20 };
 
 /* --- making --- */
 

@@ -4,17 +4,40 @@
  * and spans follow from `present`. Start reading at lb_layout_rebuild(). */
 #include "lb_layout.h"
 
+static bool lies_at(const fw_sites *sites, int l, int i, int j)
+{
+    return l >= 0 && l < sites->count && sites->site[l].i == i && sites->site[l].j == j;
+}
+
+/* Finds the neighbour in the row above or below, and tells whether both corners beside it are there
+ * too. *at is where the row was left. */
+static int connect_row(const fw_sites *sites, int l, int direction, int *at, bool *corners)
+{
+    const fw_site beside = fw_site_neighbour(sites->site[l], direction);
+    const int found = fw_sites_find_next(sites, beside, at);
+    const int after = found >= 0 ? *at + 1 : *at;
+    *corners = lies_at(sites, *at - 1, beside.i - 1, beside.j) &&
+               lies_at(sites, after, beside.i + 1, beside.j);
+    return found;
+}
+
 void lb_layout_connect(lb_solid *lb, const fw_sites *sites)
 {
-    int beside_at[FW_DIRECTIONS] = {0}, corner_at[FW_DIRECTIONS] = {0};
+    int above = 0, below = 0;
     for (int l = 0; l < sites->count; ++l) {
+        const fw_site site = sites->site[l];
+        bool corners_above, corners_below;
+        const int beside[FW_DIRECTIONS] = {
+            [FW_EAST] = lies_at(sites, l + 1, site.i + 1, site.j) ? l + 1 : -1,
+            [FW_NORTH] = connect_row(sites, l, FW_NORTH, &above, &corners_above),
+            [FW_WEST] = lies_at(sites, l - 1, site.i - 1, site.j) ? l - 1 : -1,
+            [FW_SOUTH] = connect_row(sites, l, FW_SOUTH, &below, &corners_below),
+        };
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            fw_site beside = fw_site_neighbour(sites->site[l], d);
-            lb->neighbour[d][l] = fw_sites_find_next(sites, beside, &beside_at[d]);
-            if (lb->neighbour[d][l] >= 0) lb->present[l] |= (uint8_t)(1u << d);
-            fw_site corner = fw_site_neighbour(beside, (d + 1) % FW_DIRECTIONS);
-            lb->edge[l] |= fw_sites_find_next(sites, corner, &corner_at[d]) < 0;
+            lb->neighbour[d][l] = beside[d];
+            if (beside[d] >= 0) lb->present[l] |= (uint8_t)(1u << d);
         }
+        lb->edge[l] = !corners_above || !corners_below;
     }
 }
 

@@ -24,6 +24,7 @@ typedef struct fw_case {
     fw_solid *(*make)(int side);      /* what is measured */
     double bytes;                     /* of the stream that a particle is compared with, or 0 */
     fw_solid *(*make_peer)(int side); /* instead of a stream, or NULL */
+    int together;                     /* so many free steps at once; 0: one, positions included */
 } fw_case;
 
 /* --- bodies --- */
@@ -125,9 +126,8 @@ static fw_sites disc_of(int side)
     return sites;
 }
 
-/* A body that moves, with populations as they are; those that no displacement can make where
- * `hidden`. */
-static fw_solid *lb_of(fw_sites sites, double mu, double break_at)
+/* A body that moves. */
+static fw_solid *lb_of(fw_sites sites, fw_lb_form form)
 {
     fw_lb_solid_def def = fw_lb_solid_def_default();
     fw_vec2 *displacement = malloc((size_t)sites.count * sizeof *displacement);
@@ -135,8 +135,7 @@ static fw_solid *lb_of(fw_sites sites, double mu, double break_at)
         displacement[l] = (fw_vec2){1e-3 * sin(0.01 * sites.site[l].i), 1e-3 * sites.site[l].j};
     def.sites = &sites;
     def.displacement = displacement;
-    def.mu = mu;
-    def.break_at = break_at;
+    def.form = form;
     fw_solid *solid;
     fw_error error;
     if (fw_lb_solid_create(&solid, &def, &error) != FW_OK) {
@@ -148,14 +147,19 @@ static fw_solid *lb_of(fw_sites sites, double mu, double break_at)
     return solid;
 }
 
+static fw_solid *populations(int side)
+{
+    return lb_of(square_of(side), FW_LB_POPULATIONS);
+}
+
 static fw_solid *lb(int side)
 {
-    return lb_of(square_of(side), 1, INFINITY);
+    return lb_of(square_of(side), FW_LB_DISPLACEMENTS);
 }
 
 static fw_solid *lb_disc(int side)
 {
-    return lb_of(disc_of(side), 1, INFINITY);
+    return lb_of(disc_of(side), FW_LB_DISPLACEMENTS);
 }
 
 static fw_solid *automaton_of(int side, double break_at)
@@ -191,19 +195,22 @@ static fw_solid *breakable_automaton(int side)
 }
 
 static const fw_case cases[] = {
-    {"particles-long-verlet", 320, long_verlet, 0, NULL},
-    {"particles-long-langevin", 320, long_langevin, 0, NULL},
-    {"particles-short-verlet", 320, short_verlet, 0, NULL},
-    {"particles-short-langevin", 320, short_langevin, 0, NULL},
-    {"returning-long", 320, long_return, 0, NULL},
-    {"returning-short", 320, short_return, 0, NULL},
-    {"rubbing-long", 320, long_rubbing, 0, NULL},
-    {"rubbing-short", 320, short_rubbing, 0, NULL},
-    {"melt", 320, melt, 0, NULL},
-    {"lb-stream", 2048, lb, 48, NULL},
-    {"lb-disc", 2048, lb_disc, 0, lb},
-    {"automaton-stream", 1000, automaton, 48, NULL},
-    {"automaton-breakable", 1000, breakable_automaton, 0, automaton},
+    {"particles-long-verlet", 320, long_verlet, 0, NULL, 0},
+    {"particles-long-langevin", 320, long_langevin, 0, NULL, 0},
+    {"particles-short-verlet", 320, short_verlet, 0, NULL, 0},
+    {"particles-short-langevin", 320, short_langevin, 0, NULL, 0},
+    {"returning-long", 320, long_return, 0, NULL, 0},
+    {"returning-short", 320, short_return, 0, NULL, 0},
+    {"rubbing-long", 320, long_rubbing, 0, NULL, 0},
+    {"rubbing-short", 320, short_rubbing, 0, NULL, 0},
+    {"melt", 320, melt, 0, NULL, 0},
+    {"lb-populations", 2048, populations, 192, NULL, 0},
+    {"lb-stream", 2048, lb, 48, NULL, 1},
+    {"lb-sweep", 2048, lb, 48, NULL, 16},
+    {"lb-disc", 2048, lb_disc, 0, lb, 1},
+    {"lb-disc-sweep", 2048, lb_disc, 0, lb, 16},
+    {"automaton-stream", 1000, automaton, 48, NULL, 0},
+    {"automaton-breakable", 1000, breakable_automaton, 0, automaton, 0},
 };
 
 /* --- trials --- */
@@ -217,19 +224,25 @@ static double seconds(void)
 }
 
 /* Million particles a second. */
-static double rate_of(fw_solid *solid, int steps)
+static double rate_of(fw_solid *solid, int steps, int together)
 {
     const double begun = seconds();
-    for (int tick = 0; tick < steps * solid->model->ticks_per_step; ++tick) advance_free(solid);
+    const int ticks = steps * solid->model->ticks_per_step;
+    fw_error error;
+    if (together == 0)
+        for (int tick = 0; tick < ticks; ++tick) advance_free(solid);
+    else
+        for (int tick = 0; tick < ticks; tick += together)
+            assert_moved(fw_solid_move_free(solid, together, &error), &error);
     return 1e-6 * steps * solid->count / (seconds() - begun);
 }
 
 /* So many that a trial takes about half a second. */
-static int steps_of(fw_solid *solid)
+static int steps_of(fw_solid *solid, int together)
 {
-    const double rate = rate_of(solid, 10);
+    const double rate = rate_of(solid, 16, together);
     const int steps = (int)(0.5e6 * rate / solid->count);
-    return steps > 10 ? steps - steps % 2 : 10;
+    return steps > 16 ? steps - steps % 16 : 16;
 }
 
 static int measure(const fw_case *what, int trials, int side)
@@ -237,12 +250,13 @@ static int measure(const fw_case *what, int trials, int side)
     fw_solid *ours = what->make(side), *peer = what->make_peer ? what->make_peer(side) : NULL;
     fw_stream stream = {0};
     if (what->bytes > 0) stream = stream_of((size_t)ours->count * 4);
-    const int steps = steps_of(ours), peer_steps = peer ? steps_of(peer) : 0;
+    const int steps = steps_of(ours, what->together),
+              peer_steps = peer ? steps_of(peer, what->together) : 0;
     for (int trial = 0; trial < trials; ++trial) {
-        const double rate = rate_of(ours, steps);
+        const double rate = rate_of(ours, steps, what->together);
         double theirs = NAN;
         if (peer)
-            theirs = rate_of(peer, peer_steps);
+            theirs = rate_of(peer, peer_steps, what->together);
         else if (what->bytes > 0)
             theirs = 1e-6 * fmax(stream_rate(&stream), stream_rate(&stream)) / what->bytes;
         printf("%.4g %.4g\n", rate, theirs);
