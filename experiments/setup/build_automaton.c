@@ -200,6 +200,6 @@ static fw_status print_limits(FILE *out, const fw_start *start, int *warnings, f
 }
 
 const fw_solid_kind fw_automaton_solid = {.model = &fw_elastic_automaton_model,
-                                          .bytes_per_particle = 244,
+                                          .bytes_per_particle = 225,
                                           .build = fw_build_automaton,
                                           .print_limits = print_limits};

@@ -166,7 +166,7 @@ static fw_status print_limits(FILE *out, const fw_start *start, int *warnings, f
 }
 
 const fw_solid_kind fw_particles_solid = {.model = &fw_particles_model,
-                                          .bytes_per_particle = 470,
+                                          .bytes_per_particle = 430,
                                           .build_together = build,
                                           .set_bath = fw_langevin_set_bath,
                                           .print_limits = print_limits};

@@ -209,8 +209,9 @@ static const fw_case cases[] = {
     {"lb-sweep", 2048, lb, 48, NULL, 16},
     {"lb-disc", 2048, lb_disc, 0, lb, 1},
     {"lb-disc-sweep", 2048, lb_disc, 0, lb, 16},
-    {"automaton-stream", 1000, automaton, 48, NULL, 0},
-    {"automaton-breakable", 1000, breakable_automaton, 0, automaton, 0},
+    {"automaton-stream", 2048, automaton, 48, NULL, 1},
+    {"automaton-sweep", 2048, automaton, 48, NULL, 16},
+    {"automaton-breakable", 2048, breakable_automaton, 0, automaton, 16},
 };
 
 /* --- trials --- */
