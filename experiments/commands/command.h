@@ -45,6 +45,7 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_check(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_sweep(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_extend(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_collect(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error);

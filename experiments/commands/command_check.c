@@ -57,7 +57,7 @@ static void print_bodies(const fw_experiment *experiment)
 
 static int64_t run_count(const fw_scenario *scenario)
 {
-    return scenario->study.seeds * (scenario->study.control_count > 0 ? 2 : 1);
+    return fw_study_run_count(scenario);
 }
 
 static void print_study(const fw_scenario *scenario)

@@ -89,6 +89,10 @@ const fw_option fw_option_case = {"--case", NULL, "CASE",
                                   "runs this case of the sweep in DIR, as A=1,p=2, unless it is "
                                   "finished or taken",
                                   FW_INTO(one_case)};
+const fw_option fw_option_add = {"--add", NULL, "NAME=VALUE",
+                                 "a further value of a parameter; of a sweep with points all of "
+                                 "them, as A=1,p=2",
+                                 FW_INTO(additions)};
 const fw_option fw_option_names = {"--names", NULL, NULL, "only the names, one a line",
                                    FW_INTO(names)};
 const fw_option fw_option_help = {"--help", "-h", NULL, "this text", FW_INTO(help)};

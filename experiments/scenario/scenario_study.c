@@ -33,6 +33,9 @@ const fw_section fw_profile_section = {
 static const fw_key study_keys[] = {
     {"seeds", AT_INTEGER(fw_scenario_study, seeds), FROM_TO(1, FW_SEEDS_MAX), .default_value = "1",
      .meaning = "how many runs, with `run.seed` and the numbers after it"},
+    {"keep", AT_FLAG(fw_scenario_study, keep), .default_value = "false",
+     .meaning = "keeps the trajectories of all seeds, in `DIR/seed-N`, and of their controls, in "
+                "`DIR/control-seed-N`"},
     {"control", FW_FORM_LIST, .items = FW_FORM_TEXT, .least = 1, .most = 64, NOT_STORED,
      .default_meaning = "none",
      .meaning = "changes, as `--set` has them, that turn the experiment into its control; that is "

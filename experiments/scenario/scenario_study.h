@@ -52,6 +52,7 @@ static inline double fw_sweep_value(const fw_scenario_sweep *sweep, int number, 
 typedef struct fw_scenario_study {
     fw_scenario_sweep sweep;
     int64_t seeds; /* run.seed and the following ones */
+    bool keep;     /* trajectories of all seeds, not of the first alone */
     int control_count;
     const char **control; /* changes that make the control run, as --set has them */
     fw_place control_place;

@@ -71,9 +71,19 @@ static int find_case(const fw_scenario *scenario, const char *name)
     return -1;
 }
 
-static bool has_control(const fw_scenario *scenario)
+/* How many runs of a study may have folders of their own: none of a sweep. */
+static int run_count(const fw_scenario *scenario)
 {
-    return !fw_scenario_is_sweep(scenario) && scenario->study.control_count > 0;
+    return scenario && !fw_scenario_is_sweep(scenario) ? fw_study_run_count(scenario) : 0;
+}
+
+/* Has a run of the study a folder of that name? */
+static bool has_run(const fw_scenario *scenario, const char *name)
+{
+    char folder[FW_RUN_FOLDER];
+    for (int n = 1; n < run_count(scenario); ++n)
+        if (fw_study_folder(scenario, n, folder) && strcmp(folder, name) == 0) return true;
+    return false;
 }
 
 /* What is done with each table and picture that a result of a scenario has. */
@@ -142,8 +152,9 @@ static fw_status check_needs(const char *directory, const fw_scenario *fresh, bo
     char path[FW_PATH_SIZE], name[FW_CASE_NAME];
     if (fixed) FW_TRY(check_result(directory, overwrite, error));
     FW_TRY(visit_files(fresh, directory, check_file, &overwrite, error));
-    if (has_control(fresh)) {
-        FW_TRY(fw_path_join(path, directory, FW_CONTROL_FOLDER, error));
+    for (int n = 1; n < run_count(fresh); ++n) {
+        if (!fw_study_folder(fresh, n, name)) continue;
+        FW_TRY(fw_path_join(path, directory, name, error));
         FW_TRY(fw_path_check_inner(path, error));
         if (fixed) FW_TRY(check_result(path, overwrite, error));
     }
@@ -172,32 +183,34 @@ static fw_status add_file(void *object, const char *directory, const char *name,
     return fw_manifest_knows(directory, name) ? add(object, error, directory, name) : FW_OK;
 }
 
-static fw_status add_result(fw_leftovers *list, const char *directory, const fw_scenario *old,
-                            const fw_scenario *fresh, fw_error *error);
-
-/* A folder within; it stays, unless the new result has none of that name. */
+/* The folder of a result within another one; it stays, unless the new result has none of that name.
+ */
 static fw_status add_folder(fw_leftovers *list, const char *directory, const char *name,
                             const fw_scenario *old, bool stays, fw_error *error)
 {
-    char path[FW_PATH_SIZE];
+    char path[FW_PATH_SIZE], folder[FW_RUN_FOLDER];
     fw_error ignored;
     if (fw_path_join(path, directory, name, &ignored) != FW_OK ||
-        fw_path_check_inner(path, &ignored) != FW_OK)
+        fw_path_check_inner(path, &ignored) != FW_OK || !is_there(directory, name))
         return FW_OK;
-    FW_TRY(add_result(list, path, old, NULL, error));
+    FW_TRY(visit_files(old, path, add_file, list, error));
+    /* Of a case; of a single run there are no such folders. */
+    for (int n = 1; n < run_count(old); ++n)
+        if (fw_study_folder(old, n, folder) && is_there(path, folder))
+            FW_TRY(add_folder(list, path, folder, old, false, error));
     return stays ? FW_OK : add(list, error, path, "");
 }
 
 static fw_status add_result(fw_leftovers *list, const char *directory, const fw_scenario *old,
                             const fw_scenario *fresh, fw_error *error)
 {
+    char folder[FW_RUN_FOLDER], name[FW_CASE_NAME];
     FW_TRY(visit_files(old, directory, add_file, list, error));
-    if (has_control(old))
-        FW_TRY(add_folder(list, directory, FW_CONTROL_FOLDER, old, fresh && has_control(fresh),
-                          error));
+    for (int n = 1; n < run_count(old); ++n)
+        if (fw_study_folder(old, n, folder))
+            FW_TRY(add_folder(list, directory, folder, old, has_run(fresh, folder), error));
     for (int n = 0; fw_scenario_is_sweep(old) && n < old->study.sweep.case_count; ++n) {
         fw_scenario *case_of = NULL;
-        char name[FW_CASE_NAME];
         fw_scenario_case_name(old, n, name);
         if (fw_scenario_read_case(&case_of, old, n, error) != FW_OK) continue;
         const fw_status status =

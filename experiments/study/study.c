@@ -20,6 +20,7 @@ typedef struct fw_replica {
     const fw_scenario *scenario;
     fw_scenario *own; /* NULL: it is the experiment itself */
     fw_run_options options;
+    char *directory; /* of its own; NULL: none */
     fw_run *run;
     fw_status status;
     fw_error error;
@@ -28,9 +29,8 @@ typedef struct fw_replica {
 struct fw_study {
     const fw_scenario *scenario;
     int at_once;
-    int seed_count, run_count; /* seeds of the experiment, then those of the control */
-    fw_replica *replicas;      /* the first is the experiment itself */
-    char control_folder[FW_PATH_SIZE];
+    int seed_count, run_count;           /* seeds of the experiment, then those of the control */
+    fw_replica *replicas;                /* the first is the experiment itself */
     const fw_measurement **measurements; /* per seed of the experiment */
     fw_profile_table *table;
     double (*layers)[FW_LAYER_MEASURES]; /* of each run */
@@ -78,17 +78,39 @@ static fw_status make_replica(fw_study *study, int number, const fw_run_options 
     replica->scenario = replica->own;
     replica->options =
         (fw_run_options){.threads = 1, .overwrite = true, .progress = options->progress};
-    if (number != study->seed_count || !options->directory) return FW_OK;
-    FW_TRY(fw_path_join(study->control_folder, options->directory, FW_CONTROL_FOLDER, error));
-    FW_TRY(fw_path_check_inner(study->control_folder, error));
-    replica->options.directory = study->control_folder;
+    char folder[FW_RUN_FOLDER], path[FW_PATH_SIZE];
+    if (!options->directory || !fw_study_folder(study->scenario, number, folder)) return FW_OK;
+    FW_TRY(fw_path_join(path, options->directory, folder, error));
+    FW_TRY(fw_path_check_inner(path, error));
+    replica->directory = strdup(path);
+    if (!replica->directory) return fw_fail_memory(error, "a study");
+    replica->options.directory = replica->directory;
     return FW_OK;
+}
+
+int fw_study_run_count(const fw_scenario *scenario)
+{
+    return (int)scenario->study.seeds * (scenario->study.control_count > 0 ? 2 : 1);
+}
+
+bool fw_study_folder(const fw_scenario *scenario, int number, char folder[FW_RUN_FOLDER])
+{
+    const fw_scenario_study *study = &scenario->study;
+    const int seeds = (int)study->seeds;
+    const long long seed = (long long)(scenario->run.seed + number % seeds);
+    if (number == seeds) {
+        snprintf(folder, FW_RUN_FOLDER, FW_CONTROL_FOLDER);
+        return true;
+    }
+    if (number == 0 || !study->keep) return false;
+    snprintf(folder, FW_RUN_FOLDER, number < seeds ? "seed-%lld" : FW_CONTROL_FOLDER "-seed-%lld",
+             seed);
+    return true;
 }
 
 double fw_study_work(const fw_scenario *scenario)
 {
-    const int runs = (int)scenario->study.seeds * (scenario->study.control_count > 0 ? 2 : 1);
-    return runs * fw_run_work(scenario);
+    return fw_study_run_count(scenario) * fw_run_work(scenario);
 }
 
 static fw_status create(fw_study **study, const fw_scenario *scenario,
@@ -100,7 +122,7 @@ static fw_status create(fw_study **study, const fw_scenario *scenario,
     made->scenario = scenario;
     made->at_once = options->at_once;
     made->seed_count = (int)scenario->study.seeds;
-    made->run_count = made->seed_count * (scenario->study.control_count > 0 ? 2 : 1);
+    made->run_count = fw_study_run_count(scenario);
     FW_TRY(fw_memory_check(scenario, made->run_count, error));
     made->replicas = calloc((size_t)made->run_count, sizeof *made->replicas);
     made->measurements = calloc((size_t)made->seed_count, sizeof *made->measurements);
@@ -179,6 +201,7 @@ void fw_study_destroy(fw_study *study)
     for (int n = 0; study->replicas && n < study->run_count; ++n) {
         fw_run_destroy(study->replicas[n].run);
         fw_scenario_destroy(study->replicas[n].own);
+        free(study->replicas[n].directory);
     }
     free(study->replicas);
     free(study->measurements);

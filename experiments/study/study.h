@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* study.h - a scenario run as a whole: the experiment itself, its replicas over seeds, and the
  * control of each, side by side. Only the experiment with the scenario's own seed, and its control,
- * leave results on disk (the control in DIR/control); of the others remains what the profile,
- * layer.csv and summary.csv say: what each seed showed of the layer, and of what is expected. No
- * result depends on how many run at a time. */
+ * leave results on disk (the control in DIR/control), unless the scenario keeps all; of the others
+ * remains what the profile, layer.csv and summary.csv say: what each seed showed of the layer, and
+ * of what is expected. No result depends on how many run at a time. */
 #ifndef FW_STUDY_H
 #define FW_STUDY_H
 
@@ -27,6 +27,11 @@ fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
 fw_status fw_study_to_end(fw_study *study, fw_error *error);
 /* Particle steps of all its runs. */
 double fw_study_work(const fw_scenario *scenario);
+/* How many runs it has: those of all seeds, then their controls. */
+int fw_study_run_count(const fw_scenario *scenario);
+/* Folder of a run within that of the study; false: it has none of its own. */
+enum { FW_RUN_FOLDER = 48 };
+bool fw_study_folder(const fw_scenario *scenario, int number, char folder[FW_RUN_FOLDER]);
 void fw_study_destroy(fw_study *study);
 
 /* The experiment's own; a measurement that has the outcome. */

@@ -119,20 +119,25 @@ static fw_status refuse_held(const fw_sweep *sweep, fw_error *error)
     return FW_OK;
 }
 
+static fw_status write_scenario(const fw_sweep *sweep, fw_error *error)
+{
+    char *text;
+    FW_TRY(fw_scenario_print(sweep->scenario, &text, error));
+    const fw_status status =
+        fw_manifest_write(sweep->options.directory, FW_SWEEP_SCENARIO, text, strlen(text), error);
+    free(text);
+    return status;
+}
+
 static fw_status take_folder(fw_sweep *sweep, fw_error *error)
 {
     const char *directory = sweep->options.directory;
-    char *text;
     if (!directory) return FW_OK;
     FW_TRY(fw_folder_create(&sweep->folder, directory, error));
     FW_TRY(refuse_held(sweep, error));
     if (!sweep->options.overwrite) FW_TRY(clear_folders(sweep, false, error));
     FW_TRY(clear_folders(sweep, true, error));
-    FW_TRY(fw_scenario_print(sweep->scenario, &text, error));
-    const fw_status status =
-        fw_manifest_write(directory, FW_SWEEP_SCENARIO, text, strlen(text), error);
-    free(text);
-    return status;
+    return write_scenario(sweep, error);
 }
 
 fw_status fw_sweep_begin(fw_sweep **sweep, const fw_scenario *scenario,
@@ -160,6 +165,18 @@ fw_status fw_sweep_resume(fw_sweep **sweep, const fw_scenario *scenario,
     return give_up(sweep, fw_fail(error, FW_BAD_INPUT,
                                   "%s: the sweep is finished, there is nothing to resume",
                                   options->directory));
+}
+
+/* The old table goes first: what is left of a kill in between is a sweep to be resumed. */
+fw_status fw_sweep_grow(fw_sweep **sweep, const fw_scenario *scenario,
+                        const fw_run_options *options, fw_error *error)
+{
+    fw_status status = create(sweep, scenario, options, error);
+    if (status == FW_OK) status = check_cases(*sweep, error);
+    if (status == FW_OK) status = fw_folder_open(&(*sweep)->folder, options->directory, error);
+    if (status == FW_OK) status = fw_folder_remove((*sweep)->folder, FW_SWEEP_FILE, error);
+    if (status == FW_OK) status = write_scenario(*sweep, error);
+    return give_up(sweep, status);
 }
 
 bool fw_sweep_is_in(const char *directory)
@@ -212,7 +229,7 @@ static int choose_jobs(const fw_sweep *sweep)
     if (jobs > sweep->case_count) jobs = sweep->case_count;
     for (int n = 0; n < sweep->case_count; ++n) {
         const fw_scenario *scenario = sweep->cases[n].scenario;
-        const int runs = (int)scenario->study.seeds * (scenario->study.control_count > 0 ? 2 : 1);
+        const int runs = fw_study_run_count(scenario);
         while (jobs > 1 && fw_memory_check(scenario, runs * jobs, &ignored) != FW_OK) jobs -= 1;
     }
     return jobs;

@@ -24,6 +24,11 @@ fw_status fw_sweep_resume(fw_sweep **sweep, const fw_scenario *scenario,
 fw_status fw_sweep_open(fw_sweep **sweep, const fw_scenario *scenario,
                         const fw_run_options *options, fw_error *error);
 
+/* Holds the folder of a sweep that becomes `scenario`, which has all its cases and more.
+ * FW_BAD_INPUT leaves it as it was. */
+fw_status fw_sweep_grow(fw_sweep **sweep, const fw_scenario *scenario,
+                        const fw_run_options *options, fw_error *error);
+
 /* Every case to its end, options->at_once side by side (0: as many as there are processors), then
  * the table, unless others are at work on some cases. No result depends on how many run at a time.
  * As fw_study_to_end; FW_DIVERGED when all cases were run, but some have failed: the table says
