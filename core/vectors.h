@@ -4,8 +4,7 @@
  * fw_vector is as wide as the instruction set's registers: FW_WIDTH = 8, 4 or 2 numbers, with
  * arithmetic and + - * / as in C. Data are cut into blocks of FW_BLOCK = 8 on every machine,
  * FW_PARTS registers each, and what is summed over particles is summed in FW_BLOCK lanes: so the
- * same numbers are added in the same order whatever the width. Where a mask is false nothing is
- * read. */
+ * same numbers are added in the same order whatever the width. */
 #ifndef FW_VECTORS_H
 #define FW_VECTORS_H
 
@@ -229,19 +228,17 @@ FW_INLINE fw_vector fw_select(fw_mask mask, fw_vector yes, fw_vector no)
 #endif
 }
 
-/* from[index[k]] in lane k; what a false lane's index names is not read, and the lane is +0. */
-FW_INLINE fw_vector fw_gather(const double *from, const int32_t *index, fw_mask mask)
+/* from[index[k]] in lane k, load by load: on many processors that is sooner done than by their
+ * instruction for it. */
+FW_INLINE fw_vector fw_gather(const double *from, const int32_t *index)
 {
 #if defined(__AVX512F__)
-    const __m256i at = _mm256_loadu_si256((const __m256i *)index);
-    return (fw_vector)_mm512_mask_i32gather_pd(_mm512_setzero_pd(), mask, at, from, 8);
+    return (fw_vector){from[index[0]], from[index[1]], from[index[2]], from[index[3]],
+                       from[index[4]], from[index[5]], from[index[6]], from[index[7]]};
 #elif defined(__AVX2__)
-    const __m128i at = _mm_loadu_si128((const __m128i *)index);
-    return (fw_vector)_mm256_mask_i32gather_pd(_mm256_setzero_pd(), from, at, (__m256d)mask, 8);
+    return (fw_vector){from[index[0]], from[index[1]], from[index[2]], from[index[3]]};
 #else
-    fw_vector v;
-    for (int lane = 0; lane < FW_WIDTH; ++lane) v[lane] = mask[lane] ? from[index[lane]] : 0;
-    return v;
+    return (fw_vector){from[index[0]], from[index[1]]};
 #endif
 }
 

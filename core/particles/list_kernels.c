@@ -212,9 +212,33 @@ FW_INLINE void add_row_slots(fw_slots *slots, const fw_row_fill *fill)
     }
 }
 
+/* Lets each lane's neighbours ascend by the solid's numbers. */
+static void sort_rows(fw_slots *slots, const fw_row_fill *fill, const int *number)
+{
+    enum { MOST = 256 }; /* neighbours whose numbers are kept at hand */
+    int32_t(*row)[FW_LANES] = slots->row + fill->begin;
+    for (int lane = 0; lane < FW_LANES; ++lane) {
+        int kept[MOST];
+        for (uint32_t n = 0; n < fill->count[lane]; ++n) {
+            const int32_t neighbour = row[n][lane];
+            const int own = number[neighbour];
+            uint32_t place = n;
+            for (; place > 0; --place) {
+                const int before = place <= MOST ? kept[place - 1] : number[row[place - 1][lane]];
+                if (before < own) break;
+                row[place][lane] = row[place - 1][lane];
+                if (place < MOST) kept[place] = before;
+            }
+            row[place][lane] = neighbour;
+            if (place < MOST) kept[place] = own;
+        }
+    }
+}
+
 /* Turns the offset slots from `begin` on into gather slots, if they are more than `favour` times as
- * many. */
-static bool gather(fw_slots *slots, uint32_t begin, int first, double favour, bool *failed)
+ * many. `number`, unless NULL: by which numbers neighbours are to ascend. */
+static bool gather(fw_slots *slots, uint32_t begin, int first, double favour, const int *number,
+                   bool *failed)
 {
     uint32_t count[FW_LANES] = {0}, most = 0;
     int all = 0;
@@ -234,6 +258,7 @@ static bool gather(fw_slots *slots, uint32_t begin, int first, double favour, bo
             const int lane = __builtin_ctz(mask);
             add_to_rows(slots, &fill, lane, first + lane + slots->offset[s]);
         }
+    if (number) sort_rows(slots, &fill, number);
     slots->count = begin;
     add_row_slots(slots, &fill);
     return true;
@@ -241,8 +266,8 @@ static bool gather(fw_slots *slots, uint32_t begin, int first, double favour, bo
 
 /* --- building --- */
 
-static bool build(fw_chunk *chunk, const fw_cells *cells, const double *x, const double *y,
-                  double reach, double favour, fw_near_words *words)
+static bool build(fw_chunk *chunk, const fw_cells *cells, const int *number, const double *x,
+                  const double *y, double reach, double favour, fw_near_words *words)
 {
     fw_slots *slots = &chunk->far;
     slots->count = slots->row_count = 0;
@@ -262,7 +287,9 @@ static bool build(fw_chunk *chunk, const fw_cells *cells, const double *x, const
         for (int run = 0; run < FW_SLOT_RUNS; ++run) {
             const uint32_t begin = slots->count;
             add_offsets(slots, words, lanes.first, bounds[run], bounds[run + 1]);
-            head->gathered[run] = gather(slots, begin, lanes.first, favour, &failed);
+            const bool in_order = chunk->in_order[run];
+            head->gathered[run] = gather(slots, begin, lanes.first, in_order ? favour : 0,
+                                         in_order ? NULL : number, &failed);
             head->count[run] = slots->count - begin;
         }
         clear_words(words);
@@ -291,9 +318,8 @@ FW_INLINE uint8_t near_row(const fw_lanes *lanes, const int32_t *row, uint8_t ma
 {
     unsigned near = 0;
     for (int part = 0; part < FW_PARTS; ++part) {
-        const fw_mask held = fw_mask_of(mask, part);
-        const fw_vector xj = fw_gather(x, row + part * FW_WIDTH, held);
-        const fw_vector yj = fw_gather(y, row + part * FW_WIDTH, held);
+        const fw_vector xj = fw_gather(x, row + part * FW_WIDTH);
+        const fw_vector yj = fw_gather(y, row + part * FW_WIDTH);
         near |= fw_mask_bits(closer(lanes->x[part] - xj, lanes->y[part] - yj, square), part);
     }
     return (uint8_t)(near & mask);

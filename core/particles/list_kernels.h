@@ -34,9 +34,10 @@ bool fw_near_words_grow(fw_near_words *words);
 typedef struct fw_list_kernels {
     /* Fills chunk->far with all neighbours closer than `reach`, by cells of at least that size.
      * Runs have offset slots as long as these are no more than `favour` times as many as gather
-     * slots. False without memory. */
-    bool (*build)(fw_chunk *chunk, const fw_cells *cells, const double *x, const double *y,
-                  double reach, double favour, fw_near_words *words);
+     * slots, and only in runs that are in order. The solid's numbers are `number` of the lists';
+     * NULL: the same. False without memory. */
+    bool (*build)(fw_chunk *chunk, const fw_cells *cells, const int *number, const double *x,
+                  const double *y, double reach, double favour, fw_near_words *words);
     /* Fills chunk->near, which has room for all of chunk->far, with those that are closer. */
     void (*renew)(fw_chunk *chunk, const double *x, const double *y, double reach);
 } fw_list_kernels;

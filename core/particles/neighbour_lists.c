@@ -7,6 +7,7 @@
 
 #include "list_guard.h"
 #include "list_kernels.h"
+#include "list_order.h"
 
 #include "core/array.h"
 
@@ -19,6 +20,7 @@
 enum {
     CHUNK = 512,          /* particles */
     PARALLEL_FROM = 1024, /* particles; below it threads cost more than they bring */
+    RENUMBER_FROM = 2048, /* particles; smaller bodies lie in the nearest cache anyway */
     SLOTS_EACH = 24       /* of a block, to begin with; a dense solid has 12 to 36 */
 };
 
@@ -36,6 +38,8 @@ struct fw_neighbour_lists {
     fw_box *boxes;             /* one per cell */
     int threads;
     fw_near_words *words; /* of each thread */
+    const double *x, *y;  /* positions in the lists' order */
+    fw_list_order order;
     /* Particles may come closer by so much before the near, the far lists are looked at. */
     double near_slack, far_slack;
     int64_t made, renewed;
@@ -129,6 +133,7 @@ void fw_neighbour_lists_destroy(fw_neighbour_lists *lists)
     free(lists->built_y);
     free(lists->boxes);
     free(lists->words);
+    fw_list_order_release(&lists->order);
     free(lists);
 }
 
@@ -152,7 +157,8 @@ static bool begin_chunks(fw_neighbour_lists *lists, const int *counts)
                                           .first = first + begin,
                                           .count = left < CHUNK ? left : CHUNK,
                                           .body_first = first,
-                                          .body_end = first + counts[body]};
+                                          .body_end = first + counts[body],
+                                          .in_order = {true, true, true}};
             if (!begin_chunk(&lists->chunks[c++])) return false;
         }
         first += counts[body];
@@ -186,11 +192,12 @@ fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *count
     made->words = calloc((size_t)made->threads, sizeof *made->words);
     made->built_x = fw_array_of_doubles(count);
     made->built_y = fw_array_of_doubles(count);
+    const bool ordered = fw_list_order_create(&made->order, counts, bodies);
     fw_status status = fw_cells_create(&made->cells, made->count, error);
     if (status == FW_OK) {
         made->boxes = fw_array_allocate((size_t)made->cells.most, sizeof *made->boxes);
         if (!made->chunks || !made->first_chunk || !made->words || !made->built_x ||
-            !made->built_y || !made->boxes || !begin_chunks(made, counts))
+            !made->built_y || !made->boxes || !ordered || !begin_chunks(made, counts))
             status = fw_fail(error, FW_SYSTEM_FAILED,
                              "not enough memory for the neighbours of %d particles", made->count);
     }
@@ -212,8 +219,22 @@ void fw_neighbour_lists_favour(fw_neighbour_lists *lists, double favour)
 
 /* --- making and renewing --- */
 
-static bool make_far(fw_neighbour_lists *lists, const double *x, const double *y)
+static void take_positions(fw_neighbour_lists *lists, const double *x, const double *y)
 {
+    const fw_list_order *order = &lists->order;
+    lists->x = order->number ? order->x : x;
+    lists->y = order->number ? order->y : y;
+    if (!order->number) return;
+#pragma omp parallel for schedule(static) if (lists->count > PARALLEL_FROM)
+    for (int k = 0; k < lists->count; ++k) {
+        order->x[k] = x[order->number[k]];
+        order->y[k] = y[order->number[k]];
+    }
+}
+
+static bool fill_far(fw_neighbour_lists *lists)
+{
+    const double *x = lists->x, *y = lists->y;
     const fw_list_kernels *kernels = FW_KERNELS_CHOSEN(fw_lists);
     fw_cells_sort(&lists->cells, lists->far, x, y);
     int failed = 0;
@@ -223,35 +244,53 @@ static bool make_far(fw_neighbour_lists *lists, const double *x, const double *y
         fw_chunk *chunk = &lists->chunks[c];
         fw_near_words *words = &lists->words[omp_get_thread_num()];
         chunk->near.count = chunk->near.row_count = 0;
-        failed += !kernels->build(chunk, &lists->cells, x, y, lists->far, lists->favour, words) ||
+        failed += !kernels->build(chunk, &lists->cells, lists->order.number, x, y, lists->far,
+                                  lists->favour, words) ||
                   !fw_slots_reserve(&chunk->near, chunk->far.count, chunk->far.row_count);
     }
-    const size_t bytes = (size_t)lists->count * sizeof *x;
-    memcpy(lists->built_x, x, bytes);
-    memcpy(lists->built_y, y, bytes);
-    lists->made += 1;
     return failed == 0;
 }
 
-static void renew_near(fw_neighbour_lists *lists, const double *x, const double *y)
+static bool make_far(fw_neighbour_lists *lists, const double *x, const double *y)
+{
+    const int smallest = lists->favour > 0 ? RENUMBER_FROM : 0;
+    if (fw_list_order_find_scattered(&lists->order, x, y, lists->far, smallest) &&
+        !fw_list_order_begin(&lists->order, lists->chunks, lists->chunk_count))
+        return false;
+    if (lists->order.number) {
+        fw_cells_sort(&lists->cells, lists->far, x, y);
+        fw_list_order_renumber(&lists->order, &lists->cells);
+        take_positions(lists, x, y);
+    }
+    if (!fill_far(lists)) return false;
+    const size_t bytes = (size_t)lists->count * sizeof *x;
+    memcpy(lists->built_x, lists->x, bytes);
+    memcpy(lists->built_y, lists->y, bytes);
+    lists->made += 1;
+    return true;
+}
+
+static void renew_near(fw_neighbour_lists *lists)
 {
     const fw_list_kernels *kernels = FW_KERNELS_CHOSEN(fw_lists);
 #pragma omp parallel for schedule(static) if (lists->count > PARALLEL_FROM)
     for (int c = 0; c < lists->chunk_count; ++c)
-        kernels->renew(&lists->chunks[c], x, y, lists->near);
+        kernels->renew(&lists->chunks[c], lists->x, lists->y, lists->near);
     lists->renewed += 1;
 }
 
 fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x, const double *y,
                                      double travel, fw_error *error)
 {
+    take_positions(lists, x, y);
     lists->near_slack -= travel;
     lists->far_slack -= travel;
     if (lists->near_slack >= 0) return FW_OK;
     /* What is renewed now must find in the far lists all that the near ones shall hold. */
     if (!(lists->far_slack >= 0) && lists->made > 0)
-        lists->far_slack = fw_list_guard_slack(&lists->cells, lists->built_x, lists->built_y, x, y,
-                                               lists->far, lists->near, lists->boxes);
+        lists->far_slack =
+            fw_list_guard_slack(&lists->cells, lists->built_x, lists->built_y, lists->x, lists->y,
+                                lists->far, lists->near, lists->boxes);
     if (!(lists->far_slack >= 0)) {
         if (!make_far(lists, x, y)) {
             lists->made = 0;
@@ -260,7 +299,7 @@ fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x,
         }
         lists->far_slack = lists->far - lists->near;
     }
-    renew_near(lists, x, y);
+    renew_near(lists);
     /* A hair less, for the rounding of positions and distances. */
     lists->near_slack = (lists->near - lists->reach) * (1 - 1e-9);
     return FW_OK;
@@ -293,22 +332,38 @@ int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists)
     return lists->renewed;
 }
 
+const double *fw_neighbour_lists_x(const fw_neighbour_lists *lists)
+{
+    return lists->x;
+}
+
+const double *fw_neighbour_lists_y(const fw_neighbour_lists *lists)
+{
+    return lists->y;
+}
+
+bool fw_neighbour_lists_renumbered(const fw_neighbour_lists *lists, int body)
+{
+    return lists->order.number && lists->order.scattered[body];
+}
+
+int fw_neighbour_lists_number(const fw_neighbour_lists *lists, int k)
+{
+    return lists->order.number ? lists->order.number[k] : k;
+}
+
 fw_neighbour_walk fw_neighbours_around(const fw_neighbour_lists *lists, int particle)
 {
-    int low = 0, high = lists->body_count;
-    while (high - low > 1) {
-        const int middle = (low + high) / 2;
-        *(lists->chunks[lists->first_chunk[middle]].body_first <= particle ? &low : &high) = middle;
-    }
-    const int chunk_first = lists->first_chunk[low];
-    const int within = particle - lists->chunks[chunk_first].body_first;
-    const fw_chunk *chunk = &lists->chunks[chunk_first + within / CHUNK];
-    const int block = within % CHUNK / FW_LANES;
-    const fw_slot_head *its_head = &chunk->near.head[block];
+    const int k = lists->order.place ? lists->order.place[particle] : particle;
+    const int first = lists->first_chunk[fw_list_order_body(&lists->order, particle)];
+    const int within = k - lists->chunks[first].body_first;
+    const fw_chunk *chunk = &lists->chunks[first + within / CHUNK];
+    const fw_slot_head *head = &chunk->near.head[within % CHUNK / FW_LANES];
     return (fw_neighbour_walk){.slots = &chunk->near,
-                               .head = its_head,
-                               .slot = its_head->begin,
-                               .run_end = its_head->begin + its_head->count[0],
-                               .particle = particle,
+                               .head = head,
+                               .number = lists->order.number,
+                               .slot = head->begin,
+                               .run_end = head->begin + head->count[0],
+                               .particle = k,
                                .lane = within % FW_LANES};
 }

@@ -37,6 +37,14 @@ const fw_chunk *fw_neighbour_lists_chunk(const fw_neighbour_lists *lists, int ch
 /* The chunks of a body are those from fw_neighbour_lists_first(body) to the next body's first. */
 int fw_neighbour_lists_first(const fw_neighbour_lists *lists, int body);
 
+/* Chunks hold particles in the lists' order, which is the solid's in bodies that have kept theirs.
+ * Positions in that order, of which kernels may read a block beyond either end, and the solid's
+ * number of particle k in it. */
+const double *fw_neighbour_lists_x(const fw_neighbour_lists *lists);
+const double *fw_neighbour_lists_y(const fw_neighbour_lists *lists);
+bool fw_neighbour_lists_renumbered(const fw_neighbour_lists *lists, int body);
+int fw_neighbour_lists_number(const fw_neighbour_lists *lists, int k);
+
 /* How often all lists have been made, and the near ones renewed. */
 int64_t fw_neighbour_lists_made(const fw_neighbour_lists *lists);
 int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists);
@@ -48,6 +56,7 @@ int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists);
 typedef struct fw_neighbour_walk {
     const fw_slots *slots;
     const fw_slot_head *head;
+    const int *number; /* NULL: the lists' order is the solid's */
     uint32_t slot, run_end;
     int run, particle, lane;
 } fw_neighbour_walk;
@@ -65,8 +74,9 @@ static inline int fw_neighbour_next(fw_neighbour_walk *walk)
         const uint32_t slot = walk->slot++;
         if (!(walk->slots->mask[slot] >> walk->lane & 1)) continue;
         const int32_t offset = walk->slots->offset[slot];
-        return walk->head->gathered[walk->run] ? walk->slots->row[offset][walk->lane]
-                                               : walk->particle + offset;
+        const int k = walk->head->gathered[walk->run] ? walk->slots->row[offset][walk->lane]
+                                                      : walk->particle + offset;
+        return walk->number ? walk->number[k] : k;
     }
 }
 

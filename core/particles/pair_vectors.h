@@ -44,8 +44,8 @@ FW_INLINE fw_pair_lanes fw_pair_in_slot(const fw_pair_task *task, const fw_slots
         return fw_pair_lanes_at(lanes->x - fw_load(lanes->at_x + offset),
                                 lanes->y - fw_load(lanes->at_y + offset), held);
     const int32_t *row = slots->row[offset] + lanes->part * FW_WIDTH;
-    return fw_pair_lanes_at(lanes->x - fw_gather(task->x, row, held),
-                            lanes->y - fw_gather(task->y, row, held), held);
+    return fw_pair_lanes_at(lanes->x - fw_gather(task->x, row), lanes->y - fw_gather(task->y, row),
+                            held);
 }
 
 /* e^v for v <= 709; 0 below -708. v = n ln 2 + rest with |rest| <= ln 2/2, where Taylor's series to

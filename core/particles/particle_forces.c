@@ -53,10 +53,10 @@ static fw_return_rule return_rule(const fw_particle_group *group)
 
 fw_pair_task fw_particles_task(const fw_particles *particles, int g)
 {
-    const fw_solid *head = &particles->langevin.head;
     const fw_particle_group *group = &particles->groups[g];
-    return (fw_pair_task){head->x, head->y, pair_rule(particles, group), return_rule(group),
-                          particles->bond_radius * particles->bond_radius};
+    return (fw_pair_task){fw_neighbour_lists_x(particles->lists),
+                          fw_neighbour_lists_y(particles->lists), pair_rule(particles, group),
+                          return_rule(group), particles->bond_radius * particles->bond_radius};
 }
 
 static bool turns(const fw_particle_group *group)
@@ -64,18 +64,63 @@ static bool turns(const fw_particle_group *group)
     return group->return_force.axes != FW_AXES_LAB && group->return_force.amplitude > 0;
 }
 
+/* --- bodies that have lost their order --- */
+
+static bool begin_order(fw_particles *particles)
+{
+    const size_t count = (size_t)particles->langevin.head.count;
+    bool any = false;
+    for (int g = 0; g < particles->group_count; ++g)
+        any = any || fw_neighbour_lists_renumbered(particles->lists, g);
+    for (int a = 0; a < FW_SUMS_MAX && any; ++a) {
+        double **array = &particles->in_lists_order[a];
+        if (!*array) *array = fw_array_of_doubles(count);
+        if (!*array) return false;
+    }
+    return true;
+}
+
+void fw_particles_divert(const fw_particles *particles, int group, int count, double *const *arrays,
+                         double **diverted)
+{
+    const bool renumbered = fw_neighbour_lists_renumbered(particles->lists, group);
+    for (int a = 0; a < count; ++a)
+        diverted[a] = renumbered && arrays[a] ? particles->in_lists_order[a] : arrays[a];
+}
+
+void fw_particles_bring_back(const fw_particles *particles, int g, int count,
+                             double *const *diverted, double *const *arrays)
+{
+    if (!fw_neighbour_lists_renumbered(particles->lists, g)) return;
+    const fw_particle_group *group = &particles->groups[g];
+#pragma omp parallel for schedule(static) if (group->count > PARALLEL_FROM)
+    for (int k = group->first; k < group->first + group->count; ++k) {
+        const int i = fw_neighbour_lists_number(particles->lists, k);
+        for (int a = 0; a < count; ++a)
+            if (arrays[a]) arrays[a][i] = diverted[a][k];
+    }
+}
+
+/* --- forces --- */
+
 static void find_all(fw_particles *particles, int g)
 {
     const fw_pair_task task = fw_particles_task(particles, g);
-    const fw_force_arrays out = {particles->langevin.force_x, particles->langevin.force_y,
-                                 particles->first_x,          particles->first_y,
-                                 particles->second_x,         particles->second_y,
-                                 particles->sum_cosine,       particles->sum_sine};
+    double *const arrays[] = {particles->langevin.force_x, particles->langevin.force_y,
+                              particles->first_x,          particles->first_y,
+                              particles->second_x,         particles->second_y,
+                              particles->sum_cosine,       particles->sum_sine};
+    double *to[FW_SUMS_MAX];
+    const int used = turns(&particles->groups[g]) ? (int)(sizeof arrays / sizeof *arrays) : 2;
+    fw_particles_divert(particles, g, used, arrays, to);
+    fw_force_arrays out = {.force_x = to[0], .force_y = to[1]};
+    if (used > 2) out = (fw_force_arrays){to[0], to[1], to[2], to[3], to[4], to[5], to[6], to[7]};
     const fw_particle_kernels *kernels = FW_KERNELS_CHOSEN(fw_particles_kernels);
     const int end = fw_neighbour_lists_first(particles->lists, g + 1);
 #pragma omp parallel for schedule(static) if (particles->groups[g].count > PARALLEL_FROM)
     for (int c = fw_neighbour_lists_first(particles->lists, g); c < end; ++c)
         kernels->forces(&task, fw_neighbour_lists_chunk(particles->lists, c), &out);
+    fw_particles_bring_back(particles, g, used, to, arrays);
 }
 
 /* Puts the two parts of the return forces of a body together, once all its bonds are known. */
@@ -101,6 +146,7 @@ fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *
     particles->energies->known = false;
     FW_TRY(
         fw_neighbour_lists_refresh(particles->lists, solid->head.x, solid->head.y, travel, error));
+    if (!begin_order(particles)) return fw_fail_memory(error, "forces");
     for (int g = 0; g < particles->group_count; ++g) {
         find_all(particles, g);
         if (turns(&particles->groups[g])) turn_together(particles, &particles->groups[g]);

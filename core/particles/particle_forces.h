@@ -9,6 +9,8 @@
 
 #include "particle_kernels.h"
 
+enum { FW_SUMS_MAX = 9 }; /* arrays that a kernel fills at most */
+
 /* Half of the energy of each particle's pairs, made when somebody asks. */
 typedef struct fw_particle_energies {
     bool known; /* for the present positions */
@@ -26,6 +28,8 @@ struct fw_particles {
     double bond_radius;
 
     fw_neighbour_lists *lists;
+    /* Results in the lists' order, for bodies that have lost theirs; NULL until there is one. */
+    double *in_lists_order[FW_SUMS_MAX];
 
     /* Return forces of bodies whose axes turn, before the turn is known; NULL if there are none. */
     double *first_x, *first_y, *second_x, *second_y, *sum_cosine, *sum_sine;
@@ -35,6 +39,13 @@ struct fw_particles {
 
 /* What the kernels are told about the particles of a body. */
 fw_pair_task fw_particles_task(const fw_particles *particles, int group);
+
+/* Where a kernel is to write the particles of that body instead of arrays[0] to arrays[count - 1],
+ * of which NULL stays NULL: there, or in the lists' order, to be brought back afterwards. */
+void fw_particles_divert(const fw_particles *particles, int group, int count, double *const *arrays,
+                         double **diverted);
+void fw_particles_bring_back(const fw_particles *particles, int group, int count,
+                             double *const *diverted, double *const *arrays);
 
 /* Half of the energy of each particle's pairs; valid until the next step. */
 const double *fw_particles_own_energies(const fw_particles *particles);

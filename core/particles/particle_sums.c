@@ -13,12 +13,20 @@ enum { PARALLEL_FROM = 1024 }; /* particles; below it threads cost more than the
 static void sum_bodies(const fw_particles *particles, int first, int end, const fw_sum_arrays *out)
 {
     const fw_sum_kernels *kernels = FW_KERNELS_CHOSEN(fw_particle_sums);
+    double *const arrays[FW_SUMS_MAX] = {out->energy,      out->return_x,  out->return_y,
+                                         out->bond_length, out->stiffness, out->virial[0],
+                                         out->virial[1],   out->virial[2], out->virial[3]};
     for (int g = first; g < end; ++g) {
         const fw_pair_task task = fw_particles_task(particles, g);
+        double *to[FW_SUMS_MAX];
+        fw_particles_divert(particles, g, FW_SUMS_MAX, arrays, to);
+        const fw_sum_arrays sums = {to[0], to[1], to[2],
+                                    to[3], to[4], {to[5], to[6], to[7], to[8]}};
         const int last = fw_neighbour_lists_first(particles->lists, g + 1);
 #pragma omp parallel for schedule(static) if (particles->groups[g].count > PARALLEL_FROM)
         for (int c = fw_neighbour_lists_first(particles->lists, g); c < last; ++c)
-            kernels->sums(&task, fw_neighbour_lists_chunk(particles->lists, c), out);
+            kernels->sums(&task, fw_neighbour_lists_chunk(particles->lists, c), &sums);
+        fw_particles_bring_back(particles, g, FW_SUMS_MAX, to, arrays);
     }
 }
 
@@ -104,7 +112,10 @@ fw_vec2 fw_particles_force_on(const fw_solid *solid, int group, int by_group)
         const fw_chunk *chunk = fw_neighbour_lists_chunk(particles->lists, c);
         for (int k = 0; k < chunk->count; ++k)
             if (touches(chunk, k / FW_LANES))
-                sum = fw_vec2_add(sum, force_across(particles, chunk->first + k, by_group));
+                sum = fw_vec2_add(
+                    sum, force_across(particles,
+                                      fw_neighbour_lists_number(particles->lists, chunk->first + k),
+                                      by_group));
     }
     return sum;
 }

@@ -46,6 +46,7 @@ static void destroy(fw_solid *solid)
     free(particles->sum_cosine);
     free(particles->sum_sine);
     for (int v = 0; v < 4; ++v) free(particles->virial[v]);
+    for (int a = 0; a < FW_SUMS_MAX; ++a) free(particles->in_lists_order[a]);
     if (particles->energies) free(particles->energies->values);
     free(particles->energies);
     fw_langevin_release(&particles->langevin);

@@ -11,7 +11,10 @@
  *                    and for other bodies.
  * A block's slots stand in three runs, neighbours of lower bodies, of its own and of higher ones,
  * each of one kind; along a run, and from run to run, every lane's neighbours ascend. So sums over
- * slots are sums over ascending neighbours, whatever the kinds. */
+ * slots are sums over ascending neighbours, whatever the kinds.
+ *
+ * Where a body has lost its order its particles are numbered anew for all this, those next to each
+ * other in space following each other. What ascends are always the solid's own numbers. */
 #ifndef FW_SLOTS_H
 #define FW_SLOTS_H
 
@@ -39,9 +42,11 @@ typedef struct fw_slots {
 
 /* Some blocks of one body, for a thread to work on. */
 typedef struct fw_chunk {
-    int body, first, count;   /* particles first .. first + count - 1 */
+    int body, first, count;   /* particles first .. first + count - 1, in the lists' order */
     int body_first, body_end; /* of the whole body */
-    fw_slots far, near;       /* see neighbour_lists.h */
+    /* Of each run: may there be offset slots, whose neighbours ascend by themselves? */
+    bool in_order[FW_SLOT_RUNS];
+    fw_slots far, near; /* see neighbour_lists.h */
 } fw_chunk;
 
 /* Room for so many more; false without memory. Nothing that is there is lost. */
