@@ -148,6 +148,17 @@ FW_INLINE void move_part(const fw_automaton_move *move, const stream *s, int k, 
     }
 }
 
+/* What nobody has read yet: the cells' own displacements, and those to their north. The processor
+ * alone looks less far ahead, and memory then gives half of what it can. */
+FW_INLINE void fetch_ahead(const stream *s, int k)
+{
+    enum { AHEAD = 256 };
+    __builtin_prefetch(s->x + k + AHEAD, 1);
+    __builtin_prefetch(s->y + k + AHEAD, 1);
+    __builtin_prefetch(s->neighbour_x[FW_NORTH] + k + AHEAD, 0);
+    __builtin_prefetch(s->neighbour_y[FW_NORTH] + k + AHEAD, 0);
+}
+
 FW_INLINE void move_span(const fw_automaton_move *moved, const fw_automaton_span *span,
                          fw_automaton_share *share, kind has)
 {
@@ -165,10 +176,12 @@ FW_INLINE void move_span(const fw_automaton_move *moved, const fw_automaton_span
     }
     if (has.breakable) s.torn = move->torn + span->begin;
     int k = 0;
-    for (; k + FW_BLOCK <= span->count; k += FW_BLOCK)
+    for (; k + FW_BLOCK <= span->count; k += FW_BLOCK) {
+        fetch_ahead(&s, k);
         for (int part = 0; part < FW_PARTS; ++part)
             move_part(move, &s, k + part * FW_WIDTH, part, FW_WIDTH, (lanes){.all = true}, has,
                       &sum);
+    }
     const int left = span->count - k;
     const uint8_t bits = (uint8_t)((1u << left) - 1);
     for (int part = 0; part * FW_WIDTH < left; ++part)
