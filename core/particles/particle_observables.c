@@ -218,13 +218,8 @@ fw_status fw_particle_pair_correlation(const fw_solid *solid, int group, double 
     const fw_stretch of = stretch_of(solid, group);
     const int count = of.end - of.first;
     fw_neighbours *near;
-    FW_TRY(fw_neighbours_create(&near, count, step * bins, 0, error));
     const double *x = solid->x + of.first, *y = solid->y + of.first;
-    const fw_status status = fw_neighbours_refresh(near, x, y, error);
-    if (status != FW_OK) {
-        fw_neighbours_destroy(near);
-        return status;
-    }
+    FW_TRY(fw_neighbours_create(&near, x, y, count, step * bins, error));
     for (int k = 0; k < bins; ++k) g[k] = 0;
     for (int i = 0; i < count; ++i)
         for (size_t k = near->begin[i]; k < near->begin[i + 1]; ++k) {
@@ -276,11 +271,11 @@ fw_status fw_particle_largest_cluster(const fw_solid *solid, double link, uint8_
                                       int *count, fw_error *error)
 {
     fw_neighbours *near;
-    FW_TRY(fw_neighbours_create(&near, solid->count, link, 0, error));
+    FW_TRY(fw_neighbours_create(&near, solid->x, solid->y, solid->count, link, error));
     int *parent = malloc((size_t)solid->count * sizeof *parent);
     int *size = calloc((size_t)solid->count, sizeof *size);
-    const fw_status status = parent && size ? fw_neighbours_refresh(near, solid->x, solid->y, error)
-                                            : fw_fail_memory(error, "the clusters of particles");
+    const fw_status status =
+        parent && size ? FW_OK : fw_fail_memory(error, "the clusters of particles");
     if (status == FW_OK) {
         link_all(solid, near, parent);
         *count = mark_largest(solid, parent, size, members);
