@@ -252,6 +252,41 @@ static void take_out_common(lb_solid *lb)
     }
 }
 
+/* --- what a tick would bring --- */
+
+static fw_vec2 half_at(const displacement_form *form, int half, int place)
+{
+    return (fw_vec2){form->x[half][place], form->y[half][place]};
+}
+
+/* w = mu [V + M^-1 (L x + F)/2]; the particle's own momentum is M0^2 V/2 + sum (V_l + V_m)/4. */
+fw_prediction lb_displacements_predict(const lb_solid *lb, int l)
+{
+    const displacement_form *form = &lb->form;
+    const int here = form->grid.place[l], ahead = lb->parity, behind = !lb->parity;
+    const fw_vec2 x = half_at(form, ahead, here);
+    const fw_vec2 v = fw_vec2_subtract(x, half_at(form, behind, here));
+    const fw_sym2 mobility = lb_get(&form->mobility, here);
+    fw_vec2 pull = {0, 0}, momentum = {0, 0};
+    if (lb->head.loaded) pull = (fw_vec2){lb->head.external_x[l], lb->head.external_y[l]};
+    if (lb->resting) {
+        const fw_sym2 m = lb_get(&lb->rest_mass, l);
+        momentum = fw_sym2_apply(m, fw_sym2_apply(m, fw_vec2_scale(0.5, v)));
+    }
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        if (!(lb->present[l] & (1u << d))) continue;
+        const int there = form->grid.place[lb->neighbour[d][l]];
+        const fw_vec2 beside = half_at(form, ahead, there);
+        const fw_vec2 its = fw_vec2_subtract(beside, half_at(form, behind, there));
+        pull = fw_vec2_add(pull, fw_vec2_subtract(beside, x));
+        momentum = fw_vec2_add(momentum, fw_vec2_scale(0.25, fw_vec2_add(v, its)));
+    }
+    const fw_vec2 change = fw_vec2_scale(0.5, fw_sym2_apply(mobility, pull));
+    return (fw_prediction){.displacement = fw_vec2_add(fw_vec2_scale(lb->mu, v), change),
+                           .mobility = fw_sym2_scale(0.5, mobility),
+                           .inertial = fw_sym2_apply(mobility, momentum)};
+}
+
 /* --- one tick, in which particles may be held --- */
 
 static fw_status keep(lb_solid *lb, const fw_constraint *constraints, int count, fw_error *error)

@@ -13,6 +13,7 @@ void lb_displacements_release(lb_solid *lb);
 void lb_displacements_start(lb_solid *lb, int l, fw_vec2 site, fw_vec2 u, fw_vec2 velocity);
 void lb_displacements_state(lb_solid *lb, fw_state_list *list);
 
+fw_prediction lb_displacements_predict(const lb_solid *lb, int l);
 /* One tick, after which the positions of boundary particles are right. FW_SYSTEM_FAILED without
  * memory. */
 fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraints, int count,

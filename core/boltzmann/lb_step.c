@@ -176,6 +176,7 @@ fw_status lb_advance_free(fw_solid *solid, int ticks, fw_error *error)
 
 static fw_prediction predict_one(const lb_solid *lb, int l)
 {
+    if (lb->displaced) return lb_displacements_predict(lb, l);
     fw_sym2 inverse = fw_sym2_scale(lb->mu, lb_get(&lb->inverse, l));
     /* The elastic part of Psi is half the pull of the links; what is left of it, kappa times the
      * mean of each link's two fields and the rest field, is the particle's own momentum. */
