@@ -72,6 +72,8 @@ static void print_study(const fw_scenario *scenario)
         else
             printf("  %-14s %d cases, %s to %s; what follows is of %s\n", "sweep",
                    sweep->case_count, first, last, first);
+        if (sweep->tolerance > 0)
+            printf("  %-14s and those to which bisection comes between them\n", "");
     }
     if (run_count(scenario) > 1)
         printf("  %-14s %lld seeds%s; what follows is of one run\n", "study",

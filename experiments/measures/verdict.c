@@ -189,7 +189,9 @@ static void judge(fw_verdict *verdict)
     case FW_VERDICT_BOUNDS:
         verdict->holds =
             isfinite(x) && (!e->has_below || x < e->below) && (!e->has_above || x > e->above);
-        if (e->has_below && e->has_above)
+        if (!e->has_below && !e->has_above)
+            snprintf(verdict->expected, sizeof verdict->expected, "crosses %.6g", e->level);
+        else if (e->has_below && e->has_above)
             snprintf(verdict->expected, sizeof verdict->expected, "%.6g to %.6g", e->above,
                      e->below);
         else
@@ -353,6 +355,6 @@ const char *fw_verdict_word(const fw_verdict *verdict)
 bool fw_verdict_is_asked(const fw_scenario *scenario, const fw_expectation *expectation)
 {
     const fw_scenario_sweep *sweep = &scenario->study.sweep;
-    if (fw_expectation_is_trend(expectation)) return false;
+    if (fw_expectation_is_of_sweep(expectation)) return false;
     return !expectation->when || (sweep->is_case && fw_sweep_is_at(sweep, 0, expectation->when));
 }

@@ -59,9 +59,14 @@ static const fw_key expectation_keys[] = {
     {"trend", FW_FORM_WORD, .words = trend_words, NOT_STORED, .default_meaning = "none",
      .meaning = "over a sweep: from each value to the next larger one its mean rises (falls) by "
                 "more than the standard error of the difference, and than 1e-9 of its size"},
-    {"along", FW_FORM_NAME, .needs = "trend", NOT_STORED,
-     .default_meaning = "the parameter, where there is one",
-     .meaning = "which parameter's values a trend compares, all others being the same"},
+    {"crosses", AT_NUMBER(fw_expectation, level), .default_value = "0",
+     .default_meaning = "no level",
+     .meaning = "over a sweep: a level, and what is expected (`value` or bounds, or nothing but "
+                "that there is one) is the value of the parameter at which the mean crosses it, "
+                "see `tolerance`"},
+    {"along", FW_FORM_NAME, NOT_STORED, .default_meaning = "the bisected or only parameter",
+     .meaning = "which parameter's values a trend or a crossing compares, all others being the "
+                "same"},
     {"source", AT_TEXT(fw_expectation, source), .default_meaning = "none",
      .meaning = "where the expected number comes from"},
     {"note", AT_TEXT(fw_expectation, note), .default_meaning = "none",
@@ -144,11 +149,34 @@ static fw_status check_steps(const fw_scenario *scenario, const fw_node *node,
                             (long long)run->measure_every, needed == 2 ? "2 for a rate" : "1");
 }
 
+/* The parameter along which cases are compared. */
+static fw_status read_along(const fw_scenario *scenario, const fw_node *node, const fw_node *why,
+                            fw_expectation *e, fw_error *error)
+{
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    const fw_node *along = fw_node_find(node, "along");
+    if (sweep->parameter_count == 0 || (sweep->case_count < 2 && !sweep->is_case))
+        return fw_scenario_fail(scenario, why->key_place, error,
+                                "the expectation of '%s' has %s '%s', but the study has no "
+                                "'sweep' of two values or more",
+                                e->quantity.text, fw_expectation_is_trend(e) ? "a" : "the key",
+                                why->key);
+    if (along) return fw_scenario_find_parameter(scenario, along, &e->along, error);
+    e->along = sweep->tolerance > 0 && e->has_level ? sweep->bisected : 0;
+    if (sweep->parameter_count == 1 || (sweep->tolerance > 0 && e->has_level) || sweep->is_case)
+        return FW_OK;
+    return fw_scenario_fail(scenario, why->key_place, error,
+                            "the expectation of '%s' has %s '%s', but study.sweep has %d "
+                            "parameters: expected 'along' with one of them",
+                            e->quantity.text, fw_expectation_is_trend(e) ? "a" : "the key",
+                            why->key, sweep->parameter_count);
+}
+
 /* How it changes over a sweep, in place of a value. */
 static fw_status read_trend(const fw_scenario *scenario, const fw_node *node, const fw_node *trend,
                             fw_expectation *e, fw_error *error)
 {
-    static const char *const others[] = {"value", "below", "above", "when", NULL};
+    static const char *const others[] = {"value", "below", "above", "when", "crosses", NULL};
     for (int n = 0; others[n]; ++n) {
         const fw_node *other = fw_node_find(node, others[n]);
         if (other)
@@ -157,20 +185,8 @@ static fw_status read_trend(const fw_scenario *scenario, const fw_node *node, co
                                     "one of them",
                                     e->quantity.text, others[n]);
     }
-    const fw_scenario_sweep *sweep = &scenario->study.sweep;
-    if (sweep->parameter_count == 0 || (sweep->case_count < 2 && !sweep->is_case))
-        return fw_scenario_fail(scenario, trend->key_place, error,
-                                "the expectation of '%s' has a 'trend', but the study has no "
-                                "'sweep' of two values or more",
-                                e->quantity.text);
     e->kind = (fw_verdict_kind)fw_node_word(trend, trend_words);
-    const fw_node *along = fw_node_find(node, "along");
-    if (along) return fw_scenario_find_parameter(scenario, along, &e->along, error);
-    if (sweep->parameter_count == 1) return FW_OK;
-    return fw_scenario_fail(scenario, trend->key_place, error,
-                            "the expectation of '%s' has a 'trend', but study.sweep has %d "
-                            "parameters: expected 'along' with one of them",
-                            e->quantity.text, sweep->parameter_count);
+    return read_along(scenario, node, trend, e, error);
 }
 
 static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, fw_expectation *e,
@@ -183,6 +199,14 @@ static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, 
     const fw_node *trend = fw_node_find(node, "trend");
     const char *quantity = e->quantity.text;
     if (trend) return read_trend(scenario, node, trend, e, error);
+    const fw_node *crosses = fw_node_find(node, "crosses"), *along = fw_node_find(node, "along");
+    e->has_level = crosses != NULL;
+    if (along && !crosses)
+        return fw_scenario_fail(scenario, along->key_place, error,
+                                "the expectation of '%s' has 'along', but neither 'trend' nor "
+                                "'crosses'",
+                                quantity);
+    if (crosses) FW_TRY(read_along(scenario, node, crosses, e, error));
     e->has_below = below != NULL;
     e->has_above = above != NULL;
     if (value && (below || above))
@@ -190,7 +214,7 @@ static fw_status read_verdict(const fw_scenario *scenario, const fw_node *node, 
                                 "the expectation of '%s' has both 'value' and '%s', expected a "
                                 "value or bounds",
                                 quantity, below ? "below" : "above");
-    if (!value && !below && !above)
+    if (!value && !below && !above && !crosses)
         return fw_scenario_fail(scenario, node->place, error,
                                 "the expectation of '%s' expects nothing: it needs 'value' with "
                                 "'within', or 'below', or 'above', or 'trend'",
@@ -265,15 +289,39 @@ static fw_status read_expectation(fw_scenario *scenario, const fw_node *node, fw
     return read_verdict(scenario, node, e, error);
 }
 
+/* What is bisected for, and nothing else, is what one expectation crosses. */
+static fw_status check_bisection(const fw_scenario *scenario, fw_error *error)
+{
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    int count = 0;
+    if (sweep->tolerance <= 0 || sweep->is_case) return FW_OK;
+    const fw_scenario_parameter *parameter = &sweep->parameters[sweep->bisected];
+    for (int n = 0; n < scenario->expectation_count; ++n) {
+        const fw_expectation *e = &scenario->expectations[n];
+        count += e->has_level;
+        if (e->has_level && e->along != sweep->bisected)
+            return fw_scenario_fail(scenario, e->place, error,
+                                    "the expectation of '%s' crosses a level along %s, but %s is "
+                                    "bisected: expected it along that",
+                                    e->quantity.text, sweep->parameters[e->along].name,
+                                    parameter->name);
+    }
+    if (count == 1) return FW_OK;
+    return fw_scenario_fail(scenario, parameter->place, error,
+                            "%s is bisected, and %d expectations cross a level, expected one with "
+                            "'crosses'",
+                            parameter->name, count);
+}
+
 fw_status fw_scenario_read_expectations(fw_scenario *scenario, fw_error *error)
 {
     int count;
     const fw_node *part = fw_scenario_part(scenario, "expect", &count);
-    if (!part) return FW_OK;
+    if (!part) return check_bisection(scenario, error);
     FW_TRY(fw_scenario_allocate(scenario, (size_t)count, sizeof *scenario->expectations,
                                 &scenario->expectations, error));
     for (const fw_node *node = part->first; node; node = node->next)
         FW_TRY(read_expectation(scenario, node,
                                 &scenario->expectations[scenario->expectation_count++], error));
-    return FW_OK;
+    return check_bisection(scenario, error);
 }

@@ -49,7 +49,9 @@ typedef struct fw_expectation {
     fw_schema_name phase;   /* that gives these; text NULL: none given */
     const double *when;     /* [parameters of the sweep] where it speaks, NaN: any; NULL: all */
     fw_verdict_kind kind;
-    int along;            /* parameter of a trend */
+    bool has_level; /* where along a sweep it crosses that is expected */
+    double level;
+    int along;            /* parameter of a trend or crossing */
     double value, within; /* within: absolute, or relative to |value| */
     bool has_below, has_above;
     double below, above;
@@ -60,6 +62,12 @@ typedef struct fw_expectation {
 static inline bool fw_expectation_is_trend(const fw_expectation *expectation)
 {
     return expectation->kind == FW_VERDICT_RISES || expectation->kind == FW_VERDICT_FALLS;
+}
+
+/* It speaks of all cases of a sweep together, and asks nothing of a single one. */
+static inline bool fw_expectation_is_of_sweep(const fw_expectation *expectation)
+{
+    return fw_expectation_is_trend(expectation) || expectation->has_level;
 }
 
 #endif

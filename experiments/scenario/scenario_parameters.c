@@ -17,7 +17,7 @@ typedef enum spacing { LINEAR, LOGARITHMIC } spacing;
 
 /* A parameter as it is written. */
 typedef struct written {
-    double from, to;
+    double from, to, tolerance;
     int64_t count;
     spacing spacing;
     const char *unit;
@@ -29,12 +29,17 @@ static const fw_key parameter_keys[] = {
      .meaning = "all different, in the order in which they are run"},
     {"from", AT_NUMBER(written, from), .needs = "to", .default_value = "0",
      .default_meaning = "see `values`", .meaning = "first value of a range"},
-    {"to", AT_NUMBER(written, to), .needs = "count", .default_value = "0",
+    {"to", AT_NUMBER(written, to), .needs = "from", .default_value = "0",
      .default_meaning = "see `values`", .meaning = "last value of a range"},
     {"count", AT_INTEGER(written, count), .needs = "from", FROM_TO(2, VALUES_MAX),
      .default_value = "2", .default_meaning = "see `values`",
      .meaning = "how many values a range has, both ends among them"},
-    {"spacing", AT_WORD(written, spacing), .needs = "count",
+    {"tolerance", AT_NUMBER(written, tolerance), .needs = "to", ABOVE_ZERO, .default_value = "0",
+     .default_meaning = "no bisection",
+     .meaning = "in place of `count`: the range is bisected for the value at which the number that "
+                "one expectation names `crosses` its level, until it is known so well; one "
+                "parameter at most"},
+    {"spacing", AT_WORD(written, spacing), .needs = "to",
      WORDS({"linear", LINEAR}, {"logarithmic", LOGARITHMIC}), .default_value = "linear",
      .meaning = "of a range: equal steps (to 12 digits), or equal factors (to 6 digits)"},
     {"unit", AT_TEXT(written, unit), .default_meaning = "none",
@@ -43,8 +48,8 @@ static const fw_key parameter_keys[] = {
 
 const fw_section fw_parameter_section = {
     "Parameters of `study.sweep`", "a parameter",
-    "Either `values`, or a range of `count` values `from` one `to` another; neither, where the "
-    "sweep has `points`.",
+    "Either `values`, or a range of `count` values `from` one `to` another, or a range that is "
+    "bisected to a `tolerance`; neither, where the sweep has `points`.",
     .keys = parameter_keys};
 
 /* Values of one parameter on their way to the points. */
@@ -85,6 +90,43 @@ static double value_of_range(const written *w, int64_t number)
     const double value = w->from + part * (w->to - w->from);
     const double rounding = 1e-12 * fmax(fabs(w->from), fabs(w->to));
     return fabs(value) < rounding ? 0 : round_to(value, 12);
+}
+
+/* A range without a number of values: its ends come first, and what lies between follows from
+ * them. */
+static fw_status read_bisection(fw_scenario *scenario, const fw_node *node, written *w,
+                                fw_error *error)
+{
+    fw_scenario_sweep *sweep = &scenario->study.sweep;
+    const fw_node *tolerance = fw_node_find(node, "tolerance"), *from = fw_node_find(node, "from");
+    const fw_node *count = fw_node_find(node, "count");
+    if (!from) return FW_OK;
+    if (!tolerance && !count)
+        return fw_scenario_fail(scenario, from->key_place, error,
+                                "%s has 'from' and 'to', expected 'count' too, or 'tolerance' "
+                                "where it is bisected",
+                                node->key);
+    if (!tolerance) return FW_OK;
+    if (count)
+        return fw_scenario_fail(scenario, tolerance->key_place, error,
+                                "%s has both 'count' and 'tolerance', expected one of them",
+                                node->key);
+    if (sweep->tolerance > 0)
+        return fw_scenario_fail(scenario, tolerance->key_place, error,
+                                "%s has a 'tolerance' as %s has, expected one parameter that is "
+                                "bisected",
+                                node->key, sweep->parameters[sweep->bisected].name);
+    const double width = fabs(w->to - w->from);
+    if (w->tolerance >= width || w->tolerance < 1e-9 * width)
+        return fw_scenario_fail(scenario, tolerance->place, error,
+                                "%s is bisected from %g to %g with the tolerance %g, expected one "
+                                "below their distance, and not below a 1e-9th of it",
+                                node->key, w->from, w->to, w->tolerance);
+    sweep->tolerance = w->tolerance;
+    sweep->bisected = sweep->parameter_count - 1;
+    sweep->logarithmic = w->spacing == LOGARITHMIC;
+    w->count = 2;
+    return FW_OK;
 }
 
 static fw_status read_range(const fw_scenario *scenario, const fw_node *node, const written *w,
@@ -138,6 +180,7 @@ static fw_status read_parameter(fw_scenario *scenario, const fw_node *node, bool
         return fw_scenario_fail(scenario, from->key_place, error,
                                 "%s has both 'values' and 'from', expected one of them", node->key);
     const fw_node *given = values ? values : from;
+    FW_TRY(read_bisection(scenario, node, &w, error));
     if (given && has_points)
         return fw_scenario_fail(scenario, given->key_place, error,
                                 "%s has '%s', but study.sweep has 'points': expected one of the "
@@ -318,8 +361,12 @@ fw_status fw_scenario_read_parameters(fw_scenario *scenario, const fw_node *swee
     value_list lists[FW_PARAMETERS_MAX] = {{0}};
     FW_TRY(fw_scenario_allocate(scenario, (size_t)node->count, sizeof *sweep->parameters,
                                 &sweep->parameters, error));
+    bool bisects = false;
     for (const fw_node *child = node->first; child; child = child->next)
-        FW_TRY(read_parameter(scenario, child, points != NULL, is_known,
+        bisects |= fw_node_find(child, "tolerance") != NULL;
+    /* Points of a bisection are the cases that it has come to so far. */
+    for (const fw_node *child = node->first; child; child = child->next)
+        FW_TRY(read_parameter(scenario, child, points && !bisects, is_known,
                               &lists[sweep->parameter_count], error));
     if (points) FW_TRY(read_points(scenario, points, error));
     bool all = !points;

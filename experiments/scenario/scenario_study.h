@@ -40,6 +40,9 @@ typedef struct fw_scenario_sweep {
     int setting_count;
     const char **settings; /* changes that make a case, as --set has them, with formulas */
     bool is_case;          /* it is one of the cases, the only one that is known */
+    double tolerance;      /* of a bisection, 0: there is none; ... */
+    int bisected;          /* ... of this parameter, ... */
+    bool logarithmic;      /* ... whose intervals are cut in two equal factors */
 } fw_scenario_sweep;
 
 /* Of a parameter in a case. */

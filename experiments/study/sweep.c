@@ -11,6 +11,7 @@
 #include "experiments/study/study.h"
 #include "sweep_case.h"
 #include "sweep_outcome.h"
+#include "sweep_threshold.h"
 
 #include <omp.h>
 #include <stdlib.h>
@@ -18,6 +19,7 @@
 
 struct fw_sweep {
     const fw_scenario *scenario;
+    fw_scenario *grown; /* by bisection: it is the scenario then; NULL before */
     fw_run_options options;
     fw_folder *folder; /* NULL: nothing is written */
     int case_count;
@@ -27,6 +29,22 @@ struct fw_sweep {
 
 /* --- making --- */
 
+/* Those that the scenario has and the sweep has not. */
+static fw_status make_cases(fw_sweep *sweep, fw_error *error)
+{
+    const int count = sweep->scenario->study.sweep.case_count, first = sweep->case_count;
+    fw_sweep_case *cases = realloc(sweep->cases, (size_t)count * sizeof *cases);
+    if (!cases) return fw_fail_memory(error, "a sweep");
+    sweep->cases = cases;
+    memset(cases + first, 0, (size_t)(count - first) * sizeof *cases);
+    while (sweep->case_count < count) {
+        fw_sweep_case *c = &cases[sweep->case_count++];
+        FW_TRY(fw_sweep_case_make(c, sweep->scenario, sweep->case_count - 1, error));
+        if (sweep->options.progress) sweep->options.progress->total += fw_study_work(c->scenario);
+    }
+    return FW_OK;
+}
+
 static fw_status create(fw_sweep **sweep, const fw_scenario *scenario,
                         const fw_run_options *options, fw_error *error)
 {
@@ -35,13 +53,7 @@ static fw_status create(fw_sweep **sweep, const fw_scenario *scenario,
     if (!made) return fw_fail_memory(error, "a sweep");
     made->scenario = scenario;
     made->options = *options;
-    made->cases = calloc((size_t)scenario->study.sweep.case_count, sizeof *made->cases);
-    if (!made->cases) return fw_fail_memory(error, "a sweep");
-    for (int n = 0; n < scenario->study.sweep.case_count; ++n)
-        FW_TRY(fw_sweep_case_make(&made->cases[made->case_count++], scenario, n, error));
-    for (int n = 0; options->progress && n < made->case_count; ++n)
-        options->progress->total += fw_study_work(made->cases[n].scenario);
-    return FW_OK;
+    return make_cases(made, error);
 }
 
 /* What only shows when a run begins, such as a body that starts in a wall. */
@@ -71,6 +83,7 @@ void fw_sweep_destroy(fw_sweep *sweep)
     fw_folder_close(sweep->folder);
     fw_verdicts_clear(&sweep->verdicts);
     free(sweep->cases);
+    fw_scenario_destroy(sweep->grown);
     free(sweep);
 }
 
@@ -179,55 +192,16 @@ fw_status fw_sweep_grow(fw_sweep **sweep, const fw_scenario *scenario,
     return give_up(sweep, status);
 }
 
-bool fw_sweep_is_in(const char *directory)
-{
-    fw_folder *folder;
-    fw_error ignored;
-    if (fw_folder_visit(&folder, directory, &ignored) != FW_OK) return false;
-    const bool found = fw_folder_has(folder, FW_SWEEP_SCENARIO);
-    fw_folder_close(folder);
-    return found;
-}
-
-fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error *error)
-{
-    char path[FW_PATH_SIZE], *text;
-    size_t size;
-    *scenario = NULL;
-    FW_TRY(fw_path_join(path, directory, FW_SWEEP_SCENARIO, error));
-    FW_TRY(fw_manifest_read(&text, &size, directory, FW_SWEEP_SCENARIO, error));
-    const fw_status status = fw_scenario_read(scenario, path, text, size, NULL, 0, error);
-    free(text);
-    FW_TRY(status);
-    if (fw_scenario_is_sweep(*scenario)) return FW_OK;
-    fw_scenario_destroy(*scenario);
-    *scenario = NULL;
-    return fw_fail(error, FW_BAD_INPUT, "%s is not the scenario of a sweep", path);
-}
-
-fw_status fw_sweep_refuse(const char *directory, fw_error *error)
-{
-    fw_scenario *scenario;
-    char name[FW_CASE_NAME];
-    if (!fw_sweep_is_in(directory)) return FW_OK;
-    FW_TRY(fw_sweep_load(&scenario, directory, error));
-    fw_scenario_case_name(scenario, 0, name);
-    fw_scenario_destroy(scenario);
-    return fw_fail(error, FW_BAD_INPUT,
-                   "%s holds a sweep, expected the folder of one of its cases, such as %s/%s",
-                   directory, directory, name);
-}
-
 /* --- running --- */
 
 /* As many as there are processors, cases, and room in memory for. */
-static int choose_jobs(const fw_sweep *sweep)
+static int choose_jobs(const fw_sweep *sweep, int first)
 {
     const int processors = omp_get_num_procs(), wanted = sweep->options.at_once;
     int jobs = wanted > 0 && wanted < processors ? wanted : processors;
     fw_error ignored;
-    if (jobs > sweep->case_count) jobs = sweep->case_count;
-    for (int n = 0; n < sweep->case_count; ++n) {
+    if (jobs > sweep->case_count - first) jobs = sweep->case_count - first;
+    for (int n = first; n < sweep->case_count; ++n) {
         const fw_scenario *scenario = sweep->cases[n].scenario;
         const int runs = fw_study_run_count(scenario);
         while (jobs > 1 && fw_memory_check(scenario, runs * jobs, &ignored) != FW_OK) jobs -= 1;
@@ -275,18 +249,19 @@ static fw_status complete_case(fw_sweep *sweep, int number, fw_run_options optio
     return tell_case(sweep, number, fw_sweep_case_complete(c, &options, error), error);
 }
 
-/* Every case in turn, by whoever is free. A case that fails leaves the others; what stops one for
- * another reason, as a signal or a full disk, stops all, and the first in order is told of. */
-static fw_status complete_all(fw_sweep *sweep, fw_error *error)
+/* Every case from that one on in turn, by whoever is free. A case that fails leaves the others;
+ * what stops one for another reason, as a signal or a full disk, stops all, and the first in order
+ * is told of. */
+static fw_status complete_all(fw_sweep *sweep, int begin, fw_error *error)
 {
-    const int jobs = choose_jobs(sweep);
+    const int jobs = choose_jobs(sweep, begin);
     const fw_run_options options = options_of_case(sweep, jobs);
     fw_status stopped = FW_OK;
     int first = sweep->case_count;
     bool going = true;
     omp_set_max_active_levels(options.at_once > 1 ? 2 : 1);
 #pragma omp parallel for schedule(dynamic, 1) num_threads(jobs) if (jobs > 1)
-    for (int n = 0; n < sweep->case_count; ++n) {
+    for (int n = begin; n < sweep->case_count; ++n) {
         fw_error own = {0};
         bool go_on;
 #pragma omp atomic read
@@ -345,10 +320,30 @@ static fw_status conclude(fw_sweep *sweep, fw_error *error)
     return tell_failures(sweep, error);
 }
 
+/* The cases that bisection asks for next, checked and written before one of them begins. */
+static fw_status grow(fw_sweep *sweep, fw_scenario *larger, fw_error *error)
+{
+    const int first = sweep->case_count;
+    fw_scenario_destroy(sweep->grown);
+    sweep->scenario = sweep->grown = larger;
+    FW_TRY(make_cases(sweep, error));
+    for (int n = first; n < sweep->case_count; ++n)
+        FW_TRY(fw_scenario_fail_case(sweep->scenario, n,
+                                     fw_sweep_case_check(&sweep->cases[n], error), error));
+    return sweep->options.directory ? write_scenario(sweep, error) : FW_OK;
+}
+
 fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error)
 {
-    FW_TRY(complete_all(sweep, error));
-    return fw_sweep_missing(sweep) > 0 ? FW_OK : conclude(sweep, error);
+    for (int begin = 0;;) {
+        fw_scenario *larger;
+        FW_TRY(complete_all(sweep, begin, error));
+        if (fw_sweep_missing(sweep) > 0) return FW_OK;
+        FW_TRY(fw_sweep_bisect(&larger, sweep->scenario, sweep->cases, error));
+        if (!larger) return conclude(sweep, error);
+        begin = sweep->case_count;
+        FW_TRY(grow(sweep, larger, error));
+    }
 }
 
 int fw_sweep_missing(const fw_sweep *sweep)
@@ -385,40 +380,14 @@ fw_status fw_sweep_collect(fw_sweep *sweep, fw_error *error)
         first = n;
         first_stage = stage;
     }
-    return first < 0 ? conclude(sweep, error) : refuse_missing(sweep, first, first_stage, error);
-}
-
-/* Number of the case of that name. */
-static fw_status find_case(const fw_scenario *scenario, const char *directory, const char *name,
-                           int *number, fw_error *error)
-{
-    char known[FW_CASE_NAME];
-    for (*number = 0; *number < scenario->study.sweep.case_count; ++*number) {
-        fw_scenario_case_name(scenario, *number, known);
-        if (strcmp(known, name) == 0) return FW_OK;
-    }
-    fw_scenario_case_name(scenario, 0, known);
-    return fw_fail(error, FW_BAD_INPUT, "%s: the sweep has no case %s, expected one such as %s",
-                   directory, name, known);
-}
-
-fw_status fw_sweep_run_case(const fw_scenario *scenario, const char *name,
-                            const fw_run_options *options, bool *taken, fw_error *error)
-{
-    fw_run_options own = *options;
-    fw_sweep_case c = {.missing = false};
-    char path[FW_PATH_SIZE];
-    int number;
-    *taken = false;
-    FW_TRY(find_case(scenario, options->directory, name, &number, error));
-    FW_TRY(fw_path_join(path, options->directory, name, error));
-    own.directory = path;
-    own.overwrite = true;
-    fw_status status = fw_sweep_case_make(&c, scenario, number, error);
-    if (status == FW_OK) status = fw_sweep_case_complete(&c, &own, error);
-    *taken = c.missing;
-    fw_sweep_case_clear(&c);
-    return status;
+    if (first >= 0) return refuse_missing(sweep, first, first_stage, error);
+    fw_scenario *larger;
+    FW_TRY(fw_sweep_bisect(&larger, sweep->scenario, sweep->cases, error));
+    if (!larger) return conclude(sweep, error);
+    fw_scenario_destroy(larger);
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s: the bisection is not at its end; `fretwork resume %s` goes on with it",
+                   sweep->options.directory, sweep->options.directory);
 }
 
 const fw_verdicts *fw_sweep_verdicts(const fw_sweep *sweep)

@@ -281,6 +281,11 @@ fw_status fw_sweep_extend(fw_scenario **made, const fw_scenario *sweep, const ch
     const fw_node *study = fw_node_find(fw_document_root(sweep->document), "study");
     const bool has_points = fw_node_find(fw_node_find(study, "sweep"), "points") != NULL;
     *made = NULL;
+    if (plan->tolerance > 0)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: the sweep bisects %s, whose values follow from each other: nothing can "
+                       "be added",
+                       directory, plan->parameters[plan->bisected].name);
     if (addition_count == 0)
         return fw_fail(error, FW_BAD_INPUT, "%s: nothing to add, expected --add such as --add %s=1",
                        directory, plan->parameters[0].name);
@@ -302,5 +307,21 @@ fw_status fw_sweep_extend(fw_scenario **made, const fw_scenario *sweep, const ch
     if (status == FW_OK) return FW_OK;
     fw_scenario_destroy(*made);
     *made = NULL;
+    return status;
+}
+
+fw_status fw_sweep_add_points(fw_scenario **made, const fw_scenario *sweep, const double *points,
+                              int count, fw_error *error)
+{
+    const fw_scenario_sweep *plan = &sweep->study.sweep;
+    addition *list = calloc((size_t)count, sizeof *list);
+    for (int n = 0; list && n < count; ++n)
+        memcpy(list[n].point, points + (size_t)n * (size_t)plan->parameter_count,
+               (size_t)plan->parameter_count * sizeof *points);
+    char *changes = list ? write_settings(plan, true, list, count) : NULL;
+    free(list);
+    if (!changes) return fw_fail_memory(error, "further points of a sweep");
+    const fw_status status = read_larger(made, sweep, changes, NULL, 0, error);
+    free(changes);
     return status;
 }

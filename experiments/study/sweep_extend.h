@@ -13,4 +13,8 @@ fw_status fw_sweep_extend(fw_scenario **made, const fw_scenario *sweep, const ch
                           const char *const *additions, int addition_count,
                           const char *const *settings, int setting_count, fw_error *error);
 
+/* The sweep with further points[count][parameters], which differ from all it has. */
+fw_status fw_sweep_add_points(fw_scenario **made, const fw_scenario *sweep, const double *points,
+                              int count, fw_error *error);
+
 #endif

@@ -3,6 +3,8 @@
  * Keeps no state. Start reading at fw_sweep_outcome_table(). */
 #include "sweep_outcome.h"
 
+#include "sweep_threshold.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -145,6 +147,31 @@ static fw_verdict judge_trend(const fw_scenario *sweep, const fw_sweep_case *cas
     return verdict;
 }
 
+/* Where the mean crosses its level, on every line of which it is expected. */
+static fw_status judge_crossings(fw_verdicts *verdicts, const fw_scenario *sweep,
+                                 const fw_sweep_case *cases, int number, fw_error *error)
+{
+    const fw_scenario_sweep *plan = &sweep->study.sweep;
+    const fw_expectation *e = &sweep->expectations[number];
+    for (int n = 0; n < plan->case_count; ++n) {
+        fw_threshold t;
+        if (!fw_sweep_is_head(plan, n, e->along)) continue;
+        if (e->when && !fw_sweep_is_at(plan, n, e->when)) continue;
+        FW_TRY(fw_sweep_threshold_find(&t, sweep, cases, n, number, error));
+        fw_verdict *verdict = &verdicts->item[verdicts->count++];
+        *verdict = (fw_verdict){
+            .expectation = e, .asked = true, .seeds = t.seeds, .measured = t.at, .error = t.error};
+        const bool failed = cases[n].failure.status != FW_OK;
+        snprintf(verdict->quantity, sizeof verdict->quantity, "%s where %.80s crosses %.6g%s%.60s",
+                 plan->parameters[e->along].name,
+                 failed ? e->quantity.text : cases[n].verdicts.item[number].quantity, e->level,
+                 t.line[0] ? ", " : "", t.line);
+        snprintf(verdict->why, sizeof verdict->why, "%s", t.why);
+        fw_verdict_judge(verdict);
+    }
+    return FW_OK;
+}
+
 fw_status fw_sweep_outcome_verdicts(fw_verdicts *verdicts, const fw_scenario *sweep,
                                     const fw_sweep_case *cases, fw_error *error)
 {
@@ -163,5 +190,8 @@ fw_status fw_sweep_outcome_verdicts(fw_verdicts *verdicts, const fw_scenario *sw
     for (int k = 0; k < sweep->expectation_count; ++k)
         if (fw_expectation_is_trend(&sweep->expectations[k]))
             verdicts->item[verdicts->count++] = judge_trend(sweep, cases, k);
+    for (int k = 0; k < sweep->expectation_count; ++k)
+        if (sweep->expectations[k].has_level)
+            FW_TRY(judge_crossings(verdicts, sweep, cases, k, error));
     return FW_OK;
 }

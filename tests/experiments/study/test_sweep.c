@@ -120,7 +120,7 @@ static const struct {
     {"values: [0.1, 0.05, 0.2]", "values: [0.2], from: 1, to: 2, count: 2",
      "9:26: v has both 'values' and 'from', expected one of them"},
     {"values: [0.1, 0.05, 0.2]", "from: 1, to: 2",
-     "9:20: study.sweep.parameters.v has 'to' but no 'count', without which it means nothing"},
+     "9:11: v has 'from' and 'to', expected 'count' too, or 'tolerance' where it is bisected"},
     {"values: [0.1, 0.05, 0.2]", "from: 1, to: 2, count: 1",
      "9:34: study.sweep.parameters.v.count is '1', expected a whole number from 2 to 1024"},
     {"values: [0.1, 0.05, 0.2]", "from: 2, to: 2, count: 3",
