@@ -10,6 +10,8 @@
 
 /* A point may start so far inside another body, in units of the coordinates' size. */
 static const double ON_EDGE = 1e-12;
+/* How far behind a segment its matter is looked for, in lengths of the segment. */
+static const double BEHIND = 1e-2;
 
 bool fw_scene_bodies_meet(const fw_scene *scene, int a, int b)
 {
@@ -119,20 +121,39 @@ static double depth_in(const scene_body *body, fw_vec2 at)
     return inside ? nearest : 0;
 }
 
-/* The point of a body that lies deepest in another one; -1: none lies in it. */
+static bool lies_deeper(const scene_body *in, fw_vec2 at, fw_box common, double *depth)
+{
+    if (at.x < common.low.x || at.x > common.high.x || at.y < common.low.y || at.y > common.high.y)
+        return false;
+    const double deep = depth_in(in, at);
+    if (deep <= *depth || deep <= ON_EDGE * (1 + fabs(at.x) + fabs(at.y))) return false;
+    *depth = deep;
+    return true;
+}
+
+/* In the matter that a segment bounds. */
+static fw_vec2 behind_middle(const scene_body *body, const fw_contour_segment *s)
+{
+    const fw_vec2 from = place_of(body, s->from), to = place_of(body, s->to);
+    const fw_vec2 along = fw_vec2_subtract(to, from);
+    const fw_vec2 middle = fw_vec2_scale(0.5, fw_vec2_add(from, to));
+    return fw_vec2_add(middle, fw_vec2_scale(-BEHIND, fw_vec2_turn(along)));
+}
+
+/* The particle at which a body lies deepest in another one; -1: it does not. Points may lie on the
+ * other's edge, all of them where one body fills the place of the other: so the matter behind the
+ * middle of each segment is looked for, too. */
 static int find_deepest(const scene_body *body, const scene_body *in, fw_box common, double *depth)
 {
     int deepest = -1;
     *depth = 0;
-    for (int point = 0; point < body->edge->contour.point_count; ++point) {
-        const fw_vec2 at = place_of(body, point);
-        if (at.x < common.low.x || at.x > common.high.x || at.y < common.low.y ||
-            at.y > common.high.y)
-            continue;
-        const double deep = depth_in(in, at);
-        if (deep <= *depth || deep <= ON_EDGE * (1 + fabs(at.x) + fabs(at.y))) continue;
-        *depth = deep;
-        deepest = point;
+    const fw_contour *contour = &body->edge->contour;
+    for (int point = 0; point < contour->point_count; ++point)
+        if (lies_deeper(in, place_of(body, point), common, depth)) deepest = point;
+    for (int n = 0; n < contour->segment_count; ++n) {
+        const fw_contour_segment *s = &contour->segments[n];
+        if (!s->two_sided && lies_deeper(in, behind_middle(body, s), common, depth))
+            deepest = s->from;
     }
     return deepest;
 }
@@ -150,6 +171,32 @@ static bool cross(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d)
            (c_side > 0) != (d_side > 0) && (a_side > 0) != (b_side > 0);
 }
 
+/* Do two segments share a stretch of one line? */
+static bool coincide(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d)
+{
+    const fw_vec2 ab = fw_vec2_subtract(b, a), cd = fw_vec2_subtract(d, c);
+    const double squared = fw_vec2_dot(ab, ab), size = squared + fw_vec2_dot(cd, cd);
+    const double c_side = fw_vec2_cross(ab, fw_vec2_subtract(c, a));
+    const double d_side = fw_vec2_cross(ab, fw_vec2_subtract(d, a));
+    if (fmax(fabs(c_side), fabs(d_side)) > 1e-9 * size || squared == 0) return false;
+    const double c_along = fw_vec2_dot(ab, fw_vec2_subtract(c, a)) / squared;
+    const double d_along = fw_vec2_dot(ab, fw_vec2_subtract(d, a)) / squared;
+    return fmin(fmax(c_along, d_along), 1) - fmax(fmin(c_along, d_along), 0) > 1e-9;
+}
+
+/* Of two segments of two bodies. A chain of single particles has no side of its own: on an edge it
+ * could not be told on which side of it it belongs. */
+static const char *find_fault(const scene_body *first, const fw_contour_segment *s,
+                              const scene_body *second, const fw_contour_segment *t)
+{
+    const fw_vec2 a = place_of(first, s->from), b = place_of(first, s->to);
+    const fw_vec2 c = place_of(second, t->from), d = place_of(second, t->to);
+    if (cross(a, b, c, d)) return "their edges cross";
+    if ((s->two_sided || t->two_sided) && coincide(a, b, c, d))
+        return "a link of single particles lies on the other's edge";
+    return NULL;
+}
+
 static fw_status refuse_crossing(fw_scene *scene, fw_error *error)
 {
     int count;
@@ -164,15 +211,14 @@ static fw_status refuse_crossing(fw_scene *scene, fw_error *error)
             for (int k = 0; k < b.count; ++k) {
                 const fw_contour_segment *s = &first->edge->contour.segments[a.first + i];
                 const fw_contour_segment *t = &second->edge->contour.segments[b.first + k];
+                const char *fault = find_fault(first, s, second, t);
                 const fw_vec2 from = place_of(first, s->from);
-                if (!cross(from, place_of(first, s->to), place_of(second, t->from),
-                           place_of(second, t->to)))
-                    continue;
+                if (!fault) continue;
                 scene->refused = 1 + joint->member_bodies[b.body];
                 return fw_fail(error, FW_BAD_INPUT,
-                               "body %s starts in body %s: their edges cross near (%g, %g), "
-                               "expected bodies side by side",
-                               second->name, first->name, from.x, from.y);
+                               "body %s starts in body %s: %s near (%g, %g), expected bodies side "
+                               "by side",
+                               second->name, first->name, fault, from.x, from.y);
             }
     }
     return FW_OK;
@@ -219,7 +265,7 @@ static fw_status refuse_inside(const fw_scene *scene, int number, int other, fw_
     const fw_vec2 at = place_of(body, point);
     *refused = 1 + number;
     return fw_fail(error, FW_BAD_INPUT,
-                   "body %s starts in body %s: its particle %d at (%g, %g) lies %g inside it, "
+                   "body %s starts in body %s: at its particle %d near (%g, %g) it lies %g inside, "
                    "expected bodies side by side",
                    body->name, in->name, body->edge->contour.particles[point], at.x, at.y, depth);
 }
@@ -290,7 +336,9 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
         joint->member_bodies[joint->member_count++] = b;
     }
     FW_TRY(renew_search(scene, error));
-    return refuse_overlaps(scene, error);
+    FW_TRY(refuse_overlaps(scene, error));
+    /* The search shall take the first step, or what is resumed, for its first look. */
+    return renew_search(scene, error);
 }
 
 void scene_destroy_edges(fw_scene *scene)

@@ -231,12 +231,17 @@ static double farthest_corner(fw_box a, fw_box b)
                 fmax(fabs(a.high.x - b.high.x), fabs(a.high.y - b.high.y)));
 }
 
-/* A spacing, roughly: that of a straight run. */
-static double spacing_of(const fw_meeting *meeting, int run)
+/* Its longest segment: a spacing, of a body that is not much strained. */
+static double spacing_of(const fw_meeting_body *body, const fw_meeting_run *run)
 {
-    const fw_box here = meeting->here[run];
-    const double size = fmax(here.high.x - here.low.x, here.high.y - here.low.y);
-    return size > 0 ? size / meeting->runs[run].count : 1;
+    double longest = 0;
+    const fw_contour_segment *segments = body->contour->segments + run->first;
+    for (int n = 0; n < run->count; ++n) {
+        const fw_vec2 along =
+            fw_vec2_subtract(place_of(body, segments[n].to), place_of(body, segments[n].from));
+        longest = fmax(longest, fw_vec2_dot(along, along));
+    }
+    return longest > 0 ? sqrt(longest) : 1;
 }
 
 fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, int *jumped,
@@ -268,7 +273,7 @@ fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, i
             *jumped = run;
             return fw_fail(error, FW_DIVERGED, "points jump");
         }
-        fatten(meeting, run, fmax(2 * steps_ahead * way, 2 * spacing_of(meeting, run)));
+        fatten(meeting, run, fmax(2 * steps_ahead * way, 2 * spacing_of(&bodies[of->body], of)));
         moved += 1;
     }
     for (int n = 0; n < meeting->busy_count; ++n) meeting->is_busy[meeting->busy[n]] = 0;

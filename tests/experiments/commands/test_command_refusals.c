@@ -104,7 +104,7 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set bodies.sheet.material=felt", 2, "--set bodies.sheet.material=felt: there is no material 'felt', expected one that the scenario names, such as 'rubber'"},
     /* what does not fit together */
     {"run bounce.yaml --set bodies.sheet.origin=[16.2,3]", 2, "bounce.yaml:9:3: body sheet starts in wall container: particle 5 at (21.2, 3) lies 1.2 behind its surface, expected all particles on the free side"},
-    {"run bounce.yaml --set bodies.speck.origin=[2.4,2.9]", 2, "bounce.yaml:7:3: body speck starts in body sheet: its particle 0 at (2.4, 2.9) lies 0.2 inside it, expected bodies side by side"},
+    {"run bounce.yaml --set bodies.speck.origin=[2.4,2.9]", 2, "bounce.yaml:7:3: body speck starts in body sheet: at its particle 0 near (2.4, 2.9) it lies 0.2 inside, expected bodies side by side"},
     {"run bounce.yaml --set 'walls.flat={polygon: [[0,0],[1,0],[2,0]]}'", 2, "--set walls.flat={polygon: [[0,0],[1,0],[2,0]]}: wall 'flat': the polygon of 3 corners has an area of 0 at a circumference of 4, expected corners that do not lie on a line"},
     {"run bounce.yaml --set 'walls.bent={polygon: [[0,0],[10,0],[5,1],[5,10]]}'", 2, "--set walls.bent={polygon: [[0,0],[10,0],[5,1],[5,10]]}: wall 'bent': the polygon is not convex at corner 3, [5, 1]; a closed chain can have any corners"},
     {"run bounce.yaml --set 'walls.ball={circle: [0,0,0]}'", 2, "--set walls.ball={circle: [0,0,0]}: wall 'ball': the radius is 0, expected more than 0"},
