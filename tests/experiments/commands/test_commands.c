@@ -263,7 +263,6 @@ static void verify_writes_its_verdicts_as_json(void **state)
     snprintf(arguments, sizeof arguments, "verdicts %s/verdicts.json %s/alone.json", folder,
              folder);
     int status = run_python("results.py", arguments);
-    if (status == -1) print_message("no Python with h5py here: JSON not read by it\n");
     if (status > 0) fail_msg("results.py %s failed", arguments);
     /* What cannot be written is said, and what was there stays. */
     seen = run_program(folder, "verify damping -q --json nowhere/verdicts.json");
@@ -273,6 +272,7 @@ static void verify_writes_its_verdicts_as_json(void **state)
     status = run_python("results.py", arguments);
     if (status > 0) fail_msg("results.py %s failed", arguments);
     remove_folder(folder);
+    skip_unseen();
 }
 
 int main(void)

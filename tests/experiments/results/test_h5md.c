@@ -25,7 +25,6 @@ static void check(const char *job, const char *folder, const char *more)
     char arguments[512];
     snprintf(arguments, sizeof arguments, "%s %s/it/trajectory.h5 %s", job, folder, more);
     int status = run_python("results.py", arguments);
-    if (status == -1) print_message("no h5py here: %s not checked by it\n", job);
     if (status > 0) fail_msg("results.py %s failed", arguments);
 }
 
@@ -47,6 +46,7 @@ static void results_of_the_program_are_h5md(void **state)
     check("h5md", folder, revision);
     check("reader", folder, "");
     remove_folder(folder);
+    skip_unseen();
 }
 
 int main(void)

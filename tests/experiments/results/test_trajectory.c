@@ -23,7 +23,6 @@ static void check_with_h5py(const char *job, const char *folder, const char *mor
     char arguments[512];
     snprintf(arguments, sizeof arguments, "%s %s/trajectory.h5 %s", job, folder, more);
     int status = run_python("trajectory.py", arguments);
-    if (status == -1) print_message("no h5py here: %s not checked by it\n", job);
     if (status > 0) fail_msg("trajectory.py %s failed", arguments);
 }
 
@@ -100,6 +99,7 @@ static void whole_run_is_h5md(void **state)
     check_with_h5py("h5md", folder, "40 300");
     check_with_h5py("reader", folder, "2>/dev/null");
     remove_folder(folder);
+    skip_unseen();
 }
 
 static void run_that_ends_early_is_cut_to_what_it_wrote(void **state)
@@ -110,6 +110,7 @@ static void run_that_ends_early_is_cut_to_what_it_wrote(void **state)
     record(folder, 100, "interrupted");
     check_with_h5py("h5md", folder, "15 100");
     remove_folder(folder);
+    skip_unseen();
 }
 
 static void writing_rows_changes_no_structure(void **state)
@@ -128,6 +129,7 @@ static void writing_rows_changes_no_structure(void **state)
     check_with_h5py("structure", folder, command);
     fw_trajectory_destroy(trajectory);
     remove_folder(folder);
+    skip_unseen();
 }
 
 /* However a run is cut into pieces, the file ends up with the same numbers: stopped in order and
@@ -173,6 +175,7 @@ static void resumed_run_leaves_the_same_file(void **state)
     assert_int_equal(system(arguments), 0);
     remove_folder(whole);
     remove_folder(parts);
+    skip_unseen();
 }
 
 static void finished_run_is_not_resumed(void **state)
@@ -188,6 +191,7 @@ static void finished_run_is_not_resumed(void **state)
     assert_null(trajectory);
     check_with_h5py("h5md", folder, "29 200");
     remove_folder(folder);
+    skip_unseen();
 }
 
 static void resume_refuses_what_does_not_fit(void **state)
@@ -240,6 +244,7 @@ static void resume_refuses_what_does_not_fit(void **state)
     fw_trajectory_destroy(trajectory);
     check_with_h5py("rows", folder, "");
     remove_folder(folder);
+    skip_unseen();
 }
 
 /* A process that dies while the file is being cut: every state that its writes can leave behind. */
@@ -274,6 +279,7 @@ static void file_killed_while_cut_is_put_right(void **state)
         fw_playback_close(playback);
     }
     remove_folder(folder);
+    skip_unseen();
 }
 
 int main(void)

@@ -62,6 +62,7 @@ static void signals_leave_a_run_that_goes_on(void **state)
     interrupt_twice(folder, SIGTERM, 143);
     interrupt_twice(folder, SIGHUP, 129);
     remove_folder(folder);
+    skip_unseen();
 }
 
 static void killed_run_goes_on_from_its_last_checkpoint(void **state)
@@ -91,6 +92,7 @@ static void killed_run_goes_on_from_its_last_checkpoint(void **state)
     expect_end(&seen, 0, "since the other checkpoint cannot be used");
     expect_same_results(folder, "whole", "part hurt");
     remove_folder(folder);
+    skip_unseen();
 }
 
 /* The results are laid out, but there was no room for the first checkpoint. */
@@ -121,6 +123,7 @@ static void run_without_a_checkpoint_begins_again(void **state)
                "early holds no results; a run that ended before it had laid them out is "
                "started again with `fretwork run`");
     remove_folder(folder);
+    skip_unseen();
 }
 
 /* Killed while it closed its file: its structure is being rewritten, and put aside. */
@@ -141,6 +144,7 @@ static void file_torn_while_it_was_closed_is_mended(void **state)
     expect_end(&seen, 0, "");
     expect_same_results(folder, "whole", "part");
     remove_folder(folder);
+    skip_unseen();
 }
 
 static void diverged_run_keeps_its_checkpoint_and_is_not_finished(void **state)
@@ -158,6 +162,7 @@ static void diverged_run_keeps_its_checkpoint_and_is_not_finished(void **state)
     expect_end(&seen, 3, first);
     expect_same_results(folder, "part", "again");
     remove_folder(folder);
+    skip_unseen();
 }
 
 /* Two seeds and their controls beside each other. */
@@ -209,6 +214,7 @@ static void study_that_is_interrupted_comes_to_the_same_outcome(void **state)
     seen = run_program(folder, "resume part -q");
     expect_end(&seen, 2, "part: the run is finished");
     remove_folder(folder);
+    skip_unseen();
 }
 
 int main(void)

@@ -147,6 +147,7 @@ static void what_comes_out_has_a_column_per_parameter(void **state)
     seen = run_program(folder, "run flights.yaml --set 'study.sweep.case={v: 0.1}'");
     expect_end(&seen, 2, "'case' has no value of w, expected one of each parameter");
     remove_folder(folder);
+    skip_unseen();
 }
 
 int main(void)
