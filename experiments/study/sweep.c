@@ -288,6 +288,8 @@ static fw_status write_table(const fw_sweep *sweep, fw_error *error)
     const char *directory = sweep->options.directory;
     fw_sweep_table table;
     if (!directory) return FW_OK;
+    /* The table comes last: with it the sweep is finished. */
+    FW_TRY(fw_sweep_thresholds_write(directory, sweep->scenario, sweep->cases, error));
     fw_status status = fw_sweep_outcome_table(&table, sweep->scenario, sweep->cases, error);
     if (status == FW_OK)
         status = fw_sweep_table_write(&table, sweep->scenario->title, directory, error);

@@ -3,6 +3,7 @@
  * Start reading at fw_sweep_threshold_find(). */
 #include "sweep_threshold.h"
 
+#include "experiments/storage/csv.h"
 #include "experiments/study/sweep_extend.h"
 #include "experiments/text/number.h"
 #include "experiments/text/text.h"
@@ -133,6 +134,78 @@ fw_status fw_sweep_threshold_find(fw_threshold *threshold, const fw_scenario *sw
         find_crossing(threshold, plan, line, count);
     free(line);
     return FW_OK;
+}
+
+/* --- their table --- */
+
+typedef struct threshold_table {
+    const fw_scenario *sweep;
+    const fw_sweep_case *cases;
+    int count;
+    struct {
+        fw_threshold threshold;
+        int head, expectation;
+    } * row;
+} threshold_table;
+
+static void write_rows(FILE *out, const void *object)
+{
+    const threshold_table *table = object;
+    const fw_scenario_sweep *plan = &table->sweep->study.sweep;
+    fputs("quantity,crosses", out);
+    for (int p = 0; p < plan->parameter_count; ++p) fprintf(out, ",%s", plan->parameters[p].name);
+    fputs(",error,seeds,no number since\n", out);
+    for (int n = 0; n < table->count; ++n) {
+        const int head = table->row[n].head, number = table->row[n].expectation;
+        const fw_expectation *e = &table->sweep->expectations[number];
+        const fw_threshold *t = &table->row[n].threshold;
+        const bool failed = table->cases[head].failure.status != FW_OK;
+        fw_csv_write_text(out, failed ? e->quantity.text
+                                      : table->cases[head].verdicts.item[number].quantity);
+        fputc(',', out);
+        fw_csv_write_number(out, e->level);
+        for (int p = 0; p < plan->parameter_count; ++p) {
+            fputc(',', out);
+            fw_csv_write_number(out, p == e->along ? t->at : fw_sweep_value(plan, head, p));
+        }
+        fputc(',', out);
+        fw_csv_write_number(out, t->error);
+        fprintf(out, ",%d,", t->seeds);
+        fw_csv_write_text(out, t->why);
+        fputc('\n', out);
+    }
+}
+
+static fw_status fill_rows(threshold_table *table, fw_error *error)
+{
+    const fw_scenario *sweep = table->sweep;
+    for (int k = 0; k < sweep->expectation_count; ++k)
+        for (int n = 0; sweep->expectations[k].has_level && n < sweep->study.sweep.case_count;
+             ++n) {
+            if (!fw_sweep_is_head(&sweep->study.sweep, n, sweep->expectations[k].along)) continue;
+            FW_TRY(fw_sweep_threshold_find(&table->row[table->count].threshold, sweep, table->cases,
+                                           n, k, error));
+            table->row[table->count].head = n;
+            table->row[table->count++].expectation = k;
+        }
+    return FW_OK;
+}
+
+fw_status fw_sweep_thresholds_write(const char *directory, const fw_scenario *sweep,
+                                    const fw_sweep_case *cases, fw_error *error)
+{
+    threshold_table table = {.sweep = sweep, .cases = cases};
+    size_t crossings = 0;
+    for (int k = 0; k < sweep->expectation_count; ++k)
+        crossings += sweep->expectations[k].has_level;
+    if (crossings == 0) return FW_OK;
+    table.row = calloc(crossings * (size_t)sweep->study.sweep.case_count, sizeof *table.row);
+    if (!table.row) return fw_fail_memory(error, "the thresholds of a sweep");
+    fw_status status = fill_rows(&table, error);
+    if (status == FW_OK)
+        status = fw_csv_keep(directory, FW_THRESHOLDS_FILE, write_rows, &table, error);
+    free(table.row);
+    return status;
 }
 
 /* --- bisection --- */

@@ -29,6 +29,11 @@ fw_status fw_sweep_threshold_find(fw_threshold *threshold, const fw_scenario *sw
                                   const fw_sweep_case *cases, int head, int expectation,
                                   fw_error *error);
 
+/* DIRECTORY/thresholds.csv: a row per crossing and line, where any is expected. */
+#define FW_THRESHOLDS_FILE "thresholds.csv"
+fw_status fw_sweep_thresholds_write(const char *directory, const fw_scenario *sweep,
+                                    const fw_sweep_case *cases, fw_error *error);
+
 /* The sweep with the cases that its bisection asks for next; *larger NULL: it is at its end. */
 fw_status fw_sweep_bisect(fw_scenario **larger, const fw_scenario *sweep,
                           const fw_sweep_case *cases, fw_error *error);

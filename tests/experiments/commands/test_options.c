@@ -24,6 +24,15 @@ static void every_value_goes_where_its_row_says(void **state)
     assert_string_equal(a.output, "d");
     assert_true(a.quiet && !a.overwrite && !a.no_plot && !a.help);
     assert_int_equal(a.word_count, 1);
+    /* A short name may have its value behind it at once. */
+    char *close[] = {"it", "-j2", "-od=3", "-q"};
+    read_line(&a, "run", close, 4);
+    assert_int_equal(a.threads, 2);
+    assert_string_equal(a.output, "d=3");
+    assert_true(a.quiet);
+    char *wrong[] = {"it", "-qj"};
+    assert_refused(fw_arguments_read(&a, fw_command_find("run"), 2, wrong, &error), FW_BAD_INPUT,
+                   "has no option -qj");
     /* Behind -- there are words only. */
     char *verify[] = {"-q", "--", "--set", "-"};
     read_line(&a, "verify", verify, 4);

@@ -63,6 +63,11 @@ static void known_threshold_is_found_to_its_tolerance(void **state)
     expect_end(&seen, 0, "");
     shell(folder,
           "test \"$(ls -d it/v=* | tr '\\n' ' ')\" = 'it/v=0 it/v=0.125 it/v=0.25 it/v=0.5 '");
+    seen =
+        run_program(folder, "run flight.yaml -q --no-plot -o it --overwrite --set study={} --set "
+                            "expect=[]");
+    expect_end(&seen, 0, "");
+    assert_false(exists(folder, "it/thresholds.csv"));
     remove_folder(folder);
 }
 
@@ -85,6 +90,12 @@ static void every_line_has_its_threshold(void **state)
     seen = run_program(folder, "verify flight.yaml -q --set 'expect.1={quantity: energy, crosses: "
                                "12}'");
     expect_end(&seen, 1, "");
+    shell(folder,
+          "head -1 it/thresholds.csv | grep -qx 'quantity,crosses,w,v,error,seeds,no number "
+          "since' && test $(wc -l < it/thresholds.csv) = 4 && grep -q "
+          "'^.energy, at the end.,12,0.29999999999999999,0.95[0-9]*,0.00[0-9]*,1,$' "
+          "it/thresholds.csv && grep -q ',12,2,,,1,it is above the level at both ends$' "
+          "it/thresholds.csv");
     /* At w = 0 it only just comes to it, at w = 2 it is beyond. */
     assert_non_null(strstr(seen.out, "no number: at an end it is the level within its error"));
     assert_non_null(strstr(seen.out, "no number: it is above the level at both ends"));
