@@ -5,6 +5,7 @@
 #define FW_PLOT_PARTS_H
 
 #include "experiments/drawing/figure.h"
+#include "experiments/measures/profile_table.h"
 #include "experiments/pictures/wall_outline.h"
 #include "experiments/results/playback.h"
 #include "experiments/scenario/scenario.h"
@@ -110,6 +111,12 @@ typedef struct fw_plot_series {
 } fw_plot_series;
 fw_status fw_plot_series_find(fw_plot_series *series, const fw_plot_result *result,
                               const fw_plot_picture *picture, fw_error *error);
+
+/* The middles of the bins, what a column of the profile is there, of the experiment or of its
+ * control (NaN where nothing was seen), and the errors, 0 where there are none: bin_count of each.
+ */
+void fw_plot_profile_values(const fw_profile_table *table, fw_profile_column column, bool control,
+                            double *x, double *values, double *errors);
 
 /* All may be cleared whether they were found or not. */
 void fw_plot_paths_clear(fw_plot_paths *paths);

@@ -56,22 +56,29 @@ static fw_range range_of(const fw_outcome *column, int count)
     return most > 0 ? (fw_range){-.03 * most, 1.1 * most} : (fw_range){-.03, 1};
 }
 
+void fw_plot_profile_values(const fw_profile_table *table, fw_profile_column column, bool control,
+                            double *x, double *values, double *errors)
+{
+    const fw_outcome *outcome = fw_profile_table_column(table, column);
+    for (int b = 0; b < table->bin_count; ++b) {
+        const double error = control ? outcome[b].control_error : outcome[b].error;
+        x[b] = .5 * (table->edges[b] + table->edges[b + 1]);
+        values[b] = control ? outcome[b].control : outcome[b].mean;
+        errors[b] = isfinite(error) ? error : 0;
+    }
+}
+
 static fw_status fill_curves(side *s, const fw_profile_table *table, bool control, fw_error *error)
 {
     const size_t bins = (size_t)table->bin_count;
     s->x = fw_array_of_doubles(bins);
     if (!s->x) return fw_fail_memory(error, "a profile");
-    for (size_t b = 0; b < bins; ++b) s->x[b] = .5 * (table->edges[b] + table->edges[b + 1]);
     for (int n = 0; n < CHARTS; ++n) {
         const fw_outcome *column = fw_profile_table_column(table, drawn[n].column);
         s->values[n] = fw_array_of_doubles(bins);
         s->errors[n] = fw_array_of_doubles(bins);
         if (!s->values[n] || !s->errors[n]) return fw_fail_memory(error, "a profile");
-        for (size_t b = 0; b < bins; ++b) {
-            const double own_error = control ? column[b].control_error : column[b].error;
-            s->values[n][b] = control ? column[b].control : column[b].mean;
-            s->errors[n][b] = isfinite(own_error) ? own_error : 0;
-        }
+        fw_plot_profile_values(table, drawn[n].column, control, s->x, s->values[n], s->errors[n]);
         s->curves[n] = (fw_curve){.count = table->bin_count,
                                   .x = s->x,
                                   .y = s->values[n],
