@@ -13,6 +13,8 @@ enum { ROUNDS = 60 };
 /* How far behind a segment a point may be, in units of its length, and count as on it: an iterate
  * that did not converge leaves such gaps. Nothing of another body lies there by right. */
 static const double BEHIND = 1e-6;
+/* How far inside a gripped point may be carried by rounding, in units of the coordinates' size. */
+static const double GRIPPED_ROUNDING = 1e-9;
 
 /* --- where all points would go --- */
 
@@ -197,6 +199,33 @@ static int compare_found(const void *left, const void *right)
     return order != 0 ? order : compare_ints(a->to, b->to);
 }
 
+static bool is_gripped(const scene_body *body, int point)
+{
+    return body->gripped && body->gripped[body->edge->contour.particles[point]];
+}
+
+/* Where grips hold all three, nothing can keep them apart, and the run cannot go on; as where a
+ * grip carries a particle through a wall. */
+static fw_status refuse_gripped(const fw_scene *scene, const scene_row *row, fw_error *error)
+{
+    const scene_body *body = &scene->bodies[row->point_body], *other = &scene->bodies[row->body];
+    if (!is_gripped(body, row->point) || !is_gripped(other, row->from) ||
+        !is_gripped(other, row->to))
+        return FW_OK;
+    const fw_moving_point p = moving(body, row->point), a = moving(other, row->from),
+                          b = moving(other, row->to);
+    const fw_vec2 at = fw_vec2_add(p.at, p.motion), from = fw_vec2_add(a.at, a.motion);
+    const fw_vec2 along = fw_vec2_subtract(fw_vec2_add(b.at, b.motion), from);
+    const double length = sqrt(fw_vec2_dot(along, along));
+    const double depth = -fw_vec2_cross(along, fw_vec2_subtract(at, from)) / length;
+    if (!(depth > GRIPPED_ROUNDING * (1 + fabs(at.x) + fabs(at.y)))) return FW_OK;
+    return fw_fail(error, FW_DIVERGED,
+                   "step %lld: grips carry particle %d of body %s into body %s, whose edge is held "
+                   "as well: at (%g, %g) it would lie %g inside",
+                   (long long)scene->clock.step, body->edge->contour.particles[row->point],
+                   body->name, other->name, at.x, at.y, depth);
+}
+
 /* One row for each point that passes something: a corner between two segments belongs to either,
  * and rows that say the same twice make the problem singular. */
 static fw_status add_passed_edges(fw_scene *scene, fw_error *error)
@@ -216,6 +245,7 @@ static fw_status add_passed_edges(fw_scene *scene, fw_error *error)
     for (int n = 0; n < joint->found_count; ++n) {
         const scene_row *row = &joint->found[n];
         if (n > 0 && row[-1].point_body == row->point_body && row[-1].point == row->point) continue;
+        FW_TRY(refuse_gripped(scene, row, error));
         FW_TRY(scene_add_row(scene, row, error));
     }
     return FW_OK;

@@ -217,52 +217,6 @@ static void threads_do_not_change_a_bit(void **state)
     assert_true(hash[0] == hash[1] && hash[0] == hash[2]);
 }
 
-static void bodies_that_start_in_each_other_are_refused(void **state)
-{
-    (void)state;
-    /* A corner, all of it, a chain across; the same place, a part of it with the edges on edges and
-     * nodes on nodes; chains that share a line with an edge. */
-    const fw_vec2 origins[] = {{3.5, 2.2}, {1.5, 1.5}, {-3, 3.3}, {0, 0}, {2, 0}, {2, 5}, {0, 1.5}};
-    const int columns[] = {6, 2, 14, 6, 3, 3, 1}, rows[] = {6, 2, 1, 6, 2, 1, 3};
-    for (int n = 0; n < 7; ++n) {
-        fw_scene *scene = empty_scene(1e4);
-        add_body(scene, (body_options){.columns = 6, .rows = 6});
-        add_body(scene,
-                 (body_options){.columns = columns[n], .rows = rows[n], .origin = origins[n]});
-        assert_int_equal(fw_scene_begin(scene, &error), FW_BAD_INPUT);
-        assert_non_null(strstr(error.sentence, "body sheet starts in body sheet: "));
-        assert_true(fw_scene_refused_body(scene) >= 0);
-        fw_scene_destroy(scene);
-    }
-    /* Side by side, they may touch. */
-    fw_scene *scene = empty_scene(1e4);
-    add_body(scene, (body_options){.columns = 6, .rows = 6});
-    add_body(scene, (body_options){.columns = 6, .rows = 6, .origin = {5, 2.5}});
-    begin(scene);
-    run(scene, 100);
-    assert_true(energy_of(scene) == 0);
-    fw_scene_destroy(scene);
-}
-
-/* Small bodies whose edges are few runs: the search must not take flight for a jump. */
-static void small_bodies_meet_after_free_flight(void **state)
-{
-    (void)state;
-    const double speeds[] = {0.05, 0.2, 0.6};
-    for (int n = 0; n < 3; ++n) {
-        fw_scene *scene = empty_scene(1e4);
-        add_body(scene, (body_options){.columns = 4, .rows = 4, .velocity = {speeds[n], 0}});
-        add_body(scene, (body_options){.columns = 4, .rows = 4, .origin = {4.1, 0.3}});
-        begin(scene);
-        const sums before = sums_of(scene);
-        run(scene, 60);
-        assert_true(fw_scene_contact_ledger(scene)->ticks > 0);
-        assert_true(apart(before, sums_of(scene)) < 1e-12);
-        assert_true(velocity_of(scene, 1).x > 0.5 * speeds[n]);
-        fw_scene_destroy(scene);
-    }
-}
-
 /* A ball in a frame: what holds it is the inner edge. */
 static void body_in_the_hole_of_another_stays_there(void **state)
 {
@@ -415,8 +369,6 @@ int main(void)
         cmocka_unit_test(bodies_in_a_room_stay_in_it_and_out_of_each_other),
         cmocka_unit_test(run_that_goes_on_elsewhere_has_the_same_bytes),
         cmocka_unit_test(threads_do_not_change_a_bit),
-        cmocka_unit_test(bodies_that_start_in_each_other_are_refused),
-        cmocka_unit_test(small_bodies_meet_after_free_flight),
         cmocka_unit_test(body_in_the_hole_of_another_stays_there),
         cmocka_unit_test(links_that_break_open_the_way),
         cmocka_unit_test(grips_bear_what_hits_them),
