@@ -151,7 +151,8 @@ static double stretch(const solid_kind *kind, double force, double loss)
     const double length = solid->x[COLUMNS - 1] - solid->x[0];
     const int ticks = ticks_for(kind, solid, 40 / loss * 20);
     for (int tick = 0; tick < ticks; ++tick) advance_free(solid);
-    const double here = solid->x[0];
+    fw_vec2 here[COLUMNS * ROWS];
+    for (int p = 0; p < solid->count; ++p) here[p] = fw_solid_position(solid, p);
     /* A load that has acted on black but not yet on white shows in the momentum between ticks. */
     fw_vec2 momentum = {0, 0};
     for (int tick = 0; tick < 10; ++tick) {
@@ -159,7 +160,10 @@ static double stretch(const solid_kind *kind, double force, double loss)
         advance_free(solid);
     }
     assert_below(hypot(momentum.x, momentum.y), 1e-11);
-    assert_below(fabs(solid->x[0] - here), 1e-11);
+    for (int p = 0; p < solid->count; ++p) {
+        assert_below(fabs(solid->x[p] - here[p].x), 1e-11);
+        assert_below(fabs(solid->y[p] - here[p].y), 1e-11);
+    }
     const double longer = solid->x[COLUMNS - 1] - solid->x[0] - length;
     fw_solid_destroy(solid);
     return longer;
