@@ -2,7 +2,7 @@
 /* instruction_set.h - which of the compiled kernels run.
  *
  * A kernel is a file of loops over particles that is compiled once for each instruction set
- * (fretwork_kernels() in CMake), written with the vectors of core/vectors.h. It ends with a const
+ * (KERNELS of fretwork_wing() in CMake), written with the vectors of core/vectors.h. It ends with a const
  * table of its functions, whose name FW_KERNELS_HERE completes; its header declares them all:
  *     FW_KERNELS(fw_noise_kernels, fw_noise);              in the header
  *     const fw_noise_kernels FW_KERNELS_HERE(fw_noise) = {...};     in the kernel's file
@@ -30,7 +30,7 @@
 #define FW_KERNELS_CHOSEN(table) (&table##_plain)
 #endif
 
-/* FW_INSTRUCTIONS is what fretwork_kernels() compiles the file for: v2, v3, v4, plain. */
+/* FW_INSTRUCTIONS is what CMake compiles the file for: v2, v3, v4, plain. */
 #define FW_KERNELS_HERE(table)            FW_KERNELS_PASTE(table, FW_INSTRUCTIONS)
 #define FW_KERNELS_PASTE(table, level)    FW_KERNELS_PASTE_IT(table, level)
 #define FW_KERNELS_PASTE_IT(table, level) table##_##level
