@@ -7,10 +7,6 @@
 #include "core/vec2.h"
 #include "core/vectors.h"
 
-typedef struct fw_vector_pair {
-    fw_vector x, y;
-} fw_vector_pair;
-
 /* philox4x32-10 (Salmon et al. 2011), a 32-bit word in each lane of 64 bits. */
 FW_INLINE void fw_noise_philox(fw_naturals word[4], uint64_t seed)
 {

@@ -43,6 +43,11 @@ typedef double fw_vector __attribute__((vector_size(FW_VECTOR_BYTES)));
 typedef int64_t fw_integers __attribute__((vector_size(FW_VECTOR_BYTES)));
 typedef uint64_t fw_naturals __attribute__((vector_size(FW_VECTOR_BYTES)));
 
+/* A vector of the plane in each lane. */
+typedef struct fw_vector_pair {
+    fw_vector x, y;
+} fw_vector_pair;
+
 /* Of each lane: true or false. */
 #if defined(__AVX512F__)
 typedef __mmask8 fw_mask;

@@ -26,23 +26,19 @@ typedef struct stream {
     uint8_t *torn;
 } stream;
 
-typedef struct pair {
-    fw_vector x, y;
-} pair;
-
 /* All lanes of a register, or some. */
 typedef struct lanes {
     bool all;
     fw_mask mask;
 } lanes;
 
-FW_INLINE pair load(const double *x, const double *y, int k, lanes l)
+FW_INLINE fw_vector_pair load(const double *x, const double *y, int k, lanes l)
 {
-    if (l.all) return (pair){fw_load(x + k), fw_load(y + k)};
-    return (pair){fw_load_some(x + k, l.mask), fw_load_some(y + k, l.mask)};
+    if (l.all) return (fw_vector_pair){fw_load(x + k), fw_load(y + k)};
+    return (fw_vector_pair){fw_load_some(x + k, l.mask), fw_load_some(y + k, l.mask)};
 }
 
-FW_INLINE void store(double *x, double *y, int k, lanes l, pair v)
+FW_INLINE void store(double *x, double *y, int k, lanes l, fw_vector_pair v)
 {
     if (l.all) {
         fw_store(x + k, v.x);
@@ -54,21 +50,21 @@ FW_INLINE void store(double *x, double *y, int k, lanes l, pair v)
 }
 
 /* B (neighbour - self) */
-FW_INLINE pair pull_of(fw_sym2 b, pair neighbour, pair self)
+FW_INLINE fw_vector_pair pull_of(fw_sym2 b, fw_vector_pair neighbour, fw_vector_pair self)
 {
     const fw_vector x = neighbour.x - self.x, y = neighbour.y - self.y;
-    return (pair){b.xx * x + b.xy * y, b.xy * x + b.yy * y};
+    return (fw_vector_pair){b.xx * x + b.xy * y, b.xy * x + b.yy * y};
 }
 
 /* Of `count` cells from k on. */
-FW_INLINE pair load_force(const stream *s, int k, int count)
+FW_INLINE fw_vector_pair load_force(const stream *s, int k, int count)
 {
     double x[FW_WIDTH] = {0}, y[FW_WIDTH] = {0};
     for (int lane = 0; lane < FW_WIDTH && lane < count; ++lane) {
         x[lane] = s->force_x[2 * (k + lane)];
         y[lane] = s->force_y[2 * (k + lane)];
     }
-    return (pair){fw_load(x), fw_load(y)};
+    return (fw_vector_pair){fw_load(x), fw_load(y)};
 }
 
 /* Notes the bonds of cells that are too long; kept apart from the loop, which seldom comes here. */
@@ -86,9 +82,10 @@ __attribute__((noinline, cold)) static void tear(const double *neighbour_x,
     }
 }
 
-/* Bonds of the cells from k on, from the middle of the cells' ways to their neighbours. */
+/* Bonds of the cells from k on, from the middle of the cells' displacements to their neighbours. */
 FW_INLINE void look_for_tears(const fw_automaton_move *move, const stream *s, int k, int count,
-                              const pair neighbour[FW_DIRECTIONS], pair middle, bool *any)
+                              const fw_vector_pair neighbour[FW_DIRECTIONS], fw_vector_pair middle,
+                              bool *any)
 {
     fw_vector square[FW_DIRECTIONS];
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
@@ -112,37 +109,38 @@ FW_INLINE void look_for_tears(const fw_automaton_move *move, const stream *s, in
 FW_INLINE void move_part(const fw_automaton_move *move, const stream *s, int k, int part, int count,
                          lanes l, kind has, passed *sum)
 {
-    const pair self = load(s->x, s->y, k, l);
-    pair neighbour[FW_DIRECTIONS], pull[FW_DIRECTIONS], force = {0};
+    const fw_vector_pair self = load(s->x, s->y, k, l);
+    fw_vector_pair neighbour[FW_DIRECTIONS], pull[FW_DIRECTIONS], force = {0};
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
         neighbour[d] = load(s->neighbour_x[d], s->neighbour_y[d], k, l);
         pull[d] = pull_of(move->matrix[d], neighbour[d], self);
     }
-    const pair all = {(pull[FW_EAST].x + pull[FW_NORTH].x) + (pull[FW_WEST].x + pull[FW_SOUTH].x),
-                      (pull[FW_EAST].y + pull[FW_NORTH].y) + (pull[FW_WEST].y + pull[FW_SOUTH].y)};
+    const fw_vector_pair all = {
+        (pull[FW_EAST].x + pull[FW_NORTH].x) + (pull[FW_WEST].x + pull[FW_SOUTH].x),
+        (pull[FW_EAST].y + pull[FW_NORTH].y) + (pull[FW_WEST].y + pull[FW_SOUTH].y)};
 
     /* d = (1 + a)/2 (s + F) */
-    pair way = {move->share_of_pull * all.x, move->share_of_pull * all.y};
+    fw_vector_pair d = {move->share_of_pull * all.x, move->share_of_pull * all.y};
     if (has.loaded) {
         force = load_force(s, k, count);
-        way.x += move->share_of_pull * force.x;
-        way.y += move->share_of_pull * force.y;
+        d.x += move->share_of_pull * force.x;
+        d.y += move->share_of_pull * force.y;
     }
-    store(s->x, s->y, k, l, (pair){self.x + way.x, self.y + way.y});
+    store(s->x, s->y, k, l, (fw_vector_pair){self.x + d.x, self.y + d.y});
     if (has.breakable) {
-        const pair middle = {self.x + 0.5 * way.x, self.y + 0.5 * way.y};
+        const fw_vector_pair middle = {self.x + 0.5 * d.x, self.y + 0.5 * d.y};
         look_for_tears(move, s, k, count, neighbour, middle, &sum->torn);
     }
 
     /* dE = F.d - k d.d, dp = F - k d */
     if (has.loaded) {
-        sum->work[part] += force.x * way.x + force.y * way.y;
+        sum->work[part] += force.x * d.x + force.y * d.y;
         sum->impulse_x[part] += force.x;
         sum->impulse_y[part] += force.y;
     }
     if (has.damped) {
-        const pair drag = {-move->loss * way.x, -move->loss * way.y};
-        sum->dissipated[part] -= drag.x * way.x + drag.y * way.y;
+        const fw_vector_pair drag = {-move->loss * d.x, -move->loss * d.y};
+        sum->dissipated[part] -= drag.x * d.x + drag.y * d.y;
         sum->drag_x[part] += drag.x;
         sum->drag_y[part] += drag.y;
     }

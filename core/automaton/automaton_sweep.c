@@ -80,7 +80,8 @@ void fw_automaton_predict(const fw_solid *solid, const int *particles, int count
     }
 }
 
-/* As in the kernels: notes the bonds of a cell that are too long, from the middle of its way. */
+/* As in the kernels: notes the bonds of a cell that are too long, from the middle of its
+ * displacement. */
 static bool tear(const fw_half_step *step, int cell, fw_vec2 middle)
 {
     const fw_automaton *body = step->body;

@@ -4,7 +4,11 @@
  * Start reading at relax_part(). */
 #include "lb_population_kernels.h"
 
-#include "core/vectors.h"
+#include "lb_vectors.h"
+
+#include <assert.h>
+#include <stddef.h>
+#include <string.h>
 
 /* What the loop has to do; constant where it is inlined, so each combination is a loop of its own
  * without branches. */
@@ -12,76 +16,38 @@ typedef struct kind {
     bool resting, matrix, loaded, damped;
 } kind;
 
-/* What passed, lane by lane. */
-typedef struct passed {
-    fw_vector work[FW_PARTS], impulse_x[FW_PARTS], impulse_y[FW_PARTS];
-    fw_vector dissipated[FW_PARTS], drag_x[FW_PARTS], drag_y[FW_PARTS];
-} passed;
-
-typedef struct pair {
-    fw_vector x, y;
-} pair;
-
-FW_INLINE pair load_pair(const double *x, const double *y, int l)
-{
-    return (pair){fw_load(x + l), fw_load(y + l)};
-}
-
-FW_INLINE void store_pair(double *x, double *y, int l, pair v)
-{
-    fw_store(x + l, v.x);
-    fw_store(y + l, v.y);
-}
-
-/* A symmetric matrix, of which only xx counts where it is a multiple of one. */
-typedef struct symmetric {
-    fw_vector xx, xy, yy;
-} symmetric;
-
-FW_INLINE symmetric load_symmetric(const double *xx, const double *xy, const double *yy, int l,
-                                   bool matrix)
-{
-    symmetric m = {.xx = fw_load(xx + l)};
-    if (matrix) m.xy = fw_load(xy + l), m.yy = fw_load(yy + l);
-    return m;
-}
-
-FW_INLINE pair times(symmetric m, pair v, bool matrix)
-{
-    if (!matrix) return (pair){m.xx * v.x, m.xx * v.y};
-    return (pair){m.xx * v.x + m.xy * v.y, m.xy * v.x + m.yy * v.y};
-}
-
 /* M^-1 push. Where M is a matrix, with one step of iterative refinement in which M w is taken
  * through M0 as the update takes it: the rounding of M and M^-1 is the same in every step, and
  * would let the energy creep by some 1e-16 each. */
-FW_INLINE pair divide(pair push, symmetric inverse, symmetric rest_mass, bool matrix)
+FW_INLINE fw_vector_pair divide(fw_vector_pair push, symmetric inverse, symmetric rest_mass,
+                                bool matrix)
 {
-    pair w = times(inverse, push, matrix);
+    fw_vector_pair w = times(inverse, push, matrix);
     if (!matrix) return w;
-    const pair rest = times(rest_mass, times(rest_mass, w, true), true);
-    const pair left = {push.x - (0.5 * rest.x + 2 * w.x), push.y - (0.5 * rest.y + 2 * w.y)};
-    const pair more = times(inverse, left, true);
-    return (pair){w.x + more.x, w.y + more.y};
+    const fw_vector_pair rest = times(rest_mass, times(rest_mass, w, true), true);
+    const fw_vector_pair left = {push.x - (0.5 * rest.x + 2 * w.x),
+                                 push.y - (0.5 * rest.y + 2 * w.y)};
+    const fw_vector_pair more = times(inverse, left, true);
+    return (fw_vector_pair){w.x + more.x, w.y + more.y};
 }
 
 /* Those of part `part` of the block that begins at l - part FW_WIDTH. */
 FW_INLINE void relax_part(const lb_population_arrays *a, int l, int part, double mu, kind k,
                           passed *sum)
 {
-    pair f[FW_DIRECTIONS], rest = {0}, force = {0};
+    fw_vector_pair f[FW_DIRECTIONS], rest = {0}, force = {0};
     symmetric rest_mass = {0};
     for (int d = 0; d < FW_DIRECTIONS; ++d) f[d] = load_pair(a->field_x[d], a->field_y[d], l);
     const symmetric inverse =
         load_symmetric(a->inverse_xx, a->inverse_xy, a->inverse_yy, l, k.matrix);
 
     /* Psi + F/2 = M0 f_0 + sum f_i + F/2 */
-    pair push = {(f[FW_EAST].x + f[FW_WEST].x) + (f[FW_NORTH].x + f[FW_SOUTH].x),
-                 (f[FW_EAST].y + f[FW_WEST].y) + (f[FW_NORTH].y + f[FW_SOUTH].y)};
+    fw_vector_pair push = {(f[FW_EAST].x + f[FW_WEST].x) + (f[FW_NORTH].x + f[FW_SOUTH].x),
+                           (f[FW_EAST].y + f[FW_WEST].y) + (f[FW_NORTH].y + f[FW_SOUTH].y)};
     if (k.resting) {
         rest = load_pair(a->rest_x, a->rest_y, l);
         rest_mass = load_symmetric(a->rest_mass_xx, a->rest_mass_xy, a->rest_mass_yy, l, k.matrix);
-        const pair own = times(rest_mass, rest, k.matrix);
+        const fw_vector_pair own = times(rest_mass, rest, k.matrix);
         push.x += own.x;
         push.y += own.y;
     }
@@ -92,32 +58,24 @@ FW_INLINE void relax_part(const lb_population_arrays *a, int l, int part, double
     }
 
     /* w = mu M^-1 (Psi + F/2) */
-    pair w = divide(push, inverse, rest_mass, k.matrix);
+    fw_vector_pair w = divide(push, inverse, rest_mass, k.matrix);
     w.x *= mu;
     w.y *= mu;
 
     /* f_i -> w - f_{i+2},  f_0 -> M0 w - f_0,  r -> r + w */
     for (int d = 0; d < FW_DIRECTIONS; ++d)
-        store_pair(a->field_x[d], a->field_y[d], l, (pair){w.x - f[d].x, w.y - f[d].y});
+        store_pair(a->field_x[d], a->field_y[d], l, (fw_vector_pair){w.x - f[d].x, w.y - f[d].y});
     if (k.resting) {
-        const pair own = times(rest_mass, w, k.matrix);
-        store_pair(a->rest_x, a->rest_y, l, (pair){own.x - rest.x, own.y - rest.y});
+        const fw_vector_pair own = times(rest_mass, w, k.matrix);
+        store_pair(a->rest_x, a->rest_y, l, (fw_vector_pair){own.x - rest.x, own.y - rest.y});
     }
-    const pair r = load_pair(a->x, a->y, l);
-    store_pair(a->x, a->y, l, (pair){r.x + w.x, r.y + w.y});
+    const fw_vector_pair r = load_pair(a->x, a->y, l);
+    store_pair(a->x, a->y, l, (fw_vector_pair){r.x + w.x, r.y + w.y});
 
-    if (k.loaded) {
-        sum->work[part] += force.x * w.x + force.y * w.y;
-        sum->impulse_x[part] += force.x;
-        sum->impulse_y[part] += force.y;
-    }
-    if (k.damped) { /* dE = F.w - 2(1/mu - 1) w.Mw,  dPsi = F - 2(1/mu - 1) Mw */
-        const double loss = 2 * (1 / mu - 1);
+    if (k.loaded) pass_force(sum, part, force, w);
+    if (k.damped) {
         const symmetric mass = load_symmetric(a->mass_xx, a->mass_xy, a->mass_yy, l, k.matrix);
-        const pair momentum = times(mass, w, k.matrix);
-        sum->dissipated[part] += loss * (w.x * momentum.x + w.y * momentum.y);
-        sum->drag_x[part] -= loss * momentum.x;
-        sum->drag_y[part] -= loss * momentum.y;
+        pass_drag(sum, part, mu, times(mass, w, k.matrix), w);
     }
 }
 
@@ -131,8 +89,10 @@ FW_INLINE void relax_blocks(const lb_population_arrays *a, int count, double mu,
 
 /* --- the last particles, fewer than a block --- */
 
-/* All arrays of the struct are of one type, and it has nothing else. */
+/* The struct has nothing but pointers to arrays, those that are written first. */
 enum { ARRAYS = sizeof(lb_population_arrays) / sizeof(double *), WRITTEN = 2 * FW_DIRECTIONS + 4 };
+static_assert(offsetof(lb_population_arrays, force_x) == WRITTEN * sizeof(double *),
+              "arrays that are written come first");
 
 static void copy(double *to, const double *from, int count)
 {
@@ -164,16 +124,7 @@ FW_INLINE void relax_all(const lb_population_arrays *a, int count, double mu, ki
     relax_blocks(a, count, mu, k, &sum);
     const int first = count - count % FW_BLOCK;
     if (first < count) relax_rest(a, first, count - first, mu, k, &sum);
-    if (k.loaded) {
-        ledger->work += fw_sum_block(sum.work);
-        ledger->impulse.x += fw_sum_block(sum.impulse_x);
-        ledger->impulse.y += fw_sum_block(sum.impulse_y);
-    }
-    if (k.damped) {
-        ledger->dissipated += fw_sum_block(sum.dissipated);
-        ledger->drag.x += fw_sum_block(sum.drag_x);
-        ledger->drag.y += fw_sum_block(sum.drag_y);
-    }
+    add_passed(ledger, &sum, k.loaded, k.damped);
 }
 
 FW_INLINE void relax_mass(const lb_population_arrays *a, int count, double mu, bool resting,
