@@ -3,8 +3,7 @@
  * midpoint normals. State: memory only. Start reading at fw_joint_solve(). */
 #include "contact/constraint/joint.h"
 
-#include "island.h"
-#include "joint_system.h"
+#include "joint_parts.h"
 
 #include <assert.h>
 #include <math.h>
@@ -12,27 +11,11 @@
 
 /* Rows that are solved one by one as a set of active ones; more of them as a band. */
 enum { FEW = 30 };
-enum { ROUNDS = 100 };
+enum { ROUNDS = 100, TURNS = 3 };
 #define ARRIVED    1e-13
 #define NEARLY     1e-8
 #define LEAST_PART 0.1
 #define MOST_PART  1.5
-
-struct fw_joint {
-    joint_islands islands;
-    int end_capacity, row_capacity;
-    int *local;      /* per end of the problem: its number in the island, or -1 */
-    int *global;     /* and back */
-    int *first;      /* per end of the island */
-    fw_vec2 *w;      /* per end of the island, with which the weights are found */
-    fw_vec2 *change; /* of w in the last iteration */
-    fw_vec2 *z;      /* per end of the island */
-    int *line_of;    /* per row of the island: its line, or -1 */
-    joint_line *lines;
-    double *lambda;
-    double *room;
-    size_t room_size;
-};
 
 fw_joint *fw_joint_create(void)
 {
@@ -52,6 +35,12 @@ void fw_joint_destroy(fw_joint *joint)
     free(joint->line_of);
     free(joint->lines);
     free(joint->lambda);
+    free(joint->limit);
+    free(joint->traction);
+    free(joint->target);
+    free(joint->slip);
+    free(joint->tangents);
+    free(joint->tangent_of);
     free(joint->room);
     free(joint);
 }
@@ -103,13 +92,19 @@ static fw_status reserve(fw_joint *joint, int end_count, int row_count, fw_error
         const size_t size = 2 * (size_t)row_count + 64;
         joint->line_of = enlarge(joint->line_of, size, sizeof *joint->line_of, &failed);
         joint->lines = enlarge(joint->lines, size, sizeof *joint->lines, &failed);
+        joint->limit = enlarge(joint->limit, size, sizeof *joint->limit, &failed);
+        joint->target = enlarge(joint->target, size, sizeof *joint->target, &failed);
+        joint->slip = enlarge(joint->slip, size, sizeof *joint->slip, &failed);
+        joint->traction = enlarge(joint->traction, size, sizeof *joint->traction, &failed);
+        joint->tangents = enlarge(joint->tangents, size, sizeof *joint->tangents, &failed);
+        joint->tangent_of = enlarge(joint->tangent_of, size, sizeof *joint->tangent_of, &failed);
         joint->lambda = enlarge(joint->lambda, size, sizeof *joint->lambda, &failed);
         if (!failed) joint->row_capacity = (int)size;
     }
     return failed ? fw_fail_memory(error, "the contact of bodies") : FW_OK;
 }
 
-static fw_status reserve_room(fw_joint *joint, size_t size, fw_error *error)
+fw_status joint_reserve_room(fw_joint *joint, size_t size, fw_error *error)
 {
     if (size <= joint->room_size) return FW_OK;
     bool failed = false;
@@ -119,8 +114,7 @@ static fw_status reserve_room(fw_joint *joint, size_t size, fw_error *error)
     return FW_OK;
 }
 
-/* Where an end is at the middle of the step. */
-static fw_vec2 middle_of(const fw_joint *joint, const fw_joint_end *ends, int end)
+fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, int end)
 {
     const int local = joint->local[end];
     const fw_vec2 w = local >= 0 ? joint->w[local] : ends[end].displacement;
@@ -141,8 +135,9 @@ static double length_of(fw_vec2 v)
  * divided by the length at the start. */
 static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
 {
-    const fw_vec2 i = middle_of(joint, ends, row->end[0]), j = middle_of(joint, ends, row->end[1]),
-                  k = middle_of(joint, ends, row->end[2]);
+    const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
+                  j = joint_middle_of(joint, ends, row->end[1]),
+                  k = joint_middle_of(joint, ends, row->end[2]);
     const double length =
         length_of(fw_vec2_subtract(ends[row->end[2]].position, ends[row->end[1]].position));
     row->weight[0] = scaled_to(fw_vec2_turn(fw_vec2_subtract(k, j)), length);
@@ -174,45 +169,22 @@ static void weigh(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row 
     row->weight[0] = row->normal;
     if (row->kind == FW_JOINT_ROUND) {
         const fw_vec2 centre = fw_vec2_add(row->centre, fw_vec2_scale(0.5, row->motion));
-        const fw_vec2 from = fw_vec2_subtract(middle_of(joint, ends, row->end[0]), centre);
+        const fw_vec2 from = fw_vec2_subtract(joint_middle_of(joint, ends, row->end[0]), centre);
         const fw_vec2 outward = scaled_to(from, length_of(from));
         row->weight[0] = row->inside ? fw_vec2_scale(-1, outward) : outward;
     }
     row->bound = fw_vec2_dot(row->weight[0], row->motion) + row->behind;
 }
 
-/* L L^T = A; L^T v and L v. */
-typedef struct root {
-    double xx, yx, yy;
-} root;
-
-static root root_of(fw_sym2 mobility)
-{
-    const double xx = sqrt(mobility.xx), yx = mobility.xy / xx;
-    return (root){xx, yx, sqrt(mobility.yy - yx * yx)};
-}
-
-static fw_vec2 apply_transposed(root l, fw_vec2 v)
-{
-    return (fw_vec2){l.xx * v.x + l.yx * v.y, l.yy * v.y};
-}
-
-static fw_vec2 apply(root l, fw_vec2 v)
-{
-    return (fw_vec2){l.xx * v.x, l.yx * v.x + l.yy * v.y};
-}
-
-/* The row as a line of numbers. False where no end can give way to it. */
-static bool make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
-                      joint_line *line)
+bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
+                     const fw_vec2 *weight, joint_line *line)
 {
     double squared = 0;
-    *line = (joint_line){.wanted = row->bound};
+    *line = (joint_line){0};
     for (int k = 0; k < fw_joint_end_count(row); ++k) {
         const fw_joint_end *end = &ends[row->end[k]];
-        line->wanted -= fw_vec2_dot(row->weight[k], end->free);
         if (!joint_moves(end)) continue;
-        const fw_vec2 c = apply_transposed(root_of(end->mobility), row->weight[k]);
+        const fw_vec2 c = joint_apply_transposed(joint_root_of(end->mobility), weight[k]);
         if (c.x == 0 && c.y == 0) continue;
         line->end[line->count] = joint->local[row->end[k]];
         line->c[line->count++] = c;
@@ -222,9 +194,20 @@ static bool make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_
     return squared > 0;
 }
 
+/* bound - G (w_p + what friction adds to it) */
+static double wanted_of(const fw_joint_end *ends, const fw_joint_row *row)
+{
+    double wanted = row->bound;
+    for (int k = 0; k < fw_joint_end_count(row); ++k) {
+        const fw_joint_end *end = &ends[row->end[k]];
+        wanted -= fw_vec2_dot(row->weight[k], fw_vec2_add(end->free, end->rubbed));
+    }
+    return wanted;
+}
+
 /* Ends of the island in the order in which its rows name them. Returns how many can move. */
-static int list_ends(fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *rows,
-                     const int *list, int count)
+static int list_ends(fw_joint *joint, fw_joint_end *ends, const fw_joint_row *rows, const int *list,
+                     int count)
 {
     int found = 0;
     for (int n = 0; n < count; ++n)
@@ -233,6 +216,7 @@ static int list_ends(fw_joint *joint, const fw_joint_end *ends, const fw_joint_r
             if (joint->local[end] >= 0 || !joint_moves(&ends[end])) continue;
             joint->local[end] = found;
             joint->w[found] = ends[end].displacement;
+            ends[end].rubbed = (fw_vec2){0, 0};
             joint->global[found++] = end;
         }
     return found;
@@ -244,11 +228,12 @@ static fw_status solve_system(fw_joint *joint, joint_system *system, bool *solve
     *solved = false;
     if (system->line_count > FEW) {
         const int bandwidth = joint_bandwidth(system, joint->first);
-        FW_TRY(reserve_room(joint, joint_interior_room(system->line_count, bandwidth), error));
+        FW_TRY(
+            joint_reserve_room(joint, joint_interior_room(system->line_count, bandwidth), error));
         *solved = joint_solve_interior(system, bandwidth, joint->room);
         if (*solved) return FW_OK;
     }
-    FW_TRY(reserve_room(joint, room, error));
+    FW_TRY(joint_reserve_room(joint, room, error));
     *solved = joint_solve_nearest(system, joint->room);
     return FW_OK;
 }
@@ -259,7 +244,8 @@ static double follow(fw_joint *joint, fw_joint_end *ends, const joint_system *sy
     double furthest = 0;
     for (int e = 0; e < system->end_count; ++e) {
         fw_joint_end *end = &ends[joint->global[e]];
-        end->displacement = fw_vec2_add(end->free, apply(root_of(end->mobility), system->z[e]));
+        end->displacement = fw_vec2_add(fw_vec2_add(end->free, end->rubbed),
+                                        joint_apply(joint_root_of(end->mobility), system->z[e]));
         const fw_vec2 change = fw_vec2_subtract(end->displacement, joint->w[e]);
         furthest = fmax(furthest, fabs(change.x) + fabs(change.y));
     }
@@ -308,13 +294,15 @@ static void make_system(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
         const int end = joint->global[e];
         ends[end].free = springs->free(springs->context, end, joint->w[e]);
     }
+    joint_weigh_tangents(joint, ends, rows, list, count);
     system->line_count = 0;
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
         weigh(joint, ends, row);
         joint_line *line = &joint->lines[system->line_count];
         joint->line_of[n] = -1;
-        if (!make_line(joint, ends, row, line)) continue;
+        if (row->open || !joint_make_line(joint, ends, row, row->weight, line)) continue;
+        line->wanted = wanted_of(ends, row);
         joint->line_of[n] = system->line_count;
         joint->lambda[system->line_count++] = row->lambda;
     }
@@ -333,7 +321,7 @@ static bool keeps_gaps(fw_joint *joint, const fw_joint_end *ends, int end_count,
     for (int n = 0; n < count && keeps; ++n) {
         fw_joint_row there = rows[list[n]];
         weigh(joint, ends, &there);
-        keeps = fw_joint_motion(&there, ends) - there.bound >= -ARRIVED;
+        keeps = there.open || fw_joint_motion(&there, ends) - there.bound >= -ARRIVED;
     }
     for (int e = 0; e < end_count; ++e) joint->w[e] = joint->z[e];
     return keeps;
@@ -350,6 +338,33 @@ static double residual_of(const fw_joint_end *ends, const fw_joint_row *rows, co
     return fabs(sum);
 }
 
+static void store_lambda(const fw_joint *joint, fw_joint_row *rows, const int *list, int count)
+{
+    for (int n = 0; n < count; ++n)
+        rows[list[n]].lambda = joint->line_of[n] < 0 ? 0 : joint->lambda[joint->line_of[n]];
+}
+
+/* Normal forces for the present weights, and friction with them, in turn; normal forces last, so
+ * that nothing passes. */
+static fw_status solve_forces(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
+                              const int *list, int count, joint_system *system, bool *solved,
+                              double *change, fw_error *error)
+{
+    const int turns = joint_rubs(rows, list, count) ? TURNS : 0;
+    for (int turn = 0; turn < turns; ++turn) {
+        FW_TRY(solve_system(joint, system, solved, error));
+        store_lambda(joint, rows, list, count);
+        FW_TRY(joint_rub(joint, ends, rows, list, count, joint->z, system->end_count, error));
+        for (int n = 0; n < count; ++n)
+            if (joint->line_of[n] >= 0)
+                joint->lines[joint->line_of[n]].wanted = wanted_of(ends, &rows[list[n]]);
+    }
+    FW_TRY(solve_system(joint, system, solved, error));
+    store_lambda(joint, rows, list, count);
+    *change = follow(joint, ends, system);
+    return FW_OK;
+}
+
 static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
                               const int *list, int count, const fw_joint_springs *springs,
                               fw_joint_outcome *outcome, fw_error *error)
@@ -363,14 +378,17 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
         if (round > 1) part = next_part(joint, ends, system.end_count, part);
         if (round > 0) relax(joint, ends, system.end_count, springs, part);
         make_system(joint, ends, rows, list, count, springs, &system);
-        FW_TRY(solve_system(joint, &system, &solved, error));
-        change = follow(joint, ends, &system);
-        for (int n = 0; n < count; ++n)
-            rows[list[n]].lambda = joint->line_of[n] < 0 ? 0 : joint->lambda[joint->line_of[n]];
+        FW_TRY(solve_forces(joint, ends, rows, list, count, &system, &solved, &change, error));
         outcome->iterations += 1;
         arrived = change <= ARRIVED || !iterates ||
                   (change <= NEARLY && !springs &&
                    keeps_gaps(joint, ends, system.end_count, rows, list, count));
+        if (arrived) arrived = !joint_bar_feeding(ends, rows, list, count);
+    }
+    if (joint_bar_all_that_feed(ends, rows, list, count)) {
+        make_system(joint, ends, rows, list, count, springs, &system);
+        FW_TRY(solve_forces(joint, ends, rows, list, count, &system, &solved, &change, error));
+        joint_find_slips(ends, rows, list, count);
     }
     outcome->islands += 1;
     outcome->unconverged += !arrived || !solved;
@@ -404,6 +422,12 @@ fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_
         for (int k = 0; rows[n].lambda > 0 && k < fw_joint_end_count(&rows[n]); ++k) {
             fw_vec2 *force = &ends[rows[n].end[k]].force;
             *force = fw_vec2_add(*force, fw_vec2_scale(rows[n].lambda, rows[n].weight[k]));
+        }
+    for (int n = 0; n < row_count; ++n)
+        for (int k = 0; rows[n].rub.traction != 0 && k < fw_joint_end_count(&rows[n]); ++k) {
+            fw_vec2 *force = &ends[rows[n].end[k]].force;
+            *force =
+                fw_vec2_add(*force, fw_vec2_scale(rows[n].rub.traction, rows[n].rub.weight[k]));
         }
     return FW_OK;
 }

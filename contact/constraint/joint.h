@@ -26,6 +26,8 @@ typedef struct fw_joint_end {
     fw_vec2 free;         /* displacement without any row */
     fw_sym2 mobility;     /* dw/dF, positive definite; zero: `free` is prescribed */
     fw_vec2 displacement; /* in: where to begin, as near as is known; out: w */
+    fw_vec2 inertial;     /* displacement by momentum alone, for sticking */
+    fw_vec2 rubbed;       /* out: the part of w that friction makes */
     fw_vec2 force;        /* out: of all rows; w = free + mobility force */
 } fw_joint_end;
 
@@ -36,6 +38,22 @@ typedef enum fw_joint_kind {
     FW_JOINT_POINT    /* end 0 comes no nearer to end 1, which lies elsewhere */
 } fw_joint_kind;
 
+/* Coulomb friction along a segment, bounded by the reaction [lambda(t) + lambda(t-1)]/2. */
+typedef struct fw_joint_rub {
+    double coefficient;     /* in: >= 0; 0: none */
+    double before;          /* in: lambda of the step before */
+    double inertial_before; /* in: what `inertial` was then, if `stuck_before` */
+    bool stuck_before;
+    bool barred;       /* it would have pushed along with the slip: there is none in this step */
+    bool firm;         /* sticking lets nothing through in this step */
+    bool stuck;        /* out */
+    double limit;      /* out: coefficient times the reaction */
+    double traction;   /* out: force on end 0 along the segment */
+    double inertial;   /* out: displacement by momentum alone, along it */
+    double slip;       /* out: displacement along it, relative to the segment */
+    fw_vec2 weight[3]; /* out */
+} fw_joint_rub;
+
 typedef struct fw_joint_row {
     fw_joint_kind kind;
     int end[3];        /* of a segment's ends, none is the point */
@@ -44,6 +62,8 @@ typedef struct fw_joint_row {
     bool inside;       /* of a circle */
     fw_vec2 motion;    /* of a plane or circle in this step */
     double behind;     /* by how much a plane or circle is to push end 0 back, >= 0 */
+    bool open;         /* only rubs: the point may come nearer */
+    fw_joint_rub rub;  /* of a segment */
     bool fresh;        /* in: its island has to be solved (again) */
     double lambda;     /* in: as near as is known, or 0; out: its force, >= 0 */
     fw_vec2 weight[3]; /* out: the gradient G; zero where there is no end */

@@ -66,6 +66,10 @@ int joint_bandwidth(const joint_system *system, int *first_of_end);
 /* For few lines: exact to rounding, whatever depends on what. False where rounding kept it from an
  * end, or where no point suits all lines. */
 bool joint_solve_nearest(joint_system *system, double *room);
+/* C C^T tau = wanted, where |tau| does not come to its limit; where it does, tau is +- limit, and
+ * C C^T tau - wanted has the other sign or none. False where rounding kept it from an end. lambda
+ * is tau. */
+bool joint_solve_box(joint_system *system, const double *limit, int bandwidth, double *room);
 /* For many lines that form a band. False as above. */
 bool joint_solve_interior(joint_system *system, int bandwidth, double *room);
 

@@ -3,15 +3,9 @@
  * by the reaction. State: none but the particle's own memory. Start reading at constrain_rub(). */
 #include "rub.h"
 
-#include <math.h>
+#include "friction_law.h"
 
-/* e of the sticking force: how much of the change of the particle's own momentum P is let through.
- * Stuck and without damping, F = -2 Psi + e (P - P_before)/2 makes
- *     P+ = P + F = -P + e (P - P_before)/2      (elastic forces aside),
- * whose modes P ~ q^t obey q^2 + (1 - e/2) q + e/2 = 0. Both decay the fastest where they coincide,
- * (1 - e/2)^2 = 2 e: e = 6 - 4 sqrt 2 = .3431, q = 1 - sqrt 2 = -.414. (e = 0 is the hold rule, q =
- * -1, which keeps for ever what a particle brought.) */
-static const double STICK_FILTER = 0.343;
+#include <math.h>
 
 /* After friction on a circle: back to the radius, with the forces along the normal and tangent of
  * the new middle of the step. Returns the tangential one. */
@@ -24,21 +18,11 @@ static double follow_curve(constrain_problem *p, constrain_row *r)
     return fw_vec2_dot(fw_vec2_turn(r->normal), force);
 }
 
-/* How far a sticking particle is let move: F = -2 Psi + P at first, then
- * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. `slope` is how that
- * changes with the wall's own motion, from which inertial and slip are counted. */
 static double sticking_target(const fw_contact_memory *memory, bool same_wall, double inertial,
                               double slip, double *slope)
 {
-    const bool again = same_wall && memory->stuck;
-    const double part = again ? STICK_FILTER / 4 : 0.5;
-    const double target = part * (again ? inertial - memory->inertial : inertial);
-    const double low = fmin(slip, 0), high = fmax(slip, 0);
-    *slope = -part;
-    if (target > low && target < high) return target;
-    const double end = target <= low ? low : high;
-    *slope = end == 0 ? 0 : -1;
-    return end;
+    return fw_friction_target(same_wall && memory->stuck, inertial, inertial - memory->inertial,
+                              slip, slope);
 }
 
 static double clip(double value, double bound)

@@ -40,6 +40,9 @@ typedef struct fw_contact_ledger {
     double iterations;  /* of midpoint normals, of all islands together */
     double unconverged; /* ticks with an island in which they did not settle: gaps are then inexact,
                            energy and momentum are not */
+    double heat;        /* of friction between bodies, >= 0 */
+    double overstep;    /* the most by which friction went beyond its cone, as a part of the widest
+                           cone of that tick */
     double residual;    /* the largest energy that a tick took or gave by rounding, of one island */
 } fw_contact_ledger;
 
@@ -75,6 +78,9 @@ fw_status fw_scene_add_piston(fw_scene *scene, const fw_wall_def *def, const fw_
 fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, fw_error *error);
 /* The load acts on particles of that body. */
 fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
+
+/* Coulomb friction between bodies; 0, as it is without, is none. Before fw_scene_begin(). */
+void fw_scene_set_friction(fw_scene *scene, double coefficient);
 
 /* Builds the broadphase and boundaries. FW_BAD_INPUT where a particle starts behind a wall, or a
  * body in another one, or where there are pistons and a body that moves in half-steps. */

@@ -57,12 +57,16 @@ static fw_status make_points(scene_edge *edge, const fw_solid *solid, fw_error *
     return FW_OK;
 }
 
-static fw_status make_edge(scene_body *body, fw_error *error)
+static fw_status make_edge(scene_body *body, double friction, fw_error *error)
 {
     const fw_solid *solid = body->solid;
     body->edge = calloc(1, sizeof *body->edge);
     if (body->edge) body->edge->home = calloc((size_t)solid->count, sizeof *body->edge->home);
     if (!body->edge || !body->edge->home) return fw_fail_memory(error, "the contour of a body");
+    if (friction > 0) {
+        body->edge->rubs = calloc((size_t)solid->count, sizeof *body->edge->rubs);
+        if (!body->edge->rubs) return fw_fail_memory(error, "the friction of a body");
+    }
     for (int i = 0; i < solid->count; ++i) body->edge->home[i] = fw_solid_position(solid, i);
     return make_points(body->edge, solid, error);
 }
@@ -72,6 +76,7 @@ static void destroy_edge(scene_edge *edge)
     if (!edge) return;
     clear_points(edge);
     free(edge->home);
+    free(edge->rubs);
     free(edge);
 }
 
@@ -332,12 +337,23 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
         return fw_fail_memory(error, "the contact of bodies");
     for (int b = 0; b < scene->body_count; ++b) {
         if (!meets_any(scene, b)) continue;
-        FW_TRY(make_edge(&scene->bodies[b], error));
+        FW_TRY(make_edge(&scene->bodies[b], scene->friction, error));
         joint->member_bodies[joint->member_count++] = b;
     }
     FW_TRY(renew_search(scene, error));
     FW_TRY(refuse_overlaps(scene, error));
     /* The search shall take the first step, or what is resumed, for its first look. */
+    return renew_search(scene, error);
+}
+
+fw_status scene_restore_edges(fw_scene *scene, fw_error *error)
+{
+    if (!scene->joint) return FW_OK;
+    for (int m = 0; m < scene->joint->member_count; ++m) {
+        const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
+        FW_TRY(make_points(body->edge, body->solid, error));
+    }
+    scene->joint->end_count = 0;
     return renew_search(scene, error);
 }
 
@@ -398,6 +414,16 @@ static fw_status report_jump(const fw_scene *scene, int jumped, fw_error *error)
                    (long long)scene->clock.step, body->name, at.x, at.y);
 }
 
+/* Segments have other numbers now. */
+static void forget_rubbing(const fw_scene *scene, int changed)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
+        for (int i = 0; body->edge && body->edge->rubs && i < body->solid->count; ++i)
+            if (body->edge->rubs[i].other == 1 + changed) body->edge->rubs[i] = (scene_rub){0};
+    }
+}
+
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
 {
     if (!scene->joint) return FW_OK;
@@ -407,6 +433,7 @@ fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
         if (body->edge->revision == body->solid->boundary_revision) continue;
         FW_TRY(make_points(body->edge, body->solid, error));
         changed = true;
+        forget_rubbing(scene, scene->joint->member_bodies[m]);
     }
     if (changed) FW_TRY(renew_search(scene, error));
     int jumped;

@@ -106,10 +106,11 @@ fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_erro
     fw_joint_end *joint_end = &joint->joint_ends[*end];
     *joint_end = (fw_joint_end){.position = fw_solid_position(of->solid, particle),
                                 .free = free->displacement,
+                                .inertial = free->inertial,
                                 .mobility = free->mobility,
                                 .displacement = of->edge->paths[point]};
     if (made->grip >= 0) {
-        joint_end->free = of->edge->paths[point];
+        joint_end->free = joint_end->inertial = of->edge->paths[point];
         joint_end->mobility = (fw_sym2){0, 0, 0};
     }
     return add_known_walls(scene, *end, error);
@@ -117,16 +118,15 @@ fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_erro
 
 /* --- rows --- */
 
-bool scene_knows_row(const scene_joint *joint, int end, const scene_row *row)
+int scene_knows_row(const scene_joint *joint, int end, const scene_row *row)
 {
     for (int n = joint->ends[end].row; n >= 0; n = joint->rows[n].next) {
         const scene_row *known = &joint->rows[n];
         if (known->facet != row->facet) continue;
-        if (row->facet >= 0) return true;
-        if (known->body == row->body && known->from == row->from && known->to == row->to)
-            return true;
+        if (row->facet >= 0) return n;
+        if (known->body == row->body && known->from == row->from && known->to == row->to) return n;
     }
-    return false;
+    return -1;
 }
 
 static fw_status append_row(scene_joint *joint, const scene_row *row, const fw_joint_row *what,
@@ -147,6 +147,7 @@ static fw_status append_row(scene_joint *joint, const scene_row *row, const fw_j
     joint->joint_rows[joint->row_count] = *what;
     joint->joint_rows[joint->row_count].fresh = true;
     end->row = joint->row_count++;
+    joint->changes += 1;
     return FW_OK;
 }
 
@@ -182,12 +183,21 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
     scene_joint *joint = scene->joint;
     int end, from, to;
     FW_TRY(scene_find_end(scene, row->point_body, row->point, &end, error));
-    if (scene_knows_row(joint, end, row)) return FW_OK;
+    const int known = scene_knows_row(joint, end, row);
+    if (known >= 0) {
+        fw_joint_row *open = &joint->joint_rows[known];
+        if (!open->open) return FW_OK;
+        open->open = false;
+        open->fresh = true;
+        joint->changes += 1;
+        return FW_OK;
+    }
     if (row->facet >= 0) return add_wall(scene, row, end, error);
     FW_TRY(scene_find_end(scene, row->body, row->from, &from, error));
     FW_TRY(scene_find_end(scene, row->body, row->to, &to, error));
     fw_joint_row what = {.kind = from == to ? FW_JOINT_POINT : FW_JOINT_SEGMENT,
                          .end = {end, from, to}};
+    if (what.kind == FW_JOINT_SEGMENT) what.rub = scene_take_rub(scene, row, end);
     return append_row(joint, row, &what, error);
 }
 
@@ -370,7 +380,10 @@ static void book_row(fw_scene *scene, const fw_joint_row *row)
         const int ticks = scene->bodies[end->body].solid->model->ticks_per_step;
         ledger->force =
             fw_vec2_add(ledger->force, fw_vec2_scale(ticks * row->lambda, row->weight[k]));
-        if (k < 2) ledger->contacts += 1;
+        if (row->rub.traction != 0)
+            ledger->force = fw_vec2_add(
+                ledger->force, fw_vec2_scale(ticks * row->rub.traction, row->rub.weight[k]));
+        if (k < 2 && row->lambda > 0) ledger->contacts += 1;
     }
 }
 
@@ -386,8 +399,9 @@ void scene_book_joint(fw_scene *scene)
         ledger->contacts = 0;
     }
     for (int n = 0; n < joint->row_count; ++n) {
-        if (joint->rows[n].facet >= 0 || !(joint->joint_rows[n].lambda > 0)) continue;
-        book_row(scene, &joint->joint_rows[n]);
+        const fw_joint_row *row = &joint->joint_rows[n];
+        if (joint->rows[n].facet >= 0 || !(row->lambda > 0 || row->rub.traction != 0)) continue;
+        book_row(scene, row);
         touches = true;
     }
     for (int b = 0; b < scene->body_count; ++b) {
@@ -395,6 +409,7 @@ void scene_book_joint(fw_scene *scene)
         ledger->reaction = fw_vec2_add(ledger->reaction, fw_vec2_scale(0.5, ledger->force));
         ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
     }
+    scene_remember_rubbing(scene);
     joint->ledger.ticks += touches;
     joint->ledger.iterations += joint->outcome.iterations;
     joint->ledger.unconverged += joint->outcome.unconverged > 0;

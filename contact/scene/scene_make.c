@@ -349,6 +349,9 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
     }
     scene_body *body = &scene->bodies[section - 1];
     body->solid->model->state(body->solid, list);
+    if (body->edge && body->edge->rubs)
+        fw_state_list_add(list, "body-friction", FW_U8,
+                          (size_t)body->solid->count * sizeof *body->edge->rubs, body->edge->rubs);
     if (body->memory)
         fw_state_list_add(list, "contact-memory", FW_U8,
                           (size_t)body->solid->count * sizeof *body->memory, body->memory);
@@ -365,6 +368,26 @@ static fw_status check_clock(const fw_scene *scene, fw_error *error)
     return fw_fail(error, FW_BAD_INPUT,
                    "the clock shows %lld steps of %d ticks and %lld ticks, which do not agree",
                    (long long)clock->step, scene->ticks_per_step, (long long)clock->ticks);
+}
+
+/* What a particle rubbed on is a segment of another body. */
+static fw_status check_rubs(const fw_scene *scene, int number, fw_error *error)
+{
+    const scene_body *body = &scene->bodies[number];
+    for (int i = 0; body->edge && body->edge->rubs && i < body->solid->count; ++i) {
+        const scene_rub *rub = &body->edge->rubs[i];
+        if (rub->other == 0) continue;
+        const bool sound = rub->other > 0 && rub->other <= scene->body_count &&
+                           fw_scene_bodies_meet(scene, number, rub->other - 1) &&
+                           rub->segment >= 0 && rub->lambda >= 0 && isfinite(rub->lambda) &&
+                           isfinite(rub->inertial);
+        if (!sound)
+            return fw_fail(error, FW_BAD_INPUT,
+                           "particle %d of body %s rubs on segment %d of body %d, which there is "
+                           "not",
+                           i, body->name, rub->segment, rub->other);
+    }
+    return FW_OK;
 }
 
 /* A facet that a particle remembers is one of the scene; without one it has felt no force. */
@@ -389,12 +412,12 @@ fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
         if (status != FW_OK && error) fw_fail_within(error, "body %s", body->name);
         FW_TRY(status);
         FW_TRY(check_memory(scene, body, error));
-        if (body->edge) body->edge->entries_revision = -1;
+        FW_TRY(check_rubs(scene, b, error));
         if (!body->boundary) continue;
         fw_boundary_destroy(body->boundary);
         body->boundary = NULL;
         FW_TRY(fw_boundary_create(&body->boundary, body->solid, error));
         body->boundary_revision = body->solid->boundary_revision;
     }
-    return FW_OK;
+    return scene_restore_edges(scene, error);
 }

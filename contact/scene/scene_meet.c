@@ -136,7 +136,9 @@ static bool come_near(fw_box a, fw_box b)
 static fw_status note_unknown(fw_scene *scene, const scene_row *row, fw_error *error)
 {
     const int end = scene->bodies[row->point_body].edge->end[row->point];
-    if (end >= 0 && scene_knows_row(scene->joint, end, row)) return FW_OK;
+    if (end >= 0 && scene_knows_row(scene->joint, end, row) >= 0 &&
+        !scene->joint->joint_rows[scene_knows_row(scene->joint, end, row)].open)
+        return FW_OK;
     return note(scene->joint, row, error);
 }
 
@@ -144,10 +146,16 @@ static fw_status note_unknown(fw_scene *scene, const scene_row *row, fw_error *e
 static fw_status look_at(fw_scene *scene, int body, int point, int other,
                          const fw_contour_segment *segment, fw_error *error)
 {
+    const int number = (int)(segment - scene->bodies[other].edge->contour.segments);
     const scene_body *of = &scene->bodies[other];
     const fw_moving_point a = moving(&scene->bodies[body], point), from = moving(of, segment->from),
                           to = moving(of, segment->to);
-    scene_row row = {.facet = -1, .body = other, .point_body = body, .point = point, .next = -1};
+    scene_row row = {.facet = -1,
+                     .body = other,
+                     .segment = number,
+                     .point_body = body,
+                     .point = point,
+                     .next = -1};
     if (!come_near(box_of(a), joined(box_of(from), box_of(to)))) return FW_OK;
     row.from = row.to = segment->from;
     if (scene->bodies[body].edge->contour.tips[point] && of->edge->contour.tips[segment->from] &&
@@ -273,7 +281,7 @@ static void forget_ends(fw_scene *scene)
     scene_joint *joint = scene->joint;
     for (int e = 0; e < joint->end_count; ++e)
         scene->bodies[joint->ends[e].body].edge->end[joint->ends[e].point] = -1;
-    joint->end_count = joint->row_count = 0;
+    joint->end_count = joint->row_count = joint->changes = 0;
     joint->outcome = (fw_joint_outcome){0};
     joint->reach = 0;
 }
@@ -283,13 +291,15 @@ fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
     scene_joint *joint = scene->joint;
     forget_ends(scene);
     begin_paths(scene);
+    FW_TRY(scene_add_rubbing(scene, error));
     FW_TRY(fw_meeting_find(joint->search, 0, error));
     for (int round = 0;; ++round) {
-        const int known = joint->row_count;
+        const int known = joint->changes;
         FW_TRY(search_within_reach(scene, error));
         FW_TRY(add_passed_edges(scene, error));
         FW_TRY(scene_add_passed_walls(scene, error));
-        if (joint->row_count == known) break;
+        if (joint->changes == known && round > 0) break;
+        if (joint->row_count == 0) break;
         if (round == ROUNDS) { /* what still passes is in a state that no row can mend */
             joint->outcome.unconverged += 1;
             break;

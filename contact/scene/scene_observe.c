@@ -93,6 +93,7 @@ fw_ledger fw_scene_ledger(const fw_scene *scene)
         ledger.friction_heat += scene->ledgers[w].dissipated;
         ledger.wall_impulse = fw_vec2_add(ledger.wall_impulse, scene->ledgers[w].impulse);
     }
+    if (scene->joint) ledger.friction_heat += scene->joint->ledger.heat;
     for (int n = 0; n < scene->grip_count; ++n) {
         const fw_grip_ledger *grip = fw_grip_observe_ledger(scene->grips[n].grip);
         ledger.grip_work += grip->work;

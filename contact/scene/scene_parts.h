@@ -19,6 +19,15 @@ typedef struct scene_contact {
     double mobility;   /* of the particle, the larger of x and y */
 } scene_contact;
 
+/* What a particle remembers of the edge that it rubbed on in the last tick; all zero: none. */
+typedef struct scene_rub {
+    double lambda, inertial;
+    int32_t other;   /* 1 + body */
+    int32_t segment; /* of its contour */
+    int32_t stuck;
+    int32_t unused; /* no gap in the bytes of the state */
+} scene_rub;
+
 /* The edge of a body that meets others; per point of its contour. */
 typedef struct scene_edge {
     int revision; /* of the solid when it was made */
@@ -29,6 +38,7 @@ typedef struct scene_edge {
     int *end;             /* in the joint contact of this tick, or -1 */
     int *entry;           /* of the boundary; beyond it for points that meet no walls */
     int entries_revision; /* of the boundary when `entry` was made */
+    scene_rub *rubs;      /* per particle; NULL where nothing rubs. Part of the state */
 } scene_edge;
 
 /* A particle that takes part in the joint contact of this tick. */
@@ -46,6 +56,7 @@ typedef struct scene_end {
 typedef struct scene_row {
     int facet;             /* of a wall; -1: of a body */
     int body, from, to;    /* the other body's points */
+    int segment;           /* of its contour */
     int next;              /* an earlier row of the same end, or -1 */
     double when;           /* part of the tick after which it was passed */
     int point_body, point; /* what passes */
@@ -59,6 +70,7 @@ typedef struct scene_joint {
     int *member_bodies;
     int member_count;
     int predicted; /* busy runs of `search` whose points are predicted */
+    int changes;   /* rows added or closed in this tick */
     double reach;  /* how far points may go for the pairs of `search` to be complete */
     int end_count, end_capacity;
     scene_end *ends;
@@ -161,6 +173,7 @@ struct fw_scene {
     int near_count;
     int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
     int passable_count;
+    double friction;    /* between bodies */
     scene_joint *joint; /* NULL where no bodies meet */
     int refused;        /* 1 + the body that starts in another one */
     double energy_at_start;
@@ -186,6 +199,8 @@ void scene_list_near(fw_scene *scene, fw_boundary_run run);
 /* Contours of bodies that meet others, made when the scene begins. FW_BAD_INPUT: bodies start in
  * each other. */
 fw_status scene_make_edges(fw_scene *scene, fw_error *error);
+/* For solids whose state was written from outside: what particles remember stays. */
+fw_status scene_restore_edges(fw_scene *scene, fw_error *error);
 void scene_destroy_edges(fw_scene *scene);
 /* Brings contours up to date where links have broken, and predicts the points that are near another
  * body. FW_DIVERGED where a body may have passed another one unseen. */
@@ -196,9 +211,16 @@ void scene_predict_busy(fw_scene *scene);
 fw_status scene_meet_bodies(fw_scene *scene, fw_error *error);
 /* A row that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED without memory. */
 fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error);
-bool scene_knows_row(const scene_joint *joint, int end, const scene_row *row);
+/* Its number, or -1. */
+int scene_knows_row(const scene_joint *joint, int end, const scene_row *row);
 /* The end of a point, which is made where there is none. */
 fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error);
+/* Rows on which particles still rub that rubbed in the last tick; they bar no way. */
+fw_status scene_add_rubbing(fw_scene *scene, fw_error *error);
+/* Friction of a new row, on which the end is to rub from now on. */
+fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end);
+/* What particles remember for the next tick, and the heat. */
+void scene_remember_rubbing(fw_scene *scene);
 /* Rows of all walls that ends pass. */
 fw_status scene_add_passed_walls(fw_scene *scene, fw_error *error);
 /* Solves all rows, and puts the points where that leads. */

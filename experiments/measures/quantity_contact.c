@@ -49,6 +49,18 @@ static void residual(const fw_experiment *experiment, fw_subject subject, double
     out[0] = fw_scene_contact_ledger(experiment->scene)->residual;
 }
 
+static void heat(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_contact_ledger(experiment->scene)->heat;
+}
+
+static void overstep(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_contact_ledger(experiment->scene)->overstep;
+}
+
 /* clang-format off */
 const fw_quantity fw_contact_quantities[] = {
     {"body-force", FW_SCOPE_BODY, "x y", "force", "[F(t) + F(t-1)]/2, of all other bodies on the body", LINKED, body_force, NULL, FW_NEEDS_NOTHING},
@@ -57,6 +69,8 @@ const fw_quantity fw_contact_quantities[] = {
     {"body-penetration", FW_SCOPE_SCENE, "", "length", "how deep any particle lies in another body; bodies that keep out of each other", LINKED, body_penetration, NULL, FW_NEEDS_NOTHING},
     {"contact-steps", FW_SCOPE_SCENE, "", "1", "steps since the start in which bodies touched", LINKED, contact_steps, NULL, FW_NEEDS_NOTHING},
     {"contact-unconverged", FW_SCOPE_SCENE, "", "1", "those of them in which normals did not settle: gaps are inexact there, energy and momentum are not", LINKED, unconverged, NULL, FW_NEEDS_NOTHING},
+    {"contact-heat", FW_SCOPE_SCENE, "", "energy", "of friction between bodies since the start", LINKED, heat, NULL, FW_NEEDS_NOTHING},
+    {"contact-overstep", FW_SCOPE_SCENE, "", "1", "the most by which friction between bodies went beyond its cone since the start, as a part of the widest one of that step", LINKED, overstep, NULL, FW_NEEDS_NOTHING},
     {"contact-residual", FW_SCOPE_SCENE, "", "energy", "the most that rounding took or gave where bodies touch, in one step", LINKED, residual, NULL, FW_NEEDS_NOTHING},
     {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };

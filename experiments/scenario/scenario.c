@@ -53,6 +53,8 @@ static const fw_key scenario_keys[] = {
     {"dynamics", AT_OBJECT(fw_scenario, dynamics), .subsection = &fw_dynamics_section,
      .default_meaning = "its defaults",
      .meaning = "how movable particles and linear lattices move"},
+    {"contact", AT_OBJECT(fw_scenario, contact), .subsection = &fw_contact_section,
+     .default_meaning = "frictionless", .meaning = "how bodies that keep out of each other rub"},
     {"run", AT_OBJECT(fw_scenario, run), .subsection = &fw_run_section, REQUIRED,
      .meaning = "how long, and what happens on the way"},
     {"record", AT_OBJECT(fw_scenario, record), .subsection = &fw_record_section,

@@ -64,6 +64,7 @@ struct fw_scenario {
     fw_scenario_study study;
     fw_scenario_dynamics dynamics;
     fw_scenario_run run;
+    fw_scenario_contact contact;
     fw_scenario_record record;
     fw_schema_names measure; /* count 0: the standard set */
     int expectation_count;

@@ -28,6 +28,7 @@ extern const fw_section fw_sweep_section;
 extern const fw_section fw_parameter_section;
 extern const fw_section fw_dynamics_section;
 extern const fw_section fw_run_section;
+extern const fw_section fw_contact_section;
 extern const fw_section fw_record_section;
 extern const fw_section fw_expectation_section;
 extern const fw_section fw_picture_section;

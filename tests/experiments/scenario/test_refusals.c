@@ -299,7 +299,7 @@ static const struct {
     {"steps=3", "steps=3: unknown key 'steps', expected a key of a scenario: title, source, "
                 "figure, group, takes, "
                 "about, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
-                "run, record, "
+                "contact, run, record, "
                 "measure, expect, pictures, analysis"},
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
     {"walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}",
@@ -327,8 +327,8 @@ static const struct {
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
     {"a=b=c",
      "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, takes, "
-     "about, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, run, "
-     "record, "
+     "about, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
+     "contact, run, record, "
      "measure, expect, pictures, analysis"},
 };
 

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* joint_friction.c - Coulomb friction of many particles on segments: for given normal forces the
+ * tractions that let each stuck particle move by what sticking lets through, within the cone.
+ * State: none but what rows remember. Start reading at joint_rub(). */
+#include "friction_law.h"
+#include "joint_parts.h"
+
+#include <math.h>
+
+bool joint_rubs(const fw_joint_row *rows, const int *list, int count)
+{
+    for (int n = 0; n < count; ++n)
+        if (rows[list[n]].rub.coefficient > 0) return true;
+    return false;
+}
+
+static double along(const fw_joint_row *row, const fw_vec2 displacement[3])
+{
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) sum += fw_vec2_dot(row->rub.weight[k], displacement[k]);
+    return sum;
+}
+
+/* The unit vector along the segment, on the point; on the segment's ends by how near they are. */
+void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
+                          const int *list, int count)
+{
+    for (int n = 0; n < count; ++n) {
+        fw_joint_row *row = &rows[list[n]];
+        if (!(row->rub.coefficient > 0)) continue;
+        const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
+                      j = joint_middle_of(joint, ends, row->end[1]),
+                      k = joint_middle_of(joint, ends, row->end[2]);
+        const fw_vec2 edge = fw_vec2_subtract(k, j);
+        const double squared = fw_vec2_dot(edge, edge);
+        const double part = fw_vec2_dot(fw_vec2_subtract(i, j), edge) / squared;
+        const fw_vec2 tangent = fw_vec2_scale(1 / sqrt(squared), edge);
+        row->rub.weight[0] = tangent;
+        row->rub.weight[2] = fw_vec2_scale(-fmin(fmax(part, 0), 1), tangent);
+        row->rub.weight[1] = fw_vec2_scale(-1, fw_vec2_add(row->rub.weight[0], row->rub.weight[2]));
+    }
+}
+
+/* Displacements of the ends without friction, and by momentum alone. */
+static void collect(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
+                    const fw_vec2 *z, fw_vec2 smooth[3], fw_vec2 inertial[3])
+{
+    for (int k = 0; k < 3; ++k) {
+        const fw_joint_end *end = &ends[row->end[k]];
+        smooth[k] = inertial[k] = end->free;
+        if (!joint_moves(end)) continue;
+        smooth[k] = fw_vec2_add(
+            end->free, joint_apply(joint_root_of(end->mobility), z[joint->local[row->end[k]]]));
+        inertial[k] = end->inertial;
+    }
+}
+
+static void solve_for(fw_joint *joint, joint_system *system, int bandwidth, double part)
+{
+    for (int n = 0; n < system->line_count; ++n)
+        system->lines[n].wanted = part * joint->target[n] - joint->slip[n];
+    joint_solve_box(system, joint->limit, bandwidth, joint->room);
+}
+
+static double power_of(const fw_joint *joint, const joint_system *system)
+{
+    double sum = 0;
+    for (int n = 0; n < system->line_count; ++n)
+        if (fabs(system->lambda[n]) < joint->limit[n]) sum += joint->target[n] * system->lambda[n];
+    return sum;
+}
+
+/* Stuck particles move as the filter says, all of them by the same part of it: the largest with
+ * which their friction takes energy, or leaves it, as a whole. Tractions are linear in that part,
+ * and so the power of friction is the part times a linear function of it. */
+static void find_tractions(fw_joint *joint, joint_system *system, int bandwidth)
+{
+    solve_for(joint, system, bandwidth, 1);
+    const double whole = power_of(joint, system);
+    if (whole <= 0) return;
+    solve_for(joint, system, bandwidth, 0);
+    const double none = power_of(joint, system);
+    if (none >= 0) return;
+    solve_for(joint, system, bandwidth, 0.999 * none / (none - whole));
+    if (power_of(joint, system) > 0) solve_for(joint, system, bandwidth, 0);
+}
+
+fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                    int count, const fw_vec2 *z, int end_count, fw_error *error)
+{
+    joint_system system = {
+        .lines = joint->tangents, .lambda = joint->traction, .end_count = end_count};
+    for (int n = 0; n < count; ++n) {
+        fw_joint_row *row = &rows[list[n]];
+        fw_joint_rub *rub = &row->rub;
+        joint_line *line = &joint->tangents[system.line_count];
+        fw_vec2 smooth[3], inertial[3];
+        joint->tangent_of[n] = -1;
+        rub->traction = 0;
+        rub->stuck = false;
+        if (!(rub->coefficient > 0)) continue;
+        collect(joint, ends, row, z, smooth, inertial);
+        rub->limit = rub->barred ? 0 : 0.5 * rub->coefficient * (row->lambda + rub->before);
+        rub->inertial = along(row, inertial);
+        if (!(rub->limit > 0) || !joint_make_line(joint, ends, row, rub->weight, line)) continue;
+        const double slip = along(row, smooth);
+        const double change = rub->stuck_before ? rub->inertial - rub->inertial_before : 0;
+        joint->target[system.line_count] =
+            rub->firm ? 0 : fw_friction_filter(rub->stuck_before, rub->inertial, change);
+        joint->slip[system.line_count] = slip;
+        joint->limit[system.line_count] = rub->limit;
+        joint->tangent_of[n] = system.line_count++;
+    }
+    for (int e = 0; e < end_count; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
+    if (system.line_count == 0) return FW_OK;
+    const int bandwidth = joint_bandwidth(&system, joint->first);
+    FW_TRY(joint_reserve_room(joint, joint_interior_room(system.line_count, bandwidth), error));
+    find_tractions(joint, &system, bandwidth);
+    for (int n = 0; n < count; ++n) {
+        if (joint->tangent_of[n] < 0) continue;
+        fw_joint_row *row = &rows[list[n]];
+        row->rub.traction = joint->traction[joint->tangent_of[n]];
+        row->rub.stuck = fabs(row->rub.traction) < row->rub.limit;
+        for (int k = 0; k < 3; ++k) {
+            fw_joint_end *end = &ends[row->end[k]];
+            if (!joint_moves(end)) continue;
+            const fw_vec2 force = fw_vec2_scale(row->rub.traction, row->rub.weight[k]);
+            end->rubbed = fw_vec2_add(end->rubbed, fw_sym2_apply(end->mobility, force));
+        }
+    }
+    return FW_OK;
+}
+
+void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
+{
+    for (int n = 0; n < count; ++n) {
+        fw_joint_row *row = &rows[list[n]];
+        if (!(row->rub.coefficient > 0)) continue;
+        row->rub.slip = 0;
+        for (int k = 0; k < 3; ++k)
+            row->rub.slip += fw_vec2_dot(row->rub.weight[k], ends[row->end[k]].displacement);
+    }
+}
+
+/* Of what slides; for all that stick together see find_tractions(). What is left of a slip by
+ * rounding means nothing. */
+bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
+{
+    bool any = false;
+    joint_find_slips(ends, rows, list, count);
+    for (int n = 0; n < count; ++n) {
+        fw_joint_rub *rub = &rows[list[n]].rub;
+        double size = 0;
+        if (!(rub->coefficient > 0) || rub->stuck) continue;
+        for (int k = 0; k < 3; ++k) {
+            const fw_vec2 w = ends[rows[list[n]].end[k]].displacement;
+            size += fabs(w.x) + fabs(w.y);
+        }
+        if (rub->traction * rub->slip <= 1e-12 * fabs(rub->traction) * size) continue;
+        if (rub->firm)
+            rub->barred = true;
+        else
+            rub->firm = true;
+        any = true;
+    }
+    return any;
+}
+
+bool joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                             int count)
+{
+    double power = 0, size = 0;
+    joint_find_slips(ends, rows, list, count);
+    for (int n = 0; n < count; ++n) {
+        const fw_joint_rub *rub = &rows[list[n]].rub;
+        power += rub->traction * rub->slip;
+        if (rub->traction == 0) continue;
+        for (int k = 0; k < 3; ++k)
+            size += rub->traction * rub->traction * ends[rows[list[n]].end[k]].mobility.xx;
+    }
+    if (power <= 1e-12 * size) return false; /* rounding */
+    for (int n = 0; n < count; ++n) rows[list[n]].rub.barred = true;
+    return true;
+}

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* joint_parts.h - the inside of the joint solver, shared by joint.c (normal contact) and
+ * joint_friction.c, and by nobody else. */
+#ifndef FW_JOINT_PARTS_H
+#define FW_JOINT_PARTS_H
+
+#include "island.h"
+#include "joint_system.h"
+
+struct fw_joint {
+    joint_islands islands;
+    int end_capacity, row_capacity;
+    int *local;      /* per end of the problem: its number in the island, or -1 */
+    int *global;     /* and back */
+    int *first;      /* per end of the island */
+    fw_vec2 *w;      /* per end of the island, with which the weights are found */
+    fw_vec2 *change; /* of w in the last iteration */
+    fw_vec2 *z;      /* per end of the island */
+    int *line_of;    /* per row of the island: its line, or -1 */
+    joint_line *lines;
+    double *lambda;
+    joint_line *tangents; /* of friction, and per line of it ... */
+    double *limit, *traction, *target, *slip;
+    int *tangent_of; /* per row of the island, or -1 */
+    double *room;
+    size_t room_size;
+};
+
+/* L L^T = A; L^T v and L v. */
+typedef struct joint_root {
+    double xx, yx, yy;
+} joint_root;
+
+static inline joint_root joint_root_of(fw_sym2 mobility)
+{
+    const double xx = sqrt(mobility.xx), yx = mobility.xy / xx;
+    return (joint_root){xx, yx, sqrt(mobility.yy - yx * yx)};
+}
+
+static inline fw_vec2 joint_apply_transposed(joint_root l, fw_vec2 v)
+{
+    return (fw_vec2){l.xx * v.x + l.yx * v.y, l.yy * v.y};
+}
+
+static inline fw_vec2 joint_apply(joint_root l, fw_vec2 v)
+{
+    return (fw_vec2){l.xx * v.x, l.yx * v.x + l.yy * v.y};
+}
+
+/* A line with these weights; `wanted` is left 0. False where no end can give way to it. */
+bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
+                     const fw_vec2 *weight, joint_line *line);
+/* Where an end is at the middle of the step. */
+fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, int end);
+/* Memory for the work of the solvers. */
+fw_status joint_reserve_room(fw_joint *joint, size_t size, fw_error *error);
+
+/* Does any row of the island rub? */
+bool joint_rubs(const fw_joint_row *rows, const int *list, int count);
+/* Tangents at the middle of the step. */
+void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
+                          const int *list, int count);
+/* Friction for the present normal forces, whose part of the displacements is A^(1/2) z. */
+fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                    int count, const fw_vec2 *z, int end_count, fw_error *error);
+/* How far points slide along segments on the present displacements. */
+void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
+/* Bars all rows of the island if their friction together gives energy. Returns whether it did. */
+bool joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                             int count);
+/* Bars rows whose friction pushes along with the slip. Returns whether there are any. */
+bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
+
+#endif

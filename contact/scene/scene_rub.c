@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* scene_rub.c - friction between bodies, from tick to tick: on what each particle rubbed, and the
+ * heat of it. State: the memory of each particle. Start reading at scene_add_rubbing(). */
+#include "scene_parts.h"
+
+#include <math.h>
+
+void fw_scene_set_friction(fw_scene *scene, double coefficient)
+{
+    scene->friction = coefficient;
+}
+
+/* A point rubs on one segment at a time: the one that it passes, rather than the one on which it
+ * rubbed before. */
+fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end)
+{
+    const scene_joint *joint = scene->joint;
+    const scene_edge *edge = scene->bodies[row->point_body].edge;
+    fw_joint_rub rub = {.coefficient = scene->friction};
+    if (!edge->rubs) return (fw_joint_rub){0};
+    const scene_rub *memory = &edge->rubs[edge->contour.particles[row->point]];
+    for (int n = joint->ends[end].row; n >= 0; n = joint->rows[n].next) {
+        fw_joint_row *other = &joint->joint_rows[n];
+        if (!(other->rub.coefficient > 0)) continue;
+        if (!other->open) return (fw_joint_rub){0};
+        other->rub = (fw_joint_rub){0};
+    }
+    if (memory->other != 1 + row->body) return rub;
+    rub.before = memory->lambda;
+    rub.inertial_before = memory->inertial;
+    rub.stuck_before = true;
+    return rub;
+}
+
+/* The segment that follows along the chain, or comes before; itself where there is none. */
+static int next_along(const fw_contour *contour, int segment, bool forward)
+{
+    const fw_contour_segment *s = &contour->segments[segment];
+    const int near = forward ? segment + 1 : segment - 1;
+    const int wanted = forward ? s->to : s->from;
+    if (near >= 0 && near < contour->segment_count &&
+        (forward ? contour->segments[near].from : contour->segments[near].to) == wanted)
+        return near;
+    for (int n = 0; n < contour->segment_count; ++n)
+        if ((forward ? contour->segments[n].from : contour->segments[n].to) == wanted) return n;
+    return segment;
+}
+
+/* Where a particle has slid over the end of its segment, it rubs on the next one. */
+static int segment_below(const scene_body *of, fw_vec2 at, int segment)
+{
+    const fw_contour *contour = &of->edge->contour;
+    const fw_contour_segment *s = &contour->segments[segment];
+    const fw_vec2 from = fw_solid_position(of->solid, contour->particles[s->from]);
+    const fw_vec2 edge =
+        fw_vec2_subtract(fw_solid_position(of->solid, contour->particles[s->to]), from);
+    const double part = fw_vec2_dot(fw_vec2_subtract(at, from), edge) / fw_vec2_dot(edge, edge);
+    if (part > 1) return next_along(contour, segment, true);
+    return part < 0 ? next_along(contour, segment, false) : segment;
+}
+
+/* Also in the tick after a release. Bodies and points in their order. */
+fw_status scene_add_rubbing(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
+        const scene_edge *edge = body->edge;
+        if (!edge || !edge->rubs) continue;
+        for (int point = 0; point < edge->contour.point_count; ++point) {
+            const int particle = edge->contour.particles[point];
+            const scene_rub *rub = &edge->rubs[particle];
+            if (rub->other == 0) continue;
+            const scene_body *of = &scene->bodies[rub->other - 1];
+            const int segment =
+                segment_below(of, fw_solid_position(body->solid, particle), rub->segment);
+            const fw_contour_segment *s = &of->edge->contour.segments[segment];
+            const scene_row row = {.facet = -1,
+                                   .body = rub->other - 1,
+                                   .from = s->from,
+                                   .to = s->to,
+                                   .segment = segment,
+                                   .next = -1,
+                                   .point_body = b,
+                                   .point = point};
+            const int known = scene->joint->row_count;
+            FW_TRY(scene_add_row(scene, &row, error));
+            if (scene->joint->row_count > known)
+                scene->joint->joint_rows[scene->joint->row_count - 1].open = true;
+        }
+    }
+    return FW_OK;
+}
+
+static void forget(fw_scene *scene)
+{
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_edge *edge = scene->bodies[b].edge;
+        for (int point = 0; edge && edge->rubs && point < edge->contour.point_count; ++point)
+            edge->rubs[edge->contour.particles[point]] = (scene_rub){0};
+    }
+}
+
+void scene_remember_rubbing(fw_scene *scene)
+{
+    scene_joint *joint = scene->joint;
+    double widest = 0, beyond = 0;
+    if (!(scene->friction > 0)) return;
+    forget(scene);
+    for (int n = 0; n < joint->row_count; ++n) {
+        const scene_row *row = &joint->rows[n];
+        const fw_joint_row *solved = &joint->joint_rows[n];
+        const fw_joint_rub *rub = &solved->rub;
+        if (!(rub->coefficient > 0)) continue;
+        joint->ledger.heat -= rub->traction * rub->slip;
+        const double cone = 0.5 * rub->coefficient * (solved->lambda + rub->before);
+        widest = fmax(widest, cone);
+        beyond = fmax(beyond, fabs(rub->traction) - cone * (1 + 1e-9));
+        /* A particle that is held is let go in every other step, and sticks all the same. */
+        if (!(solved->lambda > 0 || rub->before > 0)) continue;
+        const scene_edge *edge = scene->bodies[row->point_body].edge;
+        edge->rubs[edge->contour.particles[row->point]] = (scene_rub){.lambda = solved->lambda,
+                                                                      .inertial = rub->inertial,
+                                                                      .other = 1 + row->body,
+                                                                      .segment = row->segment,
+                                                                      .stuck = rub->stuck};
+    }
+    if (beyond > 0 && widest > 0)
+        joint->ledger.overstep = fmax(joint->ledger.overstep, beyond / widest);
+}

@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_rubbing.c - friction between bodies: what sticks does not creep, what slides obeys the cone,
+ * and what that takes is heat. */
+#include "tests/support/scenes.h"
+
+#include "core/noise.h"
+
+/* Two beams, the lower held at its bottom, the upper pressed and moved by `path` at its top. */
+static fw_scene *two_beams(double friction, fw_path path)
+{
+    fw_scene *scene = empty_scene(1e4);
+    int held[2][20];
+    for (int n = 0; n < 20; ++n) {
+        held[0][n] = n;
+        held[1][n] = 80 + n;
+    }
+    add_body(scene, (body_options){.columns = 20, .rows = 5, .mu = 0.9});
+    add_body(scene, (body_options){.columns = 20, .rows = 5, .origin = {0.5, 4.001}, .mu = 0.9});
+    const fw_grip_def below = {.name = "held",
+                               .particles = held[0],
+                               .particle_count = 20,
+                               .drive = {.prescribed_x = true, .prescribed_y = true}};
+    const fw_grip_def above = {.name = "driven",
+                               .particles = held[1],
+                               .particle_count = 20,
+                               .drive = {.prescribed_x = true, .path = path, .force = {0, -0.2}}};
+    must(fw_scene_add_grip(scene, 0, &below, &error));
+    must(fw_scene_add_grip(scene, 1, &above, &error));
+    fw_scene_set_friction(scene, friction);
+    begin(scene);
+    return scene;
+}
+
+static void assert_energy_closes(const fw_scene *scene, double tolerance)
+{
+    const fw_ledger ledger = fw_scene_ledger(scene);
+    assert_close(energy_of(scene), fw_ledger_energy(&ledger),
+                 tolerance * fw_scene_energy_scale(scene));
+}
+
+/* Sheared by .01, well inside the cone, and left alone: not one bit. */
+static void what_sticks_does_not_creep(void **state)
+{
+    (void)state;
+    fw_scene *scene = two_beams(0.3, (fw_path){.velocity = {1e-5, 0}, .from = 1000, .until = 2000});
+    run(scene, 6000);
+    const double heat = fw_scene_contact_ledger(scene)->heat;
+    const fw_vec2 force = fw_scene_body_ledger(scene, 1)->reaction;
+    assert_close(force.x, -0.01 * 20 / 8, 1e-4); /* 20 columns, 8 links in a row */
+    run(scene, 4000);
+    assert_close(fw_scene_body_ledger(scene, 1)->reaction.x, force.x, 1e-14);
+    assert_close(fw_scene_contact_ledger(scene)->heat, heat, 1e-15);
+    assert_close(fw_scene_contact_ledger(scene)->unconverged, 0, 2);
+    assert_energy_closes(scene, 1e-12);
+    fw_scene_destroy(scene);
+}
+
+static void what_slides_obeys_the_cone(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 2; ++n) {
+        const double friction = n == 0 ? 0.3 : 0.1;
+        fw_scene *scene =
+            two_beams(friction, (fw_path){.velocity = {1e-4, 0}, .from = 1000, .until = 4000});
+        run(scene, 3600);
+        const double before = fw_scene_contact_ledger(scene)->heat;
+        run(scene, 400);
+        const fw_vec2 force = fw_scene_body_ledger(scene, 1)->reaction;
+        assert_close(force.x / force.y, -friction, 0.015 * friction);
+        const double heat = fw_scene_contact_ledger(scene)->heat - before;
+        assert_close(heat, friction * 0.2 * 0.04, 0.01 * heat);
+        assert_true(fw_scene_contact_ledger(scene)->overstep < 0.04);
+        assert_true(fw_scene_body_penetration(scene) == 0);
+        assert_energy_closes(scene, 1e-12);
+        fw_scene_destroy(scene);
+    }
+}
+
+static void copy_state(fw_scene *from, fw_scene *to)
+{
+    for (int n = 0; n < fw_scene_section_count(from); ++n) {
+        fw_state_list source = {0}, target = {0};
+        fw_scene_section(from, n, &source);
+        fw_scene_section(to, n, &target);
+        for (int k = 0; k < source.count; ++k)
+            memcpy(target.array[k].data, source.array[k].data,
+                   source.array[k].count * fw_element_size(source.array[k].element));
+    }
+    must(fw_scene_restored(to, &error));
+}
+
+static uint64_t hash_of(fw_scene *scene)
+{
+    uint64_t hash = 0;
+    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
+        fw_state_list list = {0};
+        fw_scene_section(scene, n, &list);
+        hash = hash * 31 + fw_state_list_hash(&list);
+    }
+    return hash;
+}
+
+static void friction_that_goes_on_elsewhere_has_the_same_bytes(void **state)
+{
+    (void)state;
+    const fw_path path = {.amplitude = {0.1, 0}, .period = 400};
+    fw_scene *whole = two_beams(0.3, path);
+    run(whole, 900);
+    for (int at = 311; at < 900; at += 137) {
+        fw_scene *first = two_beams(0.3, path), *second = two_beams(0.3, path);
+        run(first, at);
+        copy_state(first, second);
+        run(second, 900 - at);
+        assert_true(hash_of(second) == hash_of(whole));
+        fw_scene_destroy(first);
+        fw_scene_destroy(second);
+    }
+    fw_scene_destroy(whole);
+}
+
+/* Bodies that strike each other at any angle: energy only falls, and is heat. */
+static void friction_never_feeds(void **state)
+{
+    (void)state;
+    double unconverged = 0, ticks = 0, overstep = 0;
+    for (uint32_t n = 0; n < 60; ++n) {
+        const fw_vec2 a = fw_noise_uniform(7, n, 0, 0), b = fw_noise_uniform(7, n, 1, 0);
+        fw_scene *scene = empty_scene(1e4);
+        add_body(scene, (body_options){.columns = 6,
+                                       .rows = 5,
+                                       .angle = 3 * b.x,
+                                       .velocity = {0.15 + 0.1 * b.y, 0.1 * a.x}});
+        add_body(scene, (body_options){
+                            .columns = 7, .rows = 7, .origin = {12, -4 + 3 * a.y}, .angle = a.x});
+        fw_scene_set_friction(scene, 0.3);
+        begin(scene);
+        const fw_vec2 momentum = fw_scene_momentum(scene);
+        double before = energy_of(scene);
+        const double start = before;
+        for (int t = 0; t < 160; ++t) {
+            run(scene, 1);
+            assert_true(energy_of(scene) <= before + 1e-13 * start);
+            before = energy_of(scene);
+        }
+        const fw_vec2 after = fw_scene_momentum(scene);
+        assert_close(after.x, momentum.x, 1e-12);
+        assert_close(after.y, momentum.y, 1e-12);
+        assert_close(before + fw_scene_contact_ledger(scene)->heat, start, 1e-12 * start);
+        assert_true(fw_scene_body_penetration(scene) < 1e-9);
+        unconverged += fw_scene_contact_ledger(scene)->unconverged;
+        ticks += fw_scene_contact_ledger(scene)->ticks;
+        overstep = fmax(overstep, fw_scene_contact_ledger(scene)->overstep);
+        fw_scene_destroy(scene);
+    }
+    print_message("%g of %g ticks not converged, overstep %g\n", unconverged, ticks, overstep);
+    assert_true(ticks > 200);
+    assert_true(unconverged < 0.12 * ticks);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_sticks_does_not_creep),
+        cmocka_unit_test(what_slides_obeys_the_cone),
+        cmocka_unit_test(friction_that_goes_on_elsewhere_has_the_same_bytes),
+        cmocka_unit_test(friction_never_feeds),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
