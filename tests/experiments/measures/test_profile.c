@@ -131,6 +131,33 @@ static void a_profile_is_what_is_counted_in_its_bins(void **state)
     release(&b);
 }
 
+/* Particles that feel nothing but their bath wander with D = T/(m damping), each alone: two move
+ * apart twice as fast. Some thousand independent ways tell it to some per cent. */
+static void walkers_diffuse_as_einstein_says(void **state)
+{
+    (void)state;
+    static const char walkers[] =
+        "title: walkers\n"
+        "materials: {gas: {movable-particles: {strength: 0, mass: 2}}}\n"
+        "bodies: {cloud: {material: gas, lattice: hexagonal, shape: {rectangle: [20, 20]}}}\n"
+        "dynamics: {time-step: 0.02, damping: 10, temperature: 0.01}\n"
+        "run: {steps: 3000, measure-every: 1000}\n"
+        "profile: {axis: x, every: 1000, bin: 2, middle: 10, contact: 5, far: [6, 9]}\n";
+    bench b;
+    assert_fine(
+        fw_scenario_read(&b.scenario, "walkers.yaml", walkers, strlen(walkers), NULL, 0, &error));
+    assert_fine(fw_observer_create(&b.observer, b.scenario, &error));
+    while (fw_scene_steps(b.observer->experiment->scene) < 3000)
+        assert_fine(fw_observer_advance(b.observer, 1, &error));
+    const double expected = 0.01 / (2 * 10);
+    assert_close(fw_profile_value(b.observer->profile, FW_PROFILE_CONTACT, FW_PROFILE_DIFFUSIVITY) /
+                     expected,
+                 1, .12);
+    assert_close(fw_profile_value(b.observer->profile, FW_PROFILE_CONTACT, FW_PROFILE_TEMPERATURE),
+                 .01, .002);
+    release(&b);
+}
+
 /* --- cycle by cycle --- */
 
 /* The drive swings 1000 steps of .005 with a period of 4: 1.25 cycles. */
@@ -179,6 +206,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_profile_is_what_is_counted_in_its_bins),
+        cmocka_unit_test(walkers_diffuse_as_einstein_says),
         cmocka_unit_test(the_numbers_of_friction_are_those_of_the_loop),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
