@@ -163,12 +163,12 @@ static inline fw_vec2 fw_automaton_at(const fw_automaton_colour *colour, int cel
 void fw_automaton_place(fw_solid *solid);
 void fw_automaton_place_boundary(fw_automaton *body);
 
-/* The half-step: automaton_sweep.c. */
+/* A half-step: automaton_sweep.c. */
 void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,
                           fw_prediction *out);
 fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints,
                                int constraint_count, fw_error *error);
-
+/* Many of them in one sweep through memory: automaton_wave.c. */
 fw_status fw_automaton_advance_free(fw_solid *solid, int ticks, fw_error *error);
 
 /* The starting state of the definition: automaton_start.c. */

@@ -7,6 +7,7 @@
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -200,15 +201,15 @@ static void list_changes(const fw_node *old, const fw_node *fresh, const char *p
         return;
     }
     int number = 0;
-    const fw_node *twin = fresh->first;
+    const fw_node *match = fresh->first;
     for (const fw_node *child = old->first; child; child = child->next, ++number) {
-        if (old->kind == FW_MAPPING) twin = fw_node_find(fresh, child->key);
+        if (old->kind == FW_MAPPING) match = fw_node_find(fresh, child->key);
         if (old->kind == FW_MAPPING)
             snprintf(inner, sizeof inner, "%s%s%s", path, path[0] ? "." : "", child->key);
         else
             snprintf(inner, sizeof inner, "%s.%d", path, number);
-        list_changes(child, twin, inner, text, size);
-        if (old->kind == FW_LIST) twin = twin->next;
+        list_changes(child, match, inner, text, size);
+        if (old->kind == FW_LIST) match = match->next;
     }
     for (const fw_node *child = fresh->first; child && old->kind == FW_MAPPING; child = child->next)
         if (!fw_node_find(old, child->key))
@@ -217,12 +218,12 @@ static void list_changes(const fw_node *old, const fw_node *fresh, const char *p
 }
 
 static fw_status compare_case(const fw_scenario *old, const fw_scenario *fresh, int number,
-                              int twin, const char *directory, fw_error *error)
+                              int match, const char *directory, fw_error *error)
 {
     fw_scenario *before, *after = NULL;
     char changes[512] = "", name[FW_CASE_NAME];
     FW_TRY(fw_scenario_read_case(&before, old, number, error));
-    const fw_status status = fw_scenario_read_case(&after, fresh, twin, error);
+    const fw_status status = fw_scenario_read_case(&after, fresh, match, error);
     if (status == FW_OK)
         list_changes(fw_document_root(before->document), fw_document_root(after->document), "",
                      changes, sizeof changes);
@@ -242,16 +243,16 @@ static fw_status compare_cases(const fw_scenario *old, const fw_scenario *fresh,
     const fw_scenario_sweep *plan = &old->study.sweep, *larger = &fresh->study.sweep;
     for (int n = 0; n < plan->case_count; ++n) {
         const double *point = plan->values + (size_t)n * (size_t)plan->parameter_count;
-        int twin = 0;
-        while (twin < larger->case_count && (larger->parameter_count != plan->parameter_count ||
-                                             !fw_sweep_is_at(larger, twin, point)))
-            ++twin;
-        if (twin == larger->case_count) {
+        int match = 0;
+        while (match < larger->case_count && (larger->parameter_count != plan->parameter_count ||
+                                              !fw_sweep_is_at(larger, match, point)))
+            ++match;
+        if (match == larger->case_count) {
             char name[FW_CASE_NAME];
             fw_scenario_case_name(old, n, name);
             return fw_fail(error, FW_BAD_INPUT, "%s: the case %s would be lost", directory, name);
         }
-        FW_TRY(compare_case(old, fresh, n, twin, directory, error));
+        FW_TRY(compare_case(old, fresh, n, match, directory, error));
     }
     return FW_OK;
 }
@@ -261,12 +262,13 @@ static fw_status compare_cases(const fw_scenario *old, const fw_scenario *fresh,
 static fw_status read_larger(fw_scenario **made, const fw_scenario *sweep, const char *changes,
                              const char *const *settings, int setting_count, fw_error *error)
 {
-    enum { MOST = 512 };
-    const char *all[MOST];
+    enum { ALL_MAX = 512 };
+    const char *all[ALL_MAX];
     int count = 0;
     char *text;
+    assert(setting_count <= ALL_MAX - FW_PARAMETERS_MAX);
     for (const char *change = changes; *change; change += strlen(change) + 1) all[count++] = change;
-    for (int n = 0; n < setting_count && count < MOST; ++n) all[count++] = settings[n];
+    for (int n = 0; n < setting_count; ++n) all[count++] = settings[n];
     FW_TRY(fw_scenario_print(sweep, &text, error));
     const fw_status status = fw_scenario_read(made, NULL, text, strlen(text), all, count, error);
     free(text);
