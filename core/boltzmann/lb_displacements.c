@@ -15,6 +15,8 @@
  * lb_displacements_advance(). */
 #include "lb_displacements.h"
 
+#include "core/row_front.h"
+
 #include <math.h>
 #include <omp.h>
 #include <stdlib.h>
@@ -353,60 +355,31 @@ fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraint
     return FW_OK;
 }
 
-/* --- many ticks ---
- *
- * A sweep takes all rows through several steps while they lie in the cache: row j makes step s
- * right after row j + 1 has made step s - 1. x(t-1) of a row is overwritten when both neighbours
- * have done with it. Each thread sweeps a slab of rows, one row less at inner edges with each step;
- * what is left between two slabs is made up when both are done. Which rows go together changes no
- * number. */
+/* --- many ticks --- */
 
-/* Steps first..end of rows [from(s), to(s)), where the range grows by `spread` rows at either end
- * with each step. */
-typedef struct slab {
-    int begin, end;             /* rows of step 0 */
-    int spread_down, spread_up; /* -1, 0 or 1 */
-} slab;
+/* In even steps, in odd ones. */
+typedef struct front {
+    lb_solid *lb;
+    lb_grid_arrays arrays[2];
+} front;
 
-static void sweep_slab(lb_solid *lb, slab rows, int first, int steps)
+/* x(t-1) of the row is overwritten. */
+static void sweep_row(void *context, int step, int row)
 {
-    displacement_form *form = &lb->form;
-    const lb_grid_arrays arrays[2] = {arrays_of(lb, lb->parity, lb->head.loaded),
-                                      arrays_of(lb, !lb->parity, lb->head.loaded)};
-    const int row_count = form->grid.row_count;
-    const int low = rows.begin - (rows.spread_down > 0 ? steps : 0);
-    const int high = rows.end + (rows.spread_up > 0 ? steps : 0);
-    for (int front = low; front < high + steps; ++front)
-        for (int step = first; step < steps; ++step) {
-            const int row = front - step;
-            if (row < rows.begin - step * rows.spread_down ||
-                row >= rows.end + step * rows.spread_up)
-                continue;
-            advance_row(lb, &arrays[step % 2], row,
-                        &form->passed[(size_t)step * (size_t)row_count + (size_t)row]);
-        }
+    const front *f = context;
+    const displacement_form *form = &f->lb->form;
+    advance_row(f->lb, &f->arrays[step % 2], row,
+                &form->passed[(size_t)step * (size_t)form->grid.row_count + (size_t)row]);
 }
 
 static void sweep(lb_solid *lb, int steps)
 {
     const int rows = lb->form.grid.row_count;
-    int slabs = lb->head.count > ALONE ? omp_get_max_threads() : 1;
-    if (slabs > rows / (2 * steps)) slabs = rows / (2 * steps);
-    if (slabs < 1) slabs = 1;
-#define EDGE(k) ((int)((int64_t)rows * (k) / slabs))
-#pragma omp parallel for schedule(static, 1) num_threads(slabs) if (slabs > 1)
-    for (int k = 0; k < slabs; ++k)
-        sweep_slab(lb,
-                   (slab){.begin = EDGE(k),
-                          .end = EDGE(k + 1),
-                          .spread_down = k > 0 ? -1 : 0,
-                          .spread_up = k + 1 < slabs ? -1 : 0},
-                   0, steps);
-#pragma omp parallel for schedule(static, 1) num_threads(slabs) if (slabs > 1)
-    for (int k = 1; k < slabs; ++k)
-        sweep_slab(lb, (slab){.begin = EDGE(k), .end = EDGE(k), .spread_down = 1, .spread_up = 1},
-                   1, steps);
-#undef EDGE
+    const int threads = lb->head.count > ALONE ? omp_get_max_threads() : 1;
+    front f = {.lb = lb,
+               .arrays = {arrays_of(lb, lb->parity, lb->head.loaded),
+                          arrays_of(lb, !lb->parity, lb->head.loaded)}};
+    fw_row_front_run(rows, steps, fw_row_front_strips(rows, steps, threads), sweep_row, &f);
     add_passed(lb, steps);
     lb->parity = (lb->parity + steps) % 2;
     lb->head.ticks += steps;
