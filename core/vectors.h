@@ -73,6 +73,17 @@ FW_INLINE void fw_store(double *to, fw_vector v)
     memcpy(to, &v, sizeof v);
 }
 
+FW_INLINE fw_vector_pair fw_load_pair(const double *x, const double *y, int at)
+{
+    return (fw_vector_pair){fw_load(x + at), fw_load(y + at)};
+}
+
+FW_INLINE void fw_store_pair(double *x, double *y, int at, fw_vector_pair v)
+{
+    fw_store(x + at, v.x);
+    fw_store(y + at, v.y);
+}
+
 FW_INLINE fw_vector fw_root(fw_vector v)
 {
 #if defined(__AVX512F__)
@@ -120,6 +131,12 @@ FW_INLINE fw_mask fw_less(fw_vector a, fw_vector b)
 #else
     return (fw_mask)(a < b);
 #endif
+}
+
+/* Bits of the first `count` lanes of a block, or of all where there are more. */
+FW_INLINE uint8_t fw_first_lanes(int count)
+{
+    return count >= FW_BLOCK ? 0xff : (uint8_t)((1 << count) - 1);
 }
 
 /* Lane k of part `part` of a block is bit part FW_WIDTH + k. */

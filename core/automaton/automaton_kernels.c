@@ -181,7 +181,7 @@ FW_INLINE void move_span(const fw_automaton_move *moved, const fw_automaton_span
                       &sum);
     }
     const int left = span->count - k;
-    const uint8_t bits = (uint8_t)((1u << left) - 1);
+    const uint8_t bits = fw_first_lanes(left);
     for (int part = 0; part * FW_WIDTH < left; ++part)
         move_part(move, &s, k + part * FW_WIDTH, part, left - part * FW_WIDTH,
                   (lanes){.mask = fw_mask_of(bits, part)}, has, &sum);

@@ -29,7 +29,7 @@ FW_INLINE symmetric splat_symmetric(fw_sym2 m)
 FW_INLINE fw_vector_pair stretch(const lb_grid_arrays *a, int place, int distance, int direction,
                                  fw_vector_pair x, int part, bool plain)
 {
-    const fw_vector_pair d = subtract(load_pair(a->ahead_x, a->ahead_y, place + distance), x);
+    const fw_vector_pair d = subtract(fw_load_pair(a->ahead_x, a->ahead_y, place + distance), x);
     if (plain) return d;
     const fw_mask linked = fw_mask_of(a->links[place / FW_BLOCK][direction], part);
     return (fw_vector_pair){fw_keep(linked, d.x), fw_keep(linked, d.y)};
@@ -38,8 +38,8 @@ FW_INLINE fw_vector_pair stretch(const lb_grid_arrays *a, int place, int distanc
 FW_INLINE void advance_part(const lb_grid_arrays *a, int place, int part, int north, int south,
                             kind k, bool plain, passed *sum)
 {
-    const fw_vector_pair x = load_pair(a->ahead_x, a->ahead_y, place);
-    const fw_vector_pair before = load_pair(a->behind_x, a->behind_y, place);
+    const fw_vector_pair x = fw_load_pair(a->ahead_x, a->ahead_y, place);
+    const fw_vector_pair before = fw_load_pair(a->behind_x, a->behind_y, place);
     const symmetric mobility =
         plain ? splat_symmetric(a->plain_mobility)
               : load_symmetric(a->mobility_xx, a->mobility_xy, a->mobility_yy, place, k.matrix);
@@ -51,7 +51,7 @@ FW_INLINE void advance_part(const lb_grid_arrays *a, int place, int part, int no
                                   stretch(a, place, south, FW_SOUTH, x, part, plain)));
     fw_vector_pair force = {0};
     if (k.loaded) {
-        force = load_pair(a->force_x, a->force_y, place);
+        force = fw_load_pair(a->force_x, a->force_y, place);
         pull = add(pull, force);
     }
 

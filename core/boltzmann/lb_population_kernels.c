@@ -37,7 +37,7 @@ FW_INLINE void relax_part(const lb_population_arrays *a, int l, int part, double
 {
     fw_vector_pair f[FW_DIRECTIONS], rest = {0}, force = {0};
     symmetric rest_mass = {0};
-    for (int d = 0; d < FW_DIRECTIONS; ++d) f[d] = load_pair(a->field_x[d], a->field_y[d], l);
+    for (int d = 0; d < FW_DIRECTIONS; ++d) f[d] = fw_load_pair(a->field_x[d], a->field_y[d], l);
     const symmetric inverse =
         load_symmetric(a->inverse_xx, a->inverse_xy, a->inverse_yy, l, k.matrix);
 
@@ -45,14 +45,14 @@ FW_INLINE void relax_part(const lb_population_arrays *a, int l, int part, double
     fw_vector_pair push = {(f[FW_EAST].x + f[FW_WEST].x) + (f[FW_NORTH].x + f[FW_SOUTH].x),
                            (f[FW_EAST].y + f[FW_WEST].y) + (f[FW_NORTH].y + f[FW_SOUTH].y)};
     if (k.resting) {
-        rest = load_pair(a->rest_x, a->rest_y, l);
+        rest = fw_load_pair(a->rest_x, a->rest_y, l);
         rest_mass = load_symmetric(a->rest_mass_xx, a->rest_mass_xy, a->rest_mass_yy, l, k.matrix);
         const fw_vector_pair own = times(rest_mass, rest, k.matrix);
         push.x += own.x;
         push.y += own.y;
     }
     if (k.loaded) {
-        force = load_pair(a->force_x, a->force_y, l);
+        force = fw_load_pair(a->force_x, a->force_y, l);
         push.x += 0.5 * force.x;
         push.y += 0.5 * force.y;
     }
@@ -64,13 +64,14 @@ FW_INLINE void relax_part(const lb_population_arrays *a, int l, int part, double
 
     /* f_i -> w - f_{i+2},  f_0 -> M0 w - f_0,  r -> r + w */
     for (int d = 0; d < FW_DIRECTIONS; ++d)
-        store_pair(a->field_x[d], a->field_y[d], l, (fw_vector_pair){w.x - f[d].x, w.y - f[d].y});
+        fw_store_pair(a->field_x[d], a->field_y[d], l,
+                      (fw_vector_pair){w.x - f[d].x, w.y - f[d].y});
     if (k.resting) {
         const fw_vector_pair own = times(rest_mass, w, k.matrix);
-        store_pair(a->rest_x, a->rest_y, l, (fw_vector_pair){own.x - rest.x, own.y - rest.y});
+        fw_store_pair(a->rest_x, a->rest_y, l, (fw_vector_pair){own.x - rest.x, own.y - rest.y});
     }
-    const fw_vector_pair r = load_pair(a->x, a->y, l);
-    store_pair(a->x, a->y, l, (fw_vector_pair){r.x + w.x, r.y + w.y});
+    const fw_vector_pair r = fw_load_pair(a->x, a->y, l);
+    fw_store_pair(a->x, a->y, l, (fw_vector_pair){r.x + w.x, r.y + w.y});
 
     if (k.loaded) pass_force(sum, part, force, w);
     if (k.damped) {

@@ -7,17 +7,6 @@
 #include "core/solid.h"
 #include "core/vectors.h"
 
-FW_INLINE fw_vector_pair load_pair(const double *x, const double *y, int l)
-{
-    return (fw_vector_pair){fw_load(x + l), fw_load(y + l)};
-}
-
-FW_INLINE void store_pair(double *x, double *y, int l, fw_vector_pair v)
-{
-    fw_store(x + l, v.x);
-    fw_store(y + l, v.y);
-}
-
 /* A symmetric matrix, of which only xx counts where it is a multiple of one. */
 typedef struct symmetric {
     fw_vector xx, xy, yy;

@@ -20,15 +20,10 @@ FW_INLINE fw_vector square_of(fw_vector_pair v)
     return v.x * v.x + v.y * v.y;
 }
 
-FW_INLINE fw_vector_pair load_pair(const double *x, const double *y, int at)
-{
-    return (fw_vector_pair){fw_load(x + at), fw_load(y + at)};
-}
-
 /* All forces at particles `at` and on. */
 FW_INLINE fw_vector_pair force_at(const fw_move_task *task, bool loaded, int at)
 {
-    fw_vector_pair force = load_pair(task->force_x, task->force_y, at);
+    fw_vector_pair force = fw_load_pair(task->force_x, task->force_y, at);
     if (loaded) {
         force.x += fw_load(task->external_x + at);
         force.y += fw_load(task->external_y + at);
@@ -83,7 +78,7 @@ FW_INLINE void move_lanes(const fw_move_task *task, bool thermostat, bool loaded
     const fw_vector_pair path = {task->baoab.half * (kicked.x + mixed.x),
                                  task->baoab.half * (kicked.y + mixed.y)};
     if (loaded) {
-        const fw_vector_pair external = load_pair(task->external_x, task->external_y, at);
+        const fw_vector_pair external = fw_load_pair(task->external_x, task->external_y, at);
         ledger->work[part] += fw_keep(held, external.x * path.x + external.y * path.y);
         ledger->external_x[part] += fw_keep(held, external.x);
         ledger->external_y[part] += fw_keep(held, external.y);
@@ -109,7 +104,7 @@ FW_INLINE void move_all(const fw_move_task *task, bool thermostat, bool loaded, 
             move_lanes(task, thermostat, loaded, at + part * FW_WIDTH, part, fw_mask_of(0xff, part),
                        lane, ledger);
     if (at == end) return;
-    const uint8_t rest = (uint8_t)((1 << (end - at)) - 1);
+    const uint8_t rest = fw_first_lanes(end - at);
     for (int part = 0; part < FW_PARTS; ++part)
         move_lanes(task, thermostat, loaded, at + part * FW_WIDTH, part, fw_mask_of(rest, part),
                    lane, ledger);
@@ -151,8 +146,7 @@ static void move(const fw_move_task *task, int begin, int end, fw_move_sums *sum
 FW_INLINE void kick_all(const fw_move_task *task, bool loaded, int begin, int end)
 {
     for (int at = begin; at < end; at += FW_WIDTH) {
-        const int left = end - at;
-        const fw_mask held = fw_mask_of(left >= FW_WIDTH ? 0xff : (uint8_t)((1 << left) - 1), 0);
+        const fw_mask held = fw_mask_of(fw_first_lanes(end - at), 0);
         const fw_vector_pair kicked = kicked_at(task, loaded, at);
         fw_store_some(task->velocity_x + at, held, kicked.x);
         fw_store_some(task->velocity_y + at, held, kicked.y);

@@ -33,7 +33,7 @@ typedef struct fw_move_task {
 typedef struct fw_move_sums {
     double work, dissipated, heat;
     fw_vec2 external, drag;
-    fw_vec2 path; /* sum of the ways that particles went */
+    fw_vec2 path; /* sum of the displacements of particles */
     double stray; /* the most that one of them differs from `common`, squared */
 } fw_move_sums;
 

@@ -8,6 +8,11 @@
 #include "core/noise_vectors.h"
 #include "core/vectors.h"
 
+#include <assert.h>
+
+static_assert(sizeof((fw_bond_weights *)0)->plain / sizeof(double) == FW_BLOCK,
+              "a weight for each particle of a block");
+
 /* A bond in each lane. */
 typedef struct fw_bond_lanes {
     fw_vector_pair stretch; /* u_j - u_i */
@@ -43,8 +48,7 @@ FW_INLINE fw_bond_lanes bond_at(const fw_linear_task *task, const fw_bond_slot *
 
 static uint8_t lanes_of(const fw_linear_bonds *bonds, int block)
 {
-    const int left = bonds->count - block * FW_BLOCK;
-    return left >= FW_BLOCK ? 0xff : (uint8_t)((1 << left) - 1);
+    return fw_first_lanes(bonds->count - block * FW_BLOCK);
 }
 
 static void forces(const fw_linear_task *task, int begin, int end, double *x, double *y)

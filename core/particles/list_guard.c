@@ -12,19 +12,19 @@ enum {
 /* A hair less, for the rounding of displacements and distances. */
 #define SURE (1 - 1e-9)
 
-static fw_box empty(void)
+static fw_list_box empty(void)
 {
-    return (fw_box){INFINITY, -INFINITY, INFINITY, -INFINITY};
+    return (fw_list_box){INFINITY, -INFINITY, INFINITY, -INFINITY};
 }
 
-static inline fw_box both(fw_box a, fw_box b)
+static inline fw_list_box both(fw_list_box a, fw_list_box b)
 {
-    return (fw_box){a.left < b.left ? a.left : b.left, a.right > b.right ? a.right : b.right,
-                    a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
+    return (fw_list_box){a.left < b.left ? a.left : b.left, a.right > b.right ? a.right : b.right,
+                         a.low < b.low ? a.low : b.low, a.high > b.high ? a.high : b.high};
 }
 
 /* 0 for an empty box. */
-static inline double square_diagonal(fw_box box)
+static inline double square_diagonal(fw_list_box box)
 {
     const double width = box.right - box.left, height = box.high - box.low;
     return width >= 0 ? width * width + height * height : 0;
@@ -32,28 +32,28 @@ static inline double square_diagonal(fw_box box)
 
 static void fill_boxes(const fw_cells *cells, const double *restrict built_x,
                        const double *restrict built_y, const double *restrict x,
-                       const double *restrict y, fw_box *boxes)
+                       const double *restrict y, fw_list_box *boxes)
 {
 #pragma omp parallel for schedule(static) if (cells->count > PARALLEL_FROM)
     for (int c = 0; c < cells->columns * cells->rows; ++c) {
-        fw_box box = empty();
+        fw_list_box box = empty();
         for (int m = cells->begin[c]; m < cells->begin[c + 1]; ++m) {
             const int i = cells->member[m];
             const double dx = x[i] - built_x[i], dy = y[i] - built_y[i];
-            box = both(box, (fw_box){dx, dx, dy, dy});
+            box = both(box, (fw_list_box){dx, dx, dy, dy});
         }
         boxes[c] = box;
     }
 }
 
 /* The most that two particles of cells which lie (di, dj) apart have come closer, squared. */
-static double most_between(const fw_cells *cells, const fw_box *boxes, int di, int dj)
+static double most_between(const fw_cells *cells, const fw_list_box *boxes, int di, int dj)
 {
     double most = 0;
 #pragma omp parallel for schedule(static) reduction(max : most) if (cells->count > PARALLEL_FROM)
     for (int row = 0; row < cells->rows; ++row) {
-        const fw_box *here = boxes + row * cells->columns;
-        const fw_box *there = boxes + fw_cell_at(cells, 0, row + dj);
+        const fw_list_box *here = boxes + row * cells->columns;
+        const fw_list_box *there = boxes + fw_cell_at(cells, 0, row + dj);
         for (int column = 0; column < cells->columns; ++column) {
             const double square =
                 square_diagonal(both(here[column], there[(column + di) & (cells->columns - 1)]));
@@ -65,10 +65,10 @@ static double most_between(const fw_cells *cells, const fw_box *boxes, int di, i
 
 double fw_list_guard_slack(const fw_cells *cells, const double *built_x, const double *built_y,
                            const double *x, const double *y, double listed, double reach,
-                           fw_box *boxes)
+                           fw_list_box *boxes)
 {
     fill_boxes(cells, built_x, built_y, x, y, boxes);
-    fw_box all = empty();
+    fw_list_box all = empty();
     for (int c = 0; c < cells->columns * cells->rows; ++c) all = both(all, boxes[c]);
     const double most = sqrt(square_diagonal(all));
     if (!(most < INFINITY)) return -1;

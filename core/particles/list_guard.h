@@ -11,15 +11,16 @@
 
 #include "core/particles/cells.h"
 
-typedef struct fw_box {
+/* Of displacements. */
+typedef struct fw_list_box {
     double left, right, low, high;
-} fw_box;
+} fw_list_box;
 
 /* No pair is missed as long as no two particles come closer by more than this; negative: one may
  * be missed already. `cells`, of size `listed` at least, still hold the particles as they lay at
  * built_x/y; `boxes`: room for one per cell. */
 double fw_list_guard_slack(const fw_cells *cells, const double *built_x, const double *built_y,
                            const double *x, const double *y, double listed, double reach,
-                           fw_box *boxes);
+                           fw_list_box *boxes);
 
 #endif

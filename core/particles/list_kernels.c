@@ -114,7 +114,7 @@ static void find_near(const fw_cells *cells, const fw_lanes *lanes, const double
     }
 }
 
-/* Shell's sort: some dozen words, mostly in order. */
+/* Shell's sort, with the gaps of Ciura (2001): some dozen words, mostly in order. */
 static void sort_words(fw_near_words *words)
 {
     static const int gaps[] = {57, 23, 10, 4, 1};

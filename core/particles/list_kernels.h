@@ -18,7 +18,8 @@ typedef struct fw_near_words {
     bool failed; /* without memory */
 } fw_near_words;
 
-/* Where that word is or may be put: there is always a free place. */
+/* Where that word is or may be put: there is always a free place. Knuth's multiplicative hash (The
+ * Art of Computer Programming 3, 6.4): 2^32 over the golden ratio. */
 static inline int fw_near_words_place(const fw_near_words *words, int word)
 {
     const unsigned last = (unsigned)words->capacity - 1;

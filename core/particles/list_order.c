@@ -59,7 +59,7 @@ bool fw_list_order_find_scattered(fw_list_order *order, const double *x, const d
     return found;
 }
 
-static void tell_chunks(const fw_list_order *order, fw_chunk *chunks, int chunk_count)
+static void mark_chunks(const fw_list_order *order, fw_chunk *chunks, int chunk_count)
 {
     for (int c = 0; c < chunk_count; ++c) {
         bool *in_order = chunks[c].in_order;
@@ -81,7 +81,7 @@ bool fw_list_order_begin(fw_list_order *order, fw_chunk *chunks, int chunk_count
     if (!order->number || !order->place || !order->memory) return false;
     order->x = order->memory + FW_LANES;
     order->y = order->x + row;
-    tell_chunks(order, chunks, chunk_count);
+    mark_chunks(order, chunks, chunk_count);
     return true;
 }
 

@@ -35,14 +35,14 @@ struct fw_neighbour_lists {
     double favour;           /* of offset slots, see list_kernels.h */
     fw_cells cells;
     double *built_x, *built_y; /* positions that the far lists were made for */
-    fw_box *boxes;             /* one per cell */
+    fw_list_box *boxes;        /* one per cell */
     int threads;
     fw_near_words *words; /* of each thread */
     const double *x, *y;  /* positions in the lists' order */
     fw_list_order order;
     /* Particles may come closer by so much before the near, the far lists are looked at. */
     double near_slack, far_slack;
-    int64_t made, renewed;
+    int64_t made;
 };
 
 /* --- memory --- */
@@ -276,7 +276,6 @@ static void renew_near(fw_neighbour_lists *lists)
 #pragma omp parallel for schedule(static) if (lists->count > PARALLEL_FROM)
     for (int c = 0; c < lists->chunk_count; ++c)
         kernels->renew(&lists->chunks[c], lists->x, lists->y, lists->near);
-    lists->renewed += 1;
 }
 
 fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x, const double *y,
@@ -307,11 +306,6 @@ fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x,
 
 /* --- reading --- */
 
-int fw_neighbour_lists_count(const fw_neighbour_lists *lists)
-{
-    return lists->chunk_count;
-}
-
 const fw_chunk *fw_neighbour_lists_chunk(const fw_neighbour_lists *lists, int chunk)
 {
     return &lists->chunks[chunk];
@@ -325,11 +319,6 @@ int fw_neighbour_lists_first(const fw_neighbour_lists *lists, int body)
 int64_t fw_neighbour_lists_made(const fw_neighbour_lists *lists)
 {
     return lists->made;
-}
-
-int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists)
-{
-    return lists->renewed;
 }
 
 const double *fw_neighbour_lists_x(const fw_neighbour_lists *lists)

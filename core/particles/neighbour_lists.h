@@ -25,14 +25,14 @@ void fw_neighbour_lists_destroy(fw_neighbour_lists *lists);
  * never, INFINITY: always. No result depends on it. */
 void fw_neighbour_lists_favour(fw_neighbour_lists *lists, double favour);
 
-/* Makes lists good for the present positions. `travel`: no two particles have come closer to each
- * other by more than that since the last call; INFINITY, if nothing is known. FW_SYSTEM_FAILED
- * without memory; the lists are then of no use. */
+/* Makes lists good for the present positions; kernels read x and y a block of eight beyond either
+ * end, and the lists go on using them until they are refreshed again. `travel`: no two particles
+ * have come closer to each other by more than that since the last call; INFINITY, if nothing is
+ * known. FW_SYSTEM_FAILED without memory; the lists are then of no use. */
 fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x, const double *y,
                                      double travel, fw_error *error);
 
 /* The chunks, body after body. */
-int fw_neighbour_lists_count(const fw_neighbour_lists *lists);
 const fw_chunk *fw_neighbour_lists_chunk(const fw_neighbour_lists *lists, int chunk);
 /* The chunks of a body are those from fw_neighbour_lists_first(body) to the next body's first. */
 int fw_neighbour_lists_first(const fw_neighbour_lists *lists, int body);
@@ -45,9 +45,8 @@ const double *fw_neighbour_lists_y(const fw_neighbour_lists *lists);
 bool fw_neighbour_lists_renumbered(const fw_neighbour_lists *lists, int body);
 int fw_neighbour_lists_number(const fw_neighbour_lists *lists, int k);
 
-/* How often all lists have been made, and the near ones renewed. */
+/* How often the far lists have been made. */
 int64_t fw_neighbour_lists_made(const fw_neighbour_lists *lists);
-int64_t fw_neighbour_lists_renewed(const fw_neighbour_lists *lists);
 
 /* Goes through the neighbours of one particle, ascending: all within reach, and some beyond.
  *     fw_neighbour_walk walk = fw_neighbours_around(lists, i);

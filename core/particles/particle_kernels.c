@@ -117,8 +117,7 @@ FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_use use, const fw_chu
         const uint8_t mask = fw_chunk_lanes(chunk, block);
         for (int part = 0; part < FW_PARTS; ++part) {
             const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
-            const fw_part lanes = {task->x + first, task->y + first, part, fw_load(task->x + first),
-                                   fw_load(task->y + first)};
+            const fw_part lanes = fw_part_at(task, first, part);
             const fw_lane_sums sums =
                 sum_lanes(task, use, &chunk->near, &chunk->near.head[block], &lanes);
             const fw_mask held = fw_mask_of(mask, part);
