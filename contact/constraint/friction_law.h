@@ -16,22 +16,23 @@
 #define FW_STICK_FILTER 0.343
 
 /* How far sticking lets a particle move: F = -2 Psi + P at first, then
- * F = -2 Psi + e (P - P_before)/2; never against the free motion nor beyond it. `inertial` is its
- * displacement by momentum alone and `change` how that differs from the step before, in which it
- * stuck if `again`; `slip` is how far it would go without friction, all relative to what it sticks
- * to. `slope` is how the result changes with the motion of that. */
+ * F = -2 Psi + e (P - P_before)/2. `inertial` is its displacement by momentum alone and `change`
+ * how that differs from the step before, in which it stuck if `again`; both relative to what it
+ * sticks to. */
 static inline double fw_friction_filter(bool again, double inertial, double change)
 {
     return again ? FW_STICK_FILTER / 4 * change : 0.5 * inertial;
 }
 
+/* The same, never against the free motion nor beyond it. `slip` is how far the particle would go
+ * without friction, relative as well; `slope` is how the result changes with the motion of what it
+ * sticks to. */
 static inline double fw_friction_target(bool again, double inertial, double change, double slip,
                                         double *slope)
 {
-    const double part = again ? FW_STICK_FILTER / 4 : 0.5;
-    const double target = part * (again ? change : inertial);
+    const double target = fw_friction_filter(again, inertial, change);
     const double low = fmin(slip, 0), high = fmax(slip, 0);
-    *slope = -part;
+    *slope = again ? -FW_STICK_FILTER / 4 : -0.5;
     if (target > low && target < high) return target;
     const double end = target <= low ? low : high;
     *slope = end == 0 ? 0 : -1;

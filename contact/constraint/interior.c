@@ -18,6 +18,13 @@
 #define SHIFT 1e-13
 /* Added to the diagonal of lines that are to have no force. */
 #define HELD_OFF 1e30
+/* The part of the way to the next bound that a step takes. */
+#define STOP_SHORT 0.995
+/* Parts of the energy by which lambda may be wrong (error_of): there nothing is left to gain; there
+ * what is left is rounding, if it no longer halves; beyond it the problem is not solved. */
+#define EXACT    1e-17
+#define ROUNDING 1e-15
+#define SOLVED   1e-11
 enum { ROUNDS = 60, CORRECTIONS = 4 };
 
 /* The numbers of one problem, per line, and two bands with the diagonal first. */
@@ -181,7 +188,7 @@ static void take_step(interior *p)
         p->right[n] += (centring - p->step[n] * p->s_step[n]) / p->lambda[n];
     find_step(p);
     const double longest = longest_part(p);
-    const double part = longest < 1 ? 0.995 * longest : 1;
+    const double part = longest < 1 ? STOP_SHORT * longest : 1;
     for (int n = 0; n < p->count; ++n) {
         p->lambda[n] = fmax(p->lambda[n] + part * p->step[n], DBL_MIN);
         p->s[n] = fmax(p->s[n] + part * p->s_step[n], DBL_MIN);
@@ -253,14 +260,14 @@ static bool walk_inside(interior *p)
 {
     for (int n = 0; n < p->count; ++n) p->lambda[n] = p->s[n] = 1;
     double error = error_of(p, find_rest(p));
-    for (int round = 0; round < ROUNDS && error > 1e-17; ++round) {
+    for (int round = 0; round < ROUNDS && error > EXACT; ++round) {
         const double before = error;
         take_step(p);
         error = error_of(p, find_rest(p));
-        if (error <= 1e-15 && error >= 0.5 * before) break; /* what is left is rounding */
+        if (error <= ROUNDING && error >= 0.5 * before) break;
     }
     cross_over(p);
-    return error <= 1e-11;
+    return error <= SOLVED;
 }
 
 bool joint_solve_interior(joint_system *system, int bandwidth, double *room)

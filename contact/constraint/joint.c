@@ -11,9 +11,13 @@
 
 /* Rows that are solved one by one as a set of active ones; more of them as a band. */
 enum { FEW = 30 };
+/* Of the fixed point of weights; in each of them, of normal forces and friction. */
 enum { ROUNDS = 100, TURNS = 3 };
-#define ARRIVED    1e-13
-#define NEARLY     1e-8
+/* Where the furthest end moves no further than by this, in units of length, the fixed point is
+ * there: rounding of displacements of a spacing. Or no further than NEARLY, if gaps are kept. */
+#define ARRIVED 1e-13
+#define NEARLY  1e-8
+/* Between these lies the part of a change that is taken. */
 #define LEAST_PART 0.1
 #define MOST_PART  1.5
 

@@ -2,12 +2,12 @@
 /* joint.h - one contact problem of many particles: bodies against bodies, and walls on the same
  * particles.
  *
- * An end is what moves: a particle with its mobility A, or something on a prescribed way (A = 0). A
- * row is what must not happen: it weighs the displacements w of at most three ends,
- *     G w >= bound,   lambda >= 0,   lambda (G w - bound) = 0,   w = w_p + A G^T lambda,
- * so that w is the point nearest to the free displacement w_p in the norm of the masses. Since
- * lambda . G w = lambda . bound, contact without prescribed motion does no work, and since the
- * weights of a row between bodies add up to zero, it gives no momentum.
+ * An end is what moves: a particle with its mobility A, or something on a prescribed path (A = 0).
+ * A row is what must not happen: it weighs the displacements w of at most three ends, G w >= bound,
+ * lambda >= 0,   lambda (G w - bound) = 0,   w = w_p + A G^T lambda, so that w is the point nearest
+ * to the free displacement w_p in the norm of the masses. Since lambda . G w = lambda . bound,
+ * contact without prescribed motion does no work, and since the weights of a row between bodies add
+ * up to zero, it gives no momentum.
  *
  * The area between a point and a segment is quadratic in the displacements, and so is a squared
  * distance. With the gradient taken at the middle of the step, G(r + w/2) w is exactly its change:

@@ -81,19 +81,19 @@ static void find_tractions(fw_joint *joint, joint_system *system, int bandwidth)
     solve_for(joint, system, bandwidth, 0);
     const double none = power_of(joint, system);
     if (none >= 0) return;
+    /* A little less than where the power is zero, so that rounding does not make it positive. */
     solve_for(joint, system, bandwidth, 0.999 * none / (none - whole));
     if (power_of(joint, system) > 0) solve_for(joint, system, bandwidth, 0);
 }
 
-fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
-                    int count, const fw_vec2 *z, int end_count, fw_error *error)
+/* The tangents of the island as lines, each with its limit and target. Returns how many. */
+static int make_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
+                         const int *list, int count, const fw_vec2 *z)
 {
-    joint_system system = {
-        .lines = joint->tangents, .lambda = joint->traction, .end_count = end_count};
+    int lines = 0;
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
         fw_joint_rub *rub = &row->rub;
-        joint_line *line = &joint->tangents[system.line_count];
         fw_vec2 smooth[3], inertial[3];
         joint->tangent_of[n] = -1;
         rub->traction = 0;
@@ -102,20 +102,23 @@ fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, con
         collect(joint, ends, row, z, smooth, inertial);
         rub->limit = rub->barred ? 0 : 0.5 * rub->coefficient * (row->lambda + rub->before);
         rub->inertial = along(row, inertial);
-        if (!(rub->limit > 0) || !joint_make_line(joint, ends, row, rub->weight, line)) continue;
-        const double slip = along(row, smooth);
+        if (!(rub->limit > 0) ||
+            !joint_make_line(joint, ends, row, rub->weight, &joint->tangents[lines]))
+            continue;
         const double change = rub->stuck_before ? rub->inertial - rub->inertial_before : 0;
-        joint->target[system.line_count] =
+        joint->target[lines] =
             rub->firm ? 0 : fw_friction_filter(rub->stuck_before, rub->inertial, change);
-        joint->slip[system.line_count] = slip;
-        joint->limit[system.line_count] = rub->limit;
-        joint->tangent_of[n] = system.line_count++;
+        joint->slip[lines] = along(row, smooth);
+        joint->limit[lines] = rub->limit;
+        joint->tangent_of[n] = lines++;
     }
-    for (int e = 0; e < end_count; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
-    if (system.line_count == 0) return FW_OK;
-    const int bandwidth = joint_bandwidth(&system, joint->first);
-    FW_TRY(joint_reserve_room(joint, joint_interior_room(system.line_count, bandwidth), error));
-    find_tractions(joint, &system, bandwidth);
+    return lines;
+}
+
+/* What the tractions add to the displacements of the ends. */
+static void share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
+                      const int *list, int count)
+{
     for (int n = 0; n < count; ++n) {
         if (joint->tangent_of[n] < 0) continue;
         fw_joint_row *row = &rows[list[n]];
@@ -128,6 +131,20 @@ fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, con
             end->rubbed = fw_vec2_add(end->rubbed, fw_sym2_apply(end->mobility, force));
         }
     }
+}
+
+fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                    int count, const fw_vec2 *z, int end_count, fw_error *error)
+{
+    joint_system system = {
+        .lines = joint->tangents, .lambda = joint->traction, .end_count = end_count};
+    system.line_count = make_tangents(joint, ends, rows, list, count, z);
+    for (int e = 0; e < end_count; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
+    if (system.line_count == 0) return FW_OK;
+    const int bandwidth = joint_bandwidth(&system, joint->first);
+    FW_TRY(joint_reserve_room(joint, joint_interior_room(system.line_count, bandwidth), error));
+    find_tractions(joint, &system, bandwidth);
+    share_out(joint, ends, rows, list, count);
     return FW_OK;
 }
 

@@ -16,6 +16,8 @@
  * them; a line may be missed by so much, as a part of the largest. */
 #define DEPENDENT 1e-11
 #define TOLERANCE 1e-14
+/* By how much a line that depends on active ones may be missed, as a part of the largest z. */
+#define BARRED_MISS 1e-9
 
 typedef struct active_set {
     joint_system *system;
@@ -196,7 +198,8 @@ static bool keeps_barred(const active_set *set)
     for (int n = 0; n < system->line_count; ++n) {
         const joint_line *line = &system->lines[n];
         if (set->barred[n] == 0) continue;
-        if (line->wanted - joint_dot(line, system->z) > 1e-9 * scale * line->length) return false;
+        const double missed = line->wanted - joint_dot(line, system->z);
+        if (missed > BARRED_MISS * scale * line->length) return false;
     }
     return true;
 }

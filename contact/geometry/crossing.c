@@ -10,7 +10,8 @@ static fw_vec2 place_at(fw_moving_point point, double time)
     return fw_vec2_add(point.at, fw_vec2_scale(time, point.motion));
 }
 
-/* Where along the segment the point is at that time, within 0 to 1? */
+/* Does the point lie beside the segment at that time, neither before its one end nor behind its
+ * other? `tolerance`: as a part of the length, at either end. */
 static bool lies_beside(fw_moving_point point, fw_moving_point from, fw_moving_point to,
                         double time, double tolerance)
 {
@@ -27,11 +28,11 @@ bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_movi
     const fw_vec2 edge = fw_vec2_subtract(to.at, from.at);
     const fw_vec2 turn = fw_vec2_subtract(to.motion, from.motion);
     const fw_vec2 apart = fw_vec2_subtract(point.at, from.at);
-    const fw_vec2 way = fw_vec2_subtract(point.motion, from.motion);
+    const fw_vec2 motion = fw_vec2_subtract(point.motion, from.motion);
     /* Twice the area of the triangle: a0 + a1 t + a2 t^2. */
     const double a0 = fw_vec2_cross(edge, apart);
-    const double a1 = fw_vec2_cross(edge, way) + fw_vec2_cross(turn, apart);
-    const double a2 = fw_vec2_cross(turn, way);
+    const double a1 = fw_vec2_cross(edge, motion) + fw_vec2_cross(turn, apart);
+    const double a2 = fw_vec2_cross(turn, motion);
     const double end = a0 + (a1 + a2);
     *when = 0;
     if (a0 < 0) {
@@ -54,12 +55,12 @@ bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_movi
 bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when)
 {
     const fw_vec2 apart = fw_vec2_subtract(b.at, a.at);
-    const fw_vec2 way = fw_vec2_subtract(b.motion, a.motion);
-    const double approach = -fw_vec2_dot(apart, way), squared = fw_vec2_dot(way, way);
-    const double miss = fw_vec2_cross(apart, way), size = fw_vec2_dot(apart, apart);
+    const fw_vec2 motion = fw_vec2_subtract(b.motion, a.motion);
+    const double approach = -fw_vec2_dot(apart, motion), squared = fw_vec2_dot(motion, motion);
+    const double miss = fw_vec2_cross(apart, motion), size = fw_vec2_dot(apart, apart);
     *when = 0;
     if (!(size > 0) || !(approach > 0) || approach > squared) return false;
     *when = approach / squared;
-    /* |miss|/|way| is how far apart they pass. */
+    /* |miss|/|motion| is how far apart they pass. */
     return miss * miss <= END_TOLERANCE * END_TOLERANCE * squared * size;
 }

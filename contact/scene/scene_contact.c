@@ -32,7 +32,9 @@ static bool yields(const scene_wall *wall, const fw_facet *facet)
            fw_piston_yields(wall->piston, fw_facet_is_curved(facet) ? anywhere : facet->normal);
 }
 
-void scene_place_candidates(fw_scene *scene, int ticks)
+/* Place and motion of all facets in this tick, for bodies each of whose particles moves once in so
+ * many ticks. */
+static void place_candidates(fw_scene *scene, int ticks)
 {
     for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
     for (int f = 0; f < scene->facet_count; ++f) {
@@ -83,6 +85,11 @@ static int compare_contacts(const void *left, const void *right)
 {
     const scene_contact *a = left, *b = right;
     return (a->particle > b->particle) - (a->particle < b->particle);
+}
+
+void scene_sort_contacts(scene_body *body)
+{
+    qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
 }
 
 /* Springs are no constraints. */
@@ -232,14 +239,14 @@ static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *err
     }
     /* Runs follow a curve through space that is another one after a restart; sums go by particle.
      */
-    qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
+    scene_sort_contacts(body);
     return FW_OK;
 }
 
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
-        scene_place_candidates(scene, scene->bodies[b].solid->model->ticks_per_step);
+        place_candidates(scene, scene->bodies[b].solid->model->ticks_per_step);
         FW_TRY(constrain_body(scene, &scene->bodies[b], error));
     }
     return scene->joint ? scene_meet_bodies(scene, error) : FW_OK;

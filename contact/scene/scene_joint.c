@@ -86,7 +86,8 @@ static fw_status add_known_walls(fw_scene *scene, int end, fw_error *error)
     return FW_OK;
 }
 
-fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error)
+/* The end of a point, which is made where there is none. */
+static fw_status find_end(fw_scene *scene, int body, int point, int *end, fw_error *error)
 {
     scene_joint *joint = scene->joint;
     scene_body *of = &scene->bodies[body];
@@ -118,7 +119,7 @@ fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_erro
 
 /* --- rows --- */
 
-int scene_knows_row(const scene_joint *joint, int end, const scene_row *row)
+int scene_find_row(const scene_joint *joint, int end, const scene_row *row)
 {
     for (int n = joint->ends[end].row; n >= 0; n = joint->rows[n].next) {
         const scene_row *known = &joint->rows[n];
@@ -182,8 +183,8 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
 {
     scene_joint *joint = scene->joint;
     int end, from, to;
-    FW_TRY(scene_find_end(scene, row->point_body, row->point, &end, error));
-    const int known = scene_knows_row(joint, end, row);
+    FW_TRY(find_end(scene, row->point_body, row->point, &end, error));
+    const int known = scene_find_row(joint, end, row);
     if (known >= 0) {
         fw_joint_row *open = &joint->joint_rows[known];
         if (!open->open) return FW_OK;
@@ -193,8 +194,8 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
         return FW_OK;
     }
     if (row->facet >= 0) return add_wall(scene, row, end, error);
-    FW_TRY(scene_find_end(scene, row->body, row->from, &from, error));
-    FW_TRY(scene_find_end(scene, row->body, row->to, &to, error));
+    FW_TRY(find_end(scene, row->body, row->from, &from, error));
+    FW_TRY(find_end(scene, row->body, row->to, &to, error));
     fw_joint_row what = {.kind = from == to ? FW_JOINT_POINT : FW_JOINT_SEGMENT,
                          .end = {end, from, to}};
     if (what.kind == FW_JOINT_SEGMENT) what.rub = scene_take_rub(scene, row, end);
@@ -339,12 +340,6 @@ static fw_contact_solution solution_of(const fw_scene *scene, int number)
     return solution;
 }
 
-static int compare_contacts(const void *left, const void *right)
-{
-    const scene_contact *a = left, *b = right;
-    return (a->particle > b->particle) - (a->particle < b->particle);
-}
-
 void scene_hand_over_joint(fw_scene *scene)
 {
     scene_joint *joint = scene->joint;
@@ -365,8 +360,7 @@ void scene_hand_over_joint(fw_scene *scene)
     for (int e = 0; e < joint->end_count; ++e) {
         const int b = joint->ends[e].body;
         if (e > 0 && b == joint->ends[e - 1].body) continue;
-        qsort(scene->bodies[b].contacts, (size_t)scene->bodies[b].contact_count,
-              sizeof *scene->bodies[b].contacts, compare_contacts);
+        scene_sort_contacts(&scene->bodies[b]);
     }
 }
 

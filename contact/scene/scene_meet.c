@@ -136,9 +136,8 @@ static bool come_near(fw_box a, fw_box b)
 static fw_status note_unknown(fw_scene *scene, const scene_row *row, fw_error *error)
 {
     const int end = scene->bodies[row->point_body].edge->end[row->point];
-    if (end >= 0 && scene_knows_row(scene->joint, end, row) >= 0 &&
-        !scene->joint->joint_rows[scene_knows_row(scene->joint, end, row)].open)
-        return FW_OK;
+    const int known = end >= 0 ? scene_find_row(scene->joint, end, row) : -1;
+    if (known >= 0 && !scene->joint->joint_rows[known].open) return FW_OK;
     return note(scene->joint, row, error);
 }
 

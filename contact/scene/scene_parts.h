@@ -91,7 +91,7 @@ typedef struct scene_body {
     fw_boundary *boundary;
     int boundary_revision;     /* of the solid when `boundary` was made */
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
-    scene_contact *contacts;   /* of this tick, ascending; room for all particles of the boundary */
+    scene_contact *contacts;   /* of this tick, ascending; room for all particles */
     int contact_count;
     fw_row_list *rows; /* known in this tick, per entry of the boundary; NULL without pistons */
     fw_contact_memory *memory_before; /* at the beginning of the tick, per entry of the boundary */
@@ -190,9 +190,8 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error);
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
 /* The same together with the motions of the pistons, which follow from those forces. */
 fw_status scene_move_pistons(fw_scene *scene, fw_error *error);
-/* Place and motion of all facets in this tick, for bodies each of whose particles moves once in so
- * many ticks. */
-void scene_place_candidates(fw_scene *scene, int ticks);
+/* Contacts of a body ascend by particle. */
+void scene_sort_contacts(scene_body *body);
 /* The hard facets of a run become scene->near. */
 void scene_list_near(fw_scene *scene, fw_boundary_run run);
 
@@ -212,9 +211,7 @@ fw_status scene_meet_bodies(fw_scene *scene, fw_error *error);
 /* A row that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED without memory. */
 fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error);
 /* Its number, or -1. */
-int scene_knows_row(const scene_joint *joint, int end, const scene_row *row);
-/* The end of a point, which is made where there is none. */
-fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error);
+int scene_find_row(const scene_joint *joint, int end, const scene_row *row);
 /* Rows on which particles still rub that rubbed in the last tick; they bar no way. */
 fw_status scene_add_rubbing(fw_scene *scene, fw_error *error);
 /* Friction of a new row, on which the end is to rub from now on. */
