@@ -18,8 +18,8 @@ enum { ROUNDS = 100, TURNS = 3 };
 #define ARRIVED 1e-13
 #define NEARLY  1e-8
 /* Between these lies the part of a change that is taken. */
-#define LEAST_PART 0.1
-#define MOST_PART  1.5
+#define PART_MIN 0.1
+#define PART_MAX 1.5
 
 fw_joint *fw_joint_create(void)
 {
@@ -267,7 +267,7 @@ static double next_part(const fw_joint *joint, const fw_joint_end *ends, int end
         along += fw_vec2_dot(joint->change[e], turn);
         squared += fw_vec2_dot(turn, turn);
     }
-    return squared > 0 ? fmin(fmax(-part * along / squared, LEAST_PART), MOST_PART) : part;
+    return squared > 0 ? fmin(fmax(-part * along / squared, PART_MIN), PART_MAX) : part;
 }
 
 static void relax(fw_joint *joint, const fw_joint_end *ends, int end_count,

@@ -377,7 +377,7 @@ void scene_destroy_edges(fw_scene *scene)
 
 void scene_predict_busy(fw_scene *scene)
 {
-    enum { MOST = 64 };
+    enum { POINTS_MAX = 64 };
     scene_joint *joint = scene->joint;
     int count;
     const int *busy = fw_meeting_busy(joint->search, &count);
@@ -385,9 +385,9 @@ void scene_predict_busy(fw_scene *scene)
         const fw_meeting_run run = fw_meeting_observe_run(joint->search, busy[joint->predicted]);
         const scene_body *body = &scene->bodies[joint->member_bodies[run.body]];
         const fw_contour *contour = &body->edge->contour;
-        int points[MOST], particles[MOST], found = 0;
-        fw_prediction predictions[MOST];
-        assert(2 * run.count <= MOST);
+        int points[POINTS_MAX], particles[POINTS_MAX], found = 0;
+        fw_prediction predictions[POINTS_MAX];
+        assert(2 * run.count <= POINTS_MAX);
         for (int n = run.first; n < run.first + run.count; ++n) {
             if (found == 0 || points[found - 1] != contour->segments[n].from)
                 points[found++] = contour->segments[n].from;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* langevin.c - the BAOAB step over blocks of particles; its loops are in
- * langevin_kernels.c.
+/* langevin.c - the BAOAB step over blocks of particles; its loops are in langevin_kernels.c.
  * State: positions (head), velocities, controls; forces follow from them. Invariant between steps:
  * force_x/y belong to the present positions, constraint_x/y are zero. Particles are cut into blocks
  * of fixed size, each summed by itself and the blocks in order: the ledger does not depend on how

@@ -7,8 +7,6 @@
 
 #include <stdlib.h>
 
-enum { LANES = 8 };
-
 typedef const fw_linear_bond (*fw_bond_table)[FW_BOND_DIRECTIONS];
 
 /* Has this block a slot for that bond, from `begin` on? */
@@ -24,9 +22,9 @@ static uint32_t fill(fw_linear_bonds *bonds, double k1, fw_bond_table of)
 {
     uint32_t slot_count = 0;
     bonds->weight_count = 0;
-    for (int first = 0; first < bonds->count; first += LANES) {
-        const int end = first + LANES < bonds->count ? first + LANES : bonds->count;
-        bonds->begin[first / LANES] = slot_count;
+    for (int first = 0; first < bonds->count; first += FW_LANES) {
+        const int end = first + FW_LANES < bonds->count ? first + FW_LANES : bonds->count;
+        bonds->begin[first / FW_LANES] = slot_count;
         for (int alpha = 0; alpha < FW_BOND_DIRECTIONS; ++alpha) {
             const uint32_t begin = slot_count;
             for (int i = first; i < end; ++i) {
@@ -46,18 +44,18 @@ static uint32_t fill(fw_linear_bonds *bonds, double k1, fw_bond_table of)
             }
         }
     }
-    bonds->begin[(bonds->count + LANES - 1) / LANES] = slot_count;
+    bonds->begin[(bonds->count + FW_LANES - 1) / FW_LANES] = slot_count;
     return slot_count;
 }
 
 static void fill_weights(fw_linear_bonds *bonds, fw_bond_table of)
 {
-    for (int block = 0; block * LANES < bonds->count; ++block)
+    for (int block = 0; block * FW_LANES < bonds->count; ++block)
         for (uint32_t s = bonds->begin[block]; s < bonds->begin[block + 1]; ++s) {
             const fw_bond_slot *slot = &bonds->slots[s];
-            for (int k = 0; k < LANES && slot->weights >= 0; ++k) {
+            for (int k = 0; k < FW_LANES && slot->weights >= 0; ++k) {
                 if (!(slot->mask >> k & 1)) continue;
-                const fw_linear_bond *bond = &of[block * LANES + k][slot->direction];
+                const fw_linear_bond *bond = &of[block * FW_LANES + k][slot->direction];
                 bonds->weights[slot->weights].plain[k] = bond->plain;
                 bonds->weights[slot->weights].turning[k] = bond->turning;
             }
@@ -75,7 +73,7 @@ fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1, f
 {
     const size_t most = (size_t)count * FW_BOND_DIRECTIONS;
     *bonds = (fw_linear_bonds){.count = count};
-    bonds->begin = fw_array_allocate((size_t)count / LANES + 2, sizeof *bonds->begin);
+    bonds->begin = fw_array_allocate((size_t)count / FW_LANES + 2, sizeof *bonds->begin);
     bonds->slots = fw_array_allocate(most + 1, sizeof *bonds->slots);
     if (!bonds->begin || !bonds->slots) return no_memory(bonds, error);
     const uint32_t slot_count = fill(bonds, k1, of);

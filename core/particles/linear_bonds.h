@@ -8,6 +8,7 @@
 #ifndef FW_LINEAR_BONDS_H
 #define FW_LINEAR_BONDS_H
 
+#include "core/particles/slots.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
@@ -25,7 +26,7 @@ typedef struct fw_linear_bond {
 
 /* plain and turning of the eight bonds of a slot. */
 typedef struct fw_bond_weights {
-    double plain[8], turning[8];
+    double plain[FW_LANES], turning[FW_LANES];
 } fw_bond_weights;
 
 typedef struct fw_bond_slot {

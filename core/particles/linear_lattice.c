@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NEIGHBOURS = FW_BOND_DIRECTIONS, PARALLEL_FROM = 4096, LANES = 8 };
+enum { NEIGHBOURS = FW_BOND_DIRECTIONS, PARALLEL_FROM = 4096 };
 
 #define ROOT_3 1.73205080756887729353
 
@@ -87,7 +87,7 @@ static fw_status find_forces(fw_langevin *solid, double travel, fw_error *error)
     enum { SOME = 64 }; /* blocks that a thread takes at a time */
     const fw_linear_task task = task_of((const fw_linear_lattice *)solid);
     const fw_linear_kernels *kernels = FW_KERNELS_CHOSEN(fw_linear_loops);
-    const int blocks = (solid->head.count + LANES - 1) / LANES;
+    const int blocks = (solid->head.count + FW_LANES - 1) / FW_LANES;
 #pragma omp parallel for schedule(static) if (solid->head.count > PARALLEL_FROM)
     for (int begin = 0; begin < blocks; begin += SOME)
         kernels->forces(&task, begin, begin + SOME < blocks ? begin + SOME : blocks, solid->force_x,
@@ -104,7 +104,7 @@ static void fill_potential_energy(const fw_solid *head, double *values)
     const fw_linear_task task = task_of(lattice);
     const fw_vec2 middle = {head->x[0] - lattice->home_x[0], head->y[0] - lattice->home_y[0]};
     FW_KERNELS_CHOSEN(fw_linear_loops)
-        ->energies(&task, middle, 0, (head->count + LANES - 1) / LANES, values);
+        ->energies(&task, middle, 0, (head->count + FW_LANES - 1) / FW_LANES, values);
 }
 
 /* --- the model --- */
@@ -330,12 +330,12 @@ static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *
                        fw_error *error)
 {
     fw_langevin *langevin = &lattice->langevin;
-    const size_t count = (size_t)langevin->head.count, row = count + 2 * LANES;
+    const size_t count = (size_t)langevin->head.count, row = count + 2 * FW_LANES;
     lattice->k1 = def->k1;
     lattice->k2 = def->k2;
     lattice->homes = fw_array_of_doubles(2 * row);
     if (!lattice->homes) return fw_fail_memory(error, "the places of a linear lattice");
-    lattice->home_x = lattice->homes + LANES;
+    lattice->home_x = lattice->homes + FW_LANES;
     lattice->home_y = lattice->home_x + row;
     for (int alpha = 0; alpha < NEIGHBOURS; ++alpha)
         lattice->direction[alpha] = bond_direction(&def->lattice, alpha);

@@ -215,22 +215,23 @@ FW_INLINE void add_row_slots(fw_slots *slots, const fw_row_fill *fill)
 /* Lets each lane's neighbours ascend by the solid's numbers. */
 static void sort_rows(fw_slots *slots, const fw_row_fill *fill, const int *number)
 {
-    enum { MOST = 256 }; /* neighbours whose numbers are kept at hand */
+    enum { KEPT_MAX = 256 }; /* neighbours whose numbers are kept at hand */
     int32_t(*row)[FW_LANES] = slots->row + fill->begin;
     for (int lane = 0; lane < FW_LANES; ++lane) {
-        int kept[MOST];
+        int kept[KEPT_MAX];
         for (uint32_t n = 0; n < fill->count[lane]; ++n) {
             const int32_t neighbour = row[n][lane];
             const int own = number[neighbour];
             uint32_t place = n;
             for (; place > 0; --place) {
-                const int before = place <= MOST ? kept[place - 1] : number[row[place - 1][lane]];
+                const int before =
+                    place <= KEPT_MAX ? kept[place - 1] : number[row[place - 1][lane]];
                 if (before < own) break;
                 row[place][lane] = row[place - 1][lane];
-                if (place < MOST) kept[place] = before;
+                if (place < KEPT_MAX) kept[place] = before;
             }
             row[place][lane] = neighbour;
-            if (place < MOST) kept[place] = own;
+            if (place < KEPT_MAX) kept[place] = own;
         }
     }
 }

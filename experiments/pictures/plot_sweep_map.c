@@ -14,14 +14,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TICKS_MOST = 12 };
+enum { TICKS_MAX = 12 };
 
 /* The values of one parameter, ascending, and ticks that name some of them. */
 typedef struct side {
     int count, name_count;
     double *values;
-    char text[TICKS_MOST][FW_TICK_LABEL_SIZE];
-    fw_axis_name names[TICKS_MOST];
+    char text[TICKS_MAX][FW_TICK_LABEL_SIZE];
+    fw_axis_name names[TICKS_MAX];
     char label[FW_NAME_BYTES + 80];
 } side;
 
@@ -38,7 +38,7 @@ static fw_status make_side(side *s, const fw_sweep_table *table, int axis, fw_er
         s->values[at] = value;
         s->count += 1;
     }
-    const int every = (s->count + TICKS_MOST - 1) / TICKS_MOST;
+    const int every = (s->count + TICKS_MAX - 1) / TICKS_MAX;
     for (int n = 0; n < s->count; n += every) {
         char *text = s->text[s->name_count];
         snprintf(text, FW_TICK_LABEL_SIZE, "%.4g", s->values[n]);

@@ -224,7 +224,7 @@ static fw_run_options options_of_case(const fw_sweep *sweep, int jobs)
 }
 
 /* The sentence of a single run says nothing of the others. */
-static fw_status tell_case(const fw_sweep *sweep, int number, fw_status status, fw_error *error)
+static fw_status report_case(const fw_sweep *sweep, int number, fw_status status, fw_error *error)
 {
     const char *name = sweep->cases[number].name, *directory = sweep->options.directory;
     if (!fw_interrupt_is(status)) return status;
@@ -246,12 +246,12 @@ static fw_status complete_case(fw_sweep *sweep, int number, fw_run_options optio
         FW_TRY(fw_path_join(path, options.directory, c->name, error));
         options.directory = path;
     }
-    return tell_case(sweep, number, fw_sweep_case_complete(c, &options, error), error);
+    return report_case(sweep, number, fw_sweep_case_complete(c, &options, error), error);
 }
 
 /* Every case from that one on in turn, by whoever is free. A case that fails leaves the others;
  * what stops one for another reason, as a signal or a full disk, stops all, and the first in order
- * is told of. */
+ * is reported. */
 static fw_status complete_all(fw_sweep *sweep, int begin, fw_error *error)
 {
     const int jobs = choose_jobs(sweep, begin);
@@ -298,7 +298,7 @@ static fw_status write_table(const fw_sweep *sweep, fw_error *error)
 }
 
 /* The first reason stands for all. */
-static fw_status tell_failures(const fw_sweep *sweep, fw_error *error)
+static fw_status report_failures(const fw_sweep *sweep, fw_error *error)
 {
     const fw_sweep_case *first = NULL;
     int failed = 0;
@@ -319,7 +319,7 @@ static fw_status conclude(fw_sweep *sweep, fw_error *error)
 {
     FW_TRY(fw_sweep_outcome_verdicts(&sweep->verdicts, sweep->scenario, sweep->cases, error));
     FW_TRY(write_table(sweep, error));
-    return tell_failures(sweep, error);
+    return report_failures(sweep, error);
 }
 
 /* The cases that bisection asks for next, checked and written before one of them begins. */

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* sweep.h - a study for each of several values of parameters, one after the other
- * or side by side, by one process or by several. Each case has
- * a folder of results of its own, DIR/A=1,p=2; DIR holds the scenario of the sweep from the
- * beginning, and its table from the end on. */
+/* sweep.h - a study for each of several values of parameters, one after the other or side by side,
+ * by one process or by several. Each case has a folder of results of its own, DIR/A=1,p=2; DIR
+ * holds the scenario of the sweep from the beginning, and its table from the end on. */
 #ifndef FW_SWEEP_H
 #define FW_SWEEP_H
 
@@ -57,4 +56,5 @@ bool fw_sweep_is_in(const char *directory);
 fw_status fw_sweep_refuse(const char *directory, fw_error *error);
 /* The scenario of the sweep in a folder. */
 fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error *error);
+
 #endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* sweep_table.c - the outcome of a sweep on its way to its file and back.
- * Invariant: a column has a number, or NaN, for every case. State:
- * fw_sweep_table, the caller's. Start reading at part_of(), which says how a column lies in
- * memory. */
+ * Invariant: a column has a number, or NaN, for every case. State: fw_sweep_table, the caller's.
+ * Start reading at part_of(), which says how a column lies in memory. */
 #include "experiments/study/sweep_table.h"
 
 #include "experiments/results/trajectory.h"

@@ -72,7 +72,8 @@ static double middle_of(const fw_scenario_sweep *plan, double low, double high)
     return fw_number_scan(text, NULL);
 }
 
-static void ask(fw_threshold *t, const fw_scenario_sweep *plan, double low, double high)
+/* The middle is wanted next, where it would say more. */
+static void add_middle(fw_threshold *t, const fw_scenario_sweep *plan, double low, double high)
 {
     const double middle = middle_of(plan, low, high);
     if (high - low > plan->tolerance && middle > low && middle < high)
@@ -96,9 +97,9 @@ static void find_crossing(fw_threshold *t, const fw_scenario_sweep *plan, const 
     t->at = (line[low].at + line[high].at) / 2;
     t->error = (line[high].at - line[low].at) / 2;
     if (plan->tolerance <= 0) return;
-    ask(t, plan, line[low].at, line[low + 1].at);
+    add_middle(t, plan, line[low].at, line[low + 1].at);
     /* What lies in between is unsure: where that begins, and where it ends. */
-    if (high > low + 1) ask(t, plan, line[high - 1].at, line[high].at);
+    if (high > low + 1) add_middle(t, plan, line[high - 1].at, line[high].at);
 }
 
 static void name_line(const fw_scenario_sweep *plan, int number, int along, char *name)
