@@ -278,7 +278,7 @@ static fw_status refuse_inside(const fw_scene *scene, int number, int other, fw_
 static fw_status refuse_overlaps(fw_scene *scene, fw_error *error)
 {
     int jumped;
-    FW_TRY(fw_meeting_begin(scene->joint->search, scene->joint->members, &jumped, error));
+    FW_TRY(fw_meeting_begin(scene->joint->search, scene->joint->members, 0, &jumped, error));
     FW_TRY(fw_meeting_find(scene->joint->search, 0, error));
     FW_TRY(refuse_crossing(scene, error));
     return look_at_pairs(scene, refuse_inside, &scene->refused, error);
@@ -317,6 +317,7 @@ static fw_status renew_search(fw_scene *scene, fw_error *error)
         joint->members[m] =
             (fw_meeting_body){.solid = body->solid, .contour = &body->edge->contour};
     }
+    joint->search_is_new = true;
     fw_meeting_destroy(joint->search);
     joint->search = NULL;
     return fw_meeting_create(&joint->search, joint->members, joint->member_count, error);
@@ -424,6 +425,23 @@ static void forget_rubbing(const fw_scene *scene, int changed)
     }
 }
 
+/* How far any point of any edge will go in this step. Predicts them all. */
+static double longest_prediction(const fw_scene *scene)
+{
+    double squared = 0;
+    for (int m = 0; m < scene->joint->member_count; ++m) {
+        const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
+        const scene_edge *edge = body->edge;
+        fw_solid_predict(body->solid, edge->contour.particles, edge->contour.point_count,
+                         edge->predictions);
+        for (int point = 0; point < edge->contour.point_count; ++point) {
+            const fw_vec2 w = edge->predictions[point].displacement;
+            squared = fmax(squared, fw_vec2_dot(w, w));
+        }
+    }
+    return sqrt(squared);
+}
+
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
 {
     if (!scene->joint) return FW_OK;
@@ -437,8 +455,10 @@ fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
     }
     if (changed) FW_TRY(renew_search(scene, error));
     int jumped;
+    const double expected = scene->joint->search_is_new ? longest_prediction(scene) : 0;
     const fw_status status =
-        fw_meeting_begin(scene->joint->search, scene->joint->members, &jumped, error);
+        fw_meeting_begin(scene->joint->search, scene->joint->members, expected, &jumped, error);
+    scene->joint->search_is_new = false;
     if (jumped >= 0) return report_jump(scene, jumped, error);
     FW_TRY(status);
     scene->joint->predicted = 0;

@@ -66,6 +66,7 @@ typedef struct scene_row {
 typedef struct scene_joint {
     fw_joint *solver;
     fw_meeting *search;
+    bool search_is_new;       /* it knows of no step yet */
     fw_meeting_body *members; /* one per body that meets others */
     int *member_bodies;
     int member_count;

@@ -244,8 +244,8 @@ static double spacing_of(const fw_meeting_body *body, const fw_meeting_run *run)
     return longest > 0 ? sqrt(longest) : 1;
 }
 
-fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, int *jumped,
-                           fw_error *error)
+fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, double expected,
+                           int *jumped, fw_error *error)
 {
     int moved = 0;
     *jumped = -1;
@@ -261,7 +261,7 @@ fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, i
         const fw_box before = meeting->here[run];
         const bool known = meeting->margin[run] > 0;
         meeting->here[run] = box_of(&bodies[of->body], of);
-        const double way = known ? farthest_corner(before, meeting->here[run]) / steps : 0;
+        const double way = known ? farthest_corner(before, meeting->here[run]) / steps : expected;
         calm &= known && 2 * (NAP + 1) * way <= 0.5 * meeting->margin[run];
         meeting->moved[run] = 0;
         if (known &&

@@ -40,10 +40,11 @@ fw_status fw_meeting_create(fw_meeting **meeting, const fw_meeting_body *bodies,
 void fw_meeting_destroy(fw_meeting *meeting);
 
 /* Brings boxes up to date with where points are at the beginning of a step, and empties the list of
- * pairs. FW_DIVERGED: idle points went so far since the last look that they may have passed another
- * body (`jumped` is their run then, else -1); FW_SYSTEM_FAILED without memory. */
-fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, int *jumped,
-                           fw_error *error);
+ * pairs. `expected` is how far points are to go in a first step, of which no way is known yet.
+ * FW_DIVERGED: idle points went so far since the last look that they may have passed another body
+ * (`jumped` is their run then, else -1); FW_SYSTEM_FAILED without memory. */
+fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, double expected,
+                           int *jumped, fw_error *error);
 
 /* Runs that are near another one, without order. More may be appended by fw_meeting_find. */
 const int *fw_meeting_busy(const fw_meeting *meeting, int *count);

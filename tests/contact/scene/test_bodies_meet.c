@@ -76,12 +76,30 @@ static void grips_do_not_carry_bodies_into_each_other(void **state)
     fw_scene_destroy(scene);
 }
 
+/* Five spacings a step, from the first step on: nobody knows of a way before. */
+static void fast_bodies_start_anywhere(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 20; ++n) {
+        fw_scene *scene = empty_scene(1e4);
+        add_body(scene, (body_options){.columns = 6, .rows = 6});
+        add_body(scene,
+                 (body_options){
+                     .columns = 6, .rows = 6, .origin = {8 + 1.3 * n, 0.3}, .velocity = {-5, 0}});
+        begin(scene);
+        run(scene, 12);
+        assert_true(fw_scene_contact_ledger(scene)->ticks > 0);
+        fw_scene_destroy(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_that_start_in_each_other_are_refused),
         cmocka_unit_test(small_bodies_meet_after_free_flight),
         cmocka_unit_test(grips_do_not_carry_bodies_into_each_other),
+        cmocka_unit_test(fast_bodies_start_anywhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -160,7 +160,7 @@ static void no_pair_is_missed_wherever_bodies_are(void **state)
         must(fw_meeting_create(&meeting, bodies, BODIES, &error));
         for (int step = 0; step < 100; ++step) {
             const double reach = step % 7 == 0 ? 0.5 : 0.3;
-            must(fw_meeting_begin(meeting, bodies, &jumped, &error));
+            must(fw_meeting_begin(meeting, bodies, 0, &jumped, &error));
             must(fw_meeting_find(meeting, reach, &error));
             assert_int_equal(jumped, -1);
             if (step % 5 == 0) found += assert_none_missed(meeting, bodies, reach);
@@ -196,13 +196,13 @@ static void nobody_jumps_over_another_body_unseen(void **state)
     }
     fw_meeting *meeting;
     must(fw_meeting_create(&meeting, bodies, 2, &error));
-    must(fw_meeting_begin(meeting, bodies, &jumped, &error));
+    must(fw_meeting_begin(meeting, bodies, 0, &jumped, &error));
     fw_meeting_busy(meeting, &busy);
     assert_int_equal(busy, 0);
     for (int i = 0; i < solids[0]->count; ++i) solids[0]->x[i] += 40;
     fw_status status = FW_OK;
     for (int step = 0; step < 4 && status == FW_OK; ++step) /* it looks at every fourth at least */
-        status = fw_meeting_begin(meeting, bodies, &jumped, &error);
+        status = fw_meeting_begin(meeting, bodies, 0, &jumped, &error);
     assert_int_equal(status, FW_DIVERGED);
     assert_int_equal(jumped, 0);
     fw_meeting_destroy(meeting);
