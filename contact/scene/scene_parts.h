@@ -196,6 +196,14 @@ void scene_sort_contacts(scene_body *body);
 /* The hard facets of a run become scene->near. */
 void scene_list_near(fw_scene *scene, fw_boundary_run run);
 
+/* Where a point of an edge is. */
+static inline fw_vec2 scene_place_of(const scene_body *body, int point)
+{
+    return fw_solid_position(body->solid, body->edge->contour.particles[point]);
+}
+
+/* FW_BAD_INPUT: bodies start in each other. */
+fw_status scene_refuse_overlaps(fw_scene *scene, fw_error *error);
 /* Contours of bodies that meet others, made when the scene begins. FW_BAD_INPUT: bodies start in
  * each other. */
 fw_status scene_make_edges(fw_scene *scene, fw_error *error);

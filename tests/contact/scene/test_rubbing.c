@@ -83,8 +83,9 @@ static void copy_state(fw_scene *from, fw_scene *to)
         fw_scene_section(from, n, &source);
         fw_scene_section(to, n, &target);
         for (int k = 0; k < source.count; ++k)
-            memcpy(target.array[k].data, source.array[k].data,
-                   source.array[k].count * fw_element_size(source.array[k].element));
+            if (source.array[k].count > 0)
+                memcpy(target.array[k].data, source.array[k].data,
+                       source.array[k].count * fw_element_size(source.array[k].element));
     }
     must(fw_scene_restored(to, &error));
 }
