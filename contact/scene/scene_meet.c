@@ -233,6 +233,64 @@ static fw_status refuse_gripped(const fw_scene *scene, const scene_row *row, fw_
                    body->name, other->name, at.x, at.y, depth);
 }
 
+/* Of each point what it passes first, in a list that is sorted so. */
+static int keep_first_of_points(scene_row *found, int count)
+{
+    int kept = 0;
+    for (int n = 0; n < count; ++n)
+        if (kept == 0 || found[kept - 1].point_body != found[n].point_body ||
+            found[kept - 1].point != found[n].point)
+            found[kept++] = found[n];
+    return kept;
+}
+
+static const scene_row *row_of_point(const scene_joint *joint, int body, int point)
+{
+    int low = 0, high = joint->found_count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        const scene_row *row = &joint->found[middle];
+        if (row->point_body < body || (row->point_body == body && row->point < point))
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    const scene_row *row = &joint->found[low];
+    return low < joint->found_count && row->point_body == body && row->point == point ? row : NULL;
+}
+
+/* Across a segment of a row, out of its body, of the segment's length; zero for a single point. */
+static fw_vec2 outward(const fw_scene *scene, const scene_row *row)
+{
+    const scene_body *body = &scene->bodies[row->body];
+    const fw_vec2 from = moving(body, row->from).at, to = moving(body, row->to).at;
+    return fw_vec2_turn(fw_vec2_subtract(to, from));
+}
+
+/* Do two segments look at each other, as those of two faces that meet? */
+static bool are_opposite(fw_vec2 a, fw_vec2 b)
+{
+    return fw_vec2_dot(a, b) < -0.5 * sqrt(fw_vec2_dot(a, a) * fw_vec2_dot(b, b));
+}
+
+/* Where a corner slides towards a particle of the face below it, its path leads through the face,
+ * and so that particle's path through the side above the corner. Once the corner is held on the
+ * face, the particle passes below it, and a row with the side would stop it dead. So of two points
+ * that each pass a segment of the other, the one that does first has its row now; if the other
+ * still passes then, it is found again. (Of two faces both have theirs: they say much the same.) */
+static bool corner_comes_first(const fw_scene *scene, const scene_row *row)
+{
+    const scene_joint *joint = scene->joint;
+    for (int k = 0; k < 2; ++k) {
+        const scene_row *other = row_of_point(joint, row->body, k == 0 ? row->from : row->to);
+        if (!other || other->body != row->point_body) continue;
+        if (other->from != row->point && other->to != row->point) continue;
+        if (are_opposite(outward(scene, row), outward(scene, other))) continue;
+        if (other->when < row->when || (other->when == row->when && other < row)) return true;
+    }
+    return false;
+}
+
 /* One row for each point that passes something: a corner between two segments belongs to either,
  * and rows that say the same twice make the problem singular. */
 static fw_status add_passed_edges(fw_scene *scene, fw_error *error)
@@ -249,9 +307,10 @@ static fw_status add_passed_edges(fw_scene *scene, fw_error *error)
     }
     if (joint->found_count > 0)
         qsort(joint->found, (size_t)joint->found_count, sizeof *joint->found, compare_found);
+    joint->found_count = keep_first_of_points(joint->found, joint->found_count);
     for (int n = 0; n < joint->found_count; ++n) {
         const scene_row *row = &joint->found[n];
-        if (n > 0 && row[-1].point_body == row->point_body && row[-1].point == row->point) continue;
+        if (corner_comes_first(scene, row)) continue;
         FW_TRY(refuse_gripped(scene, row, error));
         FW_TRY(scene_add_row(scene, row, error));
     }
