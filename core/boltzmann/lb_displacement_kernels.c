@@ -5,6 +5,10 @@
 
 #include "lb_vectors.h"
 
+#include <assert.h>
+
+static_assert((int)LB_BLOCK == (int)FW_BLOCK, "a lane for each place of a block");
+
 /* What the loop has to do; constant where it is inlined. */
 typedef struct kind {
     bool matrix, loaded, damped;

@@ -7,8 +7,10 @@
 #include "core/lattice.h"
 #include "core/solid.h"
 
-/* Places begin..end of the grid, both multiples of 8. `plain`: a particle in every place, all with
- * four links and the mass that most of the body has. */
+enum { LB_BLOCK = 8 }; /* places that the kernels take at a time */
+
+/* Places begin..end of the grid, both multiples of LB_BLOCK. `plain`: a particle in every place,
+ * all with four links and the mass that most of the body has. */
 typedef struct lb_run {
     int begin, end;
     bool plain;

@@ -10,8 +10,6 @@
 
 #include "lb_displacement_kernels.h"
 
-enum { LB_BLOCK = 8 };
-
 /* A row of the grid. Its runs and stretches end where those of the next one begin. */
 typedef struct lb_row {
     int run, stretch; /* its first ones */

@@ -6,18 +6,28 @@
 #include "core/array.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 typedef const fw_linear_bond (*fw_bond_table)[FW_BOND_DIRECTIONS];
 
-/* Has this block a slot for that bond, from `begin` on? */
-static uint32_t place_of(const fw_linear_bonds *bonds, uint32_t begin, uint32_t end, int32_t offset)
+/* The slots of a block for one direction. */
+typedef struct slot_group {
+    uint32_t count;
+    fw_bond_slot slot[FW_LANES];
+} slot_group;
+
+/* The slot of that bond, which is made where there is none. */
+static fw_bond_slot *slot_of(slot_group *group, int32_t offset, int direction)
 {
-    uint32_t s = begin;
-    while (s < end && bonds->slots[s].offset != offset) ++s;
-    return s;
+    uint32_t s = 0;
+    while (s < group->count && group->slot[s].offset != offset) ++s;
+    if (s == group->count)
+        group->slot[group->count++] =
+            (fw_bond_slot){.offset = offset, .weights = -1, .direction = (uint8_t)direction};
+    return &group->slot[s];
 }
 
-/* Writes slots, where there is room for them, and counts them and their weights. */
+/* Counts slots and their weights, and writes slots where there is room for them. */
 static uint32_t fill(fw_linear_bonds *bonds, double k1, fw_bond_table of)
 {
     uint32_t slot_count = 0;
@@ -26,22 +36,18 @@ static uint32_t fill(fw_linear_bonds *bonds, double k1, fw_bond_table of)
         const int end = first + FW_LANES < bonds->count ? first + FW_LANES : bonds->count;
         bonds->begin[first / FW_LANES] = slot_count;
         for (int alpha = 0; alpha < FW_BOND_DIRECTIONS; ++alpha) {
-            const uint32_t begin = slot_count;
+            slot_group group = {.count = 0};
             for (int i = first; i < end; ++i) {
                 const fw_linear_bond *bond = &of[i][alpha];
                 if (bond->neighbour < 0) continue;
-                const int32_t offset = bond->neighbour - i;
-                const uint32_t s = place_of(bonds, begin, slot_count, offset);
-                fw_bond_slot *slot = &bonds->slots[s];
-                if (s == slot_count) {
-                    *slot = (fw_bond_slot){
-                        .offset = offset, .weights = -1, .direction = (uint8_t)alpha};
-                    slot_count += 1;
-                }
+                fw_bond_slot *slot = slot_of(&group, bond->neighbour - i, alpha);
                 slot->mask |= (uint8_t)(1 << (i - first));
                 if (slot->weights < 0 && (bond->plain != k1 || bond->turning != 0))
                     slot->weights = (int32_t)bonds->weight_count++;
             }
+            if (bonds->slots)
+                memcpy(bonds->slots + slot_count, group.slot, group.count * sizeof *group.slot);
+            slot_count += group.count;
         }
     }
     bonds->begin[(bonds->count + FW_LANES - 1) / FW_LANES] = slot_count;
@@ -71,15 +77,12 @@ static fw_status no_memory(const fw_linear_bonds *bonds, fw_error *error)
 fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1, fw_bond_table of,
                                  fw_error *error)
 {
-    const size_t most = (size_t)count * FW_BOND_DIRECTIONS;
     *bonds = (fw_linear_bonds){.count = count};
     bonds->begin = fw_array_allocate((size_t)count / FW_LANES + 2, sizeof *bonds->begin);
-    bonds->slots = fw_array_allocate(most + 1, sizeof *bonds->slots);
-    if (!bonds->begin || !bonds->slots) return no_memory(bonds, error);
-    const uint32_t slot_count = fill(bonds, k1, of);
-    /* In a lattice they are an eighth of what there might have been. */
-    fw_bond_slot *shorter = realloc(bonds->slots, (slot_count + 1) * sizeof *bonds->slots);
-    if (shorter) bonds->slots = shorter;
+    if (!bonds->begin) return no_memory(bonds, error);
+    bonds->slots = fw_array_allocate((size_t)fill(bonds, k1, of), sizeof *bonds->slots);
+    if (!bonds->slots) return no_memory(bonds, error);
+    fill(bonds, k1, of);
     bonds->weights = fw_array_allocate(bonds->weight_count, sizeof *bonds->weights);
     if (!bonds->weights) return no_memory(bonds, error);
     fill_weights(bonds, of);
