@@ -108,10 +108,20 @@ static void write_number(FILE *out, const char *before, double value)
     fprintf(out, "%s%s", before, text);
 }
 
+/* As it stands in the scenario: with quotes only where it has them. */
+static void write_unit(FILE *out, const fw_node *unit)
+{
+    fputs(unit->quoted ? ", unit: '" : ", unit: ", out);
+    for (const char *c = unit->text; *c; ++c)
+        fprintf(out, "%s", unit->quoted && *c == '\'' ? "''" : (char[]){*c, '\0'});
+    if (unit->quoted) fputc('\'', out);
+}
+
 /* All values of one parameter, those of the cases that there are first; its unit stays. */
 static void write_parameter(FILE *out, const fw_scenario_sweep *plan, int p,
-                            const addition *additions, int count)
+                            const fw_node *parameters, const addition *additions, int count)
 {
+    const fw_node *unit = fw_node_find(fw_node_find(parameters, plan->parameters[p].name), "unit");
     const char *before = "";
     fprintf(out, "study.sweep.parameters.%s={values: [", plan->parameters[p].name);
     for (int n = 0; n < plan->case_count; ++n) {
@@ -125,12 +135,7 @@ static void write_parameter(FILE *out, const fw_scenario_sweep *plan, int p,
     for (int n = 0; n < count; ++n)
         if (!isnan(additions[n].point[p])) write_number(out, ", ", additions[n].point[p]);
     fputc(']', out);
-    if (plan->parameters[p].unit) {
-        fputs(", unit: '", out);
-        for (const char *c = plan->parameters[p].unit; *c; ++c)
-            fprintf(out, "%s", *c == '\'' ? "''" : (char[]){*c, '\0'});
-        fputc('\'', out);
-    }
+    if (unit) write_unit(out, unit);
     fputc('}', out);
 }
 
@@ -160,8 +165,8 @@ static void write_points(FILE *out, const fw_scenario_sweep *plan, const additio
 }
 
 /* Settings one after the other, each ended by '\0'; to be freed. */
-static char *write_settings(const fw_scenario_sweep *plan, bool has_points,
-                            const addition *additions, int count)
+static char *write_settings(const fw_scenario_sweep *plan, const fw_node *parameters,
+                            bool has_points, const addition *additions, int count)
 {
     char *text = NULL;
     size_t size;
@@ -175,7 +180,7 @@ static char *write_settings(const fw_scenario_sweep *plan, bool has_points,
         bool any = false;
         for (int n = 0; n < count; ++n) any |= !isnan(additions[n].point[p]);
         if (!any) continue;
-        write_parameter(out, plan, p, additions, count);
+        write_parameter(out, plan, p, parameters, additions, count);
         fputc('\0', out);
     }
     fputc('\0', out);
@@ -281,7 +286,9 @@ fw_status fw_sweep_extend(fw_scenario **made, const fw_scenario *sweep, const ch
 {
     const fw_scenario_sweep *plan = &sweep->study.sweep;
     const fw_node *study = fw_node_find(fw_document_root(sweep->document), "study");
-    const bool has_points = fw_node_find(fw_node_find(study, "sweep"), "points") != NULL;
+    const fw_node *lines = fw_node_find(study, "sweep");
+    const fw_node *parameters = fw_node_find(lines, "parameters");
+    const bool has_points = fw_node_find(lines, "points") != NULL;
     *made = NULL;
     if (plan->tolerance > 0)
         return fw_fail(error, FW_BAD_INPUT,
@@ -297,7 +304,8 @@ fw_status fw_sweep_extend(fw_scenario **made, const fw_scenario *sweep, const ch
         status = read_addition(plan, has_points, additions[n], &list[n], error);
         if (status == FW_OK) status = refuse_twice(list, n, error);
     }
-    char *changes = status == FW_OK ? write_settings(plan, has_points, list, addition_count) : NULL;
+    char *changes =
+        status == FW_OK ? write_settings(plan, parameters, has_points, list, addition_count) : NULL;
     free(list);
     FW_TRY(status);
     if (!changes) return fw_fail_memory(error, "what is added to a sweep");
@@ -320,7 +328,7 @@ fw_status fw_sweep_add_points(fw_scenario **made, const fw_scenario *sweep, cons
     for (int n = 0; list && n < count; ++n)
         memcpy(list[n].point, points + (size_t)n * (size_t)plan->parameter_count,
                (size_t)plan->parameter_count * sizeof *points);
-    char *changes = list ? write_settings(plan, true, list, count) : NULL;
+    char *changes = list ? write_settings(plan, NULL, true, list, count) : NULL;
     free(list);
     if (!changes) return fw_fail_memory(error, "further points of a sweep");
     const fw_status status = read_larger(made, sweep, changes, NULL, 0, error);

@@ -16,11 +16,11 @@
     "  sweep: {" sweep ", set: [dynamics.temperature=T, dynamics.damping=mu]}\n"                   \
     "expect:\n"                                                                                    \
     "  - {quantity: temperature, statistic: mean, above: 0}\n"
-static const char product[] =
-    GAS("parameters: {T: {from: 0.1, to: 0.3, count: 3, unit: \"k's energy\"}, mu: {values: [2]}}");
+static const char product[] = GAS("parameters: {T: {from: 0.1, to: 0.3, count: 3, unit: \"k's "
+                                  "energy\"}, mu: {values: [2], unit: mass}}");
 static const char whole[] =
     GAS("parameters: {T: {values: [0.1, 0.2, 0.3, 0.6], unit: \"k's energy\"}, "
-        "mu: {values: [2, 0.5, 1]}}");
+        "mu: {values: [2, 0.5, 1], unit: mass}}");
 static const char points[] =
     GAS("parameters: {T: {}, mu: {}}, points: [{T: 0.1, mu: 1}, {T: 0.2, mu: 2}]");
 
