@@ -271,6 +271,12 @@ static int measure(const fw_case *what, int trials, int side)
 
 int main(int count, char **words)
 {
+    const char *instructions = getenv("FRETWORK_INSTRUCTIONS");
+    fw_error error;
+    if (instructions && fw_instruction_set_use(instructions, &error) != FW_OK) {
+        fprintf(stderr, "%s\n", error.sentence);
+        return 2;
+    }
     if (count > 1 && strcmp(words[1], "--clock") == 0) {
         by_clock = true;
         ++words;

@@ -83,7 +83,7 @@ static void words_that_are_no_name_are_looked_for(void **state)
     /* Those that only one model has. */
     seen = run_program("/", "quantities linear-lattice second");
     contains(seen.out, "\n  bond-angle ");
-    seen = run_program("/", "reference friction");
+    seen = run_program("/", "reference friction coefficient");
     expect_end(&seen, 0, "");
     contains(seen.out, "walls.NAME.surface.coulomb: friction coefficient");
     lacks(seen.out, "default");
