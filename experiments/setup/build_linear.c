@@ -58,7 +58,7 @@ static fw_status print_limits(FILE *out, const fw_start *start, int *warnings, f
 }
 
 const fw_solid_kind fw_linear_solid = {.model = &fw_linear_lattice_model,
-                                       .bytes_per_particle = 430,
+                                       .bytes_per_particle = 335,
                                        .build = build,
                                        .set_bath = fw_langevin_set_bath,
                                        .print_limits = print_limits};
