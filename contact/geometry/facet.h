@@ -20,6 +20,16 @@ typedef struct fw_box {
     fw_vec2 low, high;
 } fw_box;
 
+/* Larger by `margin` on every side. */
+static inline fw_box fw_box_grown(fw_box box, double margin)
+{
+    box.low.x -= margin;
+    box.low.y -= margin;
+    box.high.x += margin;
+    box.high.y += margin;
+    return box;
+}
+
 /* Where particles are free to be. */
 typedef enum fw_side { FW_INSIDE, FW_OUTSIDE } fw_side;
 

@@ -217,12 +217,6 @@ static bool lies_within(fw_box inner, fw_box outer)
            inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
 }
 
-static fw_box grown(fw_box box, double margin)
-{
-    return (fw_box){{box.low.x - margin, box.low.y - margin},
-                    {box.high.x + margin, box.high.y + margin}};
-}
-
 /* Room for `capacity` facets in every run; the lists move, from the last to the first. */
 static fw_status enlarge_lists(fw_boundary *boundary, int capacity, fw_error *error)
 {
@@ -273,10 +267,10 @@ fw_status fw_boundary_refresh(fw_boundary *boundary, const fw_solid *solid,
          * query: 32 particles in a row are 31 spacings long. */
         double spacing = (swept.high.x - swept.low.x + swept.high.y - swept.low.y) / RUN;
         FW_TRY(query(boundary, broadphase, run,
-                     grown(swept, fmax(steps_ahead_if_alone * step, spacing)), error));
+                     fw_box_grown(swept, fmax(steps_ahead_if_alone * step, spacing)), error));
         if (boundary->facet_count[run] > 0)
             FW_TRY(query(boundary, broadphase, run,
-                         grown(swept, fmax(steps_ahead * step, spacing / 4)), error));
+                         fw_box_grown(swept, fmax(steps_ahead * step, spacing / 4)), error));
     }
     boundary->generation = generation;
     return FW_OK;

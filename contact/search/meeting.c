@@ -42,12 +42,6 @@ static fw_box joined(fw_box box, fw_vec2 point)
                     {fmax(box.high.x, point.x), fmax(box.high.y, point.y)}};
 }
 
-static fw_box grown(fw_box box, double margin)
-{
-    return (fw_box){{box.low.x - margin, box.low.y - margin},
-                    {box.high.x + margin, box.high.y + margin}};
-}
-
 static bool lies_within(fw_box inner, fw_box outer)
 {
     return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
@@ -166,7 +160,7 @@ static fw_status add_near(fw_meeting *meeting, int a, int b, fw_error *error)
 static void fatten(fw_meeting *meeting, int run, double margin)
 {
     meeting->margin[run] = margin;
-    meeting->fat[run] = grown(meeting->here[run], margin);
+    meeting->fat[run] = fw_box_grown(meeting->here[run], margin);
     meeting->moved[run] = 1;
 }
 
@@ -264,8 +258,8 @@ fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, d
         const double way = known ? farthest_corner(before, meeting->here[run]) / steps : expected;
         calm &= known && 2 * (NAP + 1) * way <= 0.5 * meeting->margin[run];
         meeting->moved[run] = 0;
-        if (known &&
-            lies_within(grown(meeting->here[run], 0.5 * meeting->margin[run]), meeting->fat[run]))
+        if (known && lies_within(fw_box_grown(meeting->here[run], 0.5 * meeting->margin[run]),
+                                 meeting->fat[run]))
             continue;
         if (known && !meeting->is_busy[run] &&
             !lies_within(meeting->here[run], meeting->fat[run]) &&
@@ -297,7 +291,7 @@ fw_status fw_meeting_find(fw_meeting *meeting, double reach, fw_error *error)
     for (int n = 0; n < meeting->busy_count; ++n) {
         const int run = meeting->busy[n];
         meeting->moved[run] = 0;
-        if (lies_within(grown(meeting->here[run], reach), meeting->fat[run])) continue;
+        if (lies_within(fw_box_grown(meeting->here[run], reach), meeting->fat[run])) continue;
         fatten(meeting, run, steps_ahead * reach);
         moved += 1;
     }
@@ -308,7 +302,8 @@ fw_status fw_meeting_find(fw_meeting *meeting, double reach, fw_error *error)
     meeting->pair_count = 0;
     for (int n = 0; n < meeting->near_count; ++n) {
         const fw_meeting_pair pair = meeting->near[n];
-        if (meets(grown(meeting->here[pair.a], reach), grown(meeting->here[pair.b], reach)))
+        if (meets(fw_box_grown(meeting->here[pair.a], reach),
+                  fw_box_grown(meeting->here[pair.b], reach)))
             meeting->pairs[meeting->pair_count++] = pair;
     }
     return FW_OK;
