@@ -170,3 +170,15 @@ int fw_command_threads(const fw_arguments *arguments)
 {
     return arguments->threads > 0 ? (int)arguments->threads : 1;
 }
+
+fw_run_options fw_command_run_options(const fw_arguments *arguments, const char *directory,
+                                      const char *name, fw_progress *progress)
+{
+    *progress = fw_progress_begin(arguments->quiet ? NULL : stderr, name);
+    return (fw_run_options){.directory = directory,
+                            .threads = fw_command_threads(arguments),
+                            .at_once = (int)arguments->threads,
+                            .name = name,
+                            .progress = progress,
+                            .warnings = stderr};
+}

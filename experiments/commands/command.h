@@ -7,6 +7,7 @@
 #include "core/status.h"
 #include "experiments/commands/option.h"
 #include "experiments/scenario/scenario.h"
+#include "experiments/study/run.h"
 
 typedef struct fw_command {
     const char *name; /* NULL ends the table */
@@ -38,6 +39,10 @@ extern const fw_exit_code fw_exit_codes[];
 fw_status fw_command_load(fw_scenario **scenario, const char *word, const fw_arguments *arguments,
                           char name[FW_NAME_BYTES + 1], fw_error *error);
 int fw_command_threads(const fw_arguments *arguments);
+/* How a command that runs something does so in `directory`; begins `progress`, which is to outlive
+ * what runs, under that name. */
+fw_run_options fw_command_run_options(const fw_arguments *arguments, const char *directory,
+                                      const char *name, fw_progress *progress);
 
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_show(const fw_arguments *arguments, fw_error *error);

@@ -10,13 +10,9 @@
 static fw_status run(const fw_scenario *scenario, const fw_arguments *arguments, fw_error *error)
 {
     const char *directory = arguments->words[0];
-    fw_progress progress = fw_progress_begin(arguments->quiet ? NULL : stderr, directory);
-    const fw_run_options options = {.directory = directory,
-                                    .threads = fw_command_threads(arguments),
-                                    .at_once = (int)arguments->threads,
-                                    .name = directory,
-                                    .progress = &progress,
-                                    .warnings = stderr};
+    fw_progress progress;
+    const fw_run_options options =
+        fw_command_run_options(arguments, directory, directory, &progress);
     fw_sweep *sweep;
     FW_TRY(fw_leftovers_check(directory, scenario, error));
     FW_TRY(fw_sweep_grow(&sweep, scenario, &options, error));

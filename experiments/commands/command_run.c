@@ -74,14 +74,9 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
     FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
     snprintf(standard, sizeof standard, "results/%s", name);
     const char *directory = arguments->output ? arguments->output : standard;
-    fw_progress progress = fw_progress_begin(arguments->quiet ? NULL : stderr, name);
-    const fw_run_options options = {.directory = directory,
-                                    .overwrite = arguments->overwrite,
-                                    .threads = fw_command_threads(arguments),
-                                    .at_once = (int)arguments->threads,
-                                    .name = name,
-                                    .progress = &progress,
-                                    .warnings = stderr};
+    fw_progress progress;
+    fw_run_options options = fw_command_run_options(arguments, directory, name, &progress);
+    options.overwrite = arguments->overwrite;
     fw_leftovers *leftovers;
     fw_status status = arguments->overwrite ? FW_OK : refuse_unfinished(directory, error);
     if (status != FW_OK) {
@@ -156,13 +151,9 @@ static fw_status go_on_with_sweep(const char *directory, const fw_run_options *o
 fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error)
 {
     const char *directory = arguments->words[0];
-    fw_progress progress = fw_progress_begin(arguments->quiet ? NULL : stderr, directory);
-    const fw_run_options options = {.directory = directory,
-                                    .threads = fw_command_threads(arguments),
-                                    .at_once = (int)arguments->threads,
-                                    .name = directory,
-                                    .progress = &progress,
-                                    .warnings = stderr};
+    fw_progress progress;
+    const fw_run_options options =
+        fw_command_run_options(arguments, directory, directory, &progress);
     return fw_sweep_is_in(directory)
                ? go_on_with_sweep(directory, &options, arguments->no_plot, error)
                : go_on(directory, &options, arguments->no_plot, error);
