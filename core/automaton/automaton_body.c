@@ -4,7 +4,7 @@
  *
  * Pulls are sums over differences, not -b + sum B w as the paper writes it: a rigid shift of the
  * body, however large, then leaves no rounding behind. */
-#include "automaton_body.h"
+#include "automaton_rim.h"
 
 #include <stdlib.h>
 
@@ -57,26 +57,12 @@ bool fw_automaton_rim_weigh(const fw_automaton *body, int colour, fw_automaton_r
     return true;
 }
 
-fw_vec2 fw_automaton_rim_pull(const fw_automaton *body, int colour, const fw_automaton_rim *rim)
-{
-    const fw_automaton_colour *other = &body->colour[!colour];
-    const fw_vec2 self = fw_automaton_at(&body->colour[colour], rim->cell);
-    fw_vec2 sum = {0, 0};
-    for (int d = 0; d < FW_DIRECTIONS; ++d) {
-        if (rim->neighbour[d] < 0) continue;
-        const fw_vec2 difference =
-            fw_vec2_subtract(fw_automaton_at(other, rim->neighbour[d]), self);
-        sum = fw_vec2_add(sum, fw_sym2_apply(rim->pull[d], difference));
-    }
-    return sum;
-}
-
 fw_vec2 fw_automaton_cell_pull(const fw_automaton *body, int colour, int cell)
 {
     const fw_automaton_colour *own = &body->colour[colour], *other = &body->colour[!colour];
     const int place = own->place[cell];
-    if (place >= 0) return fw_automaton_rim_pull(body, colour, &own->rim[place]);
     const fw_vec2 self = fw_automaton_at(own, cell);
+    if (place >= 0) return fw_automaton_rim_pull(&own->rim[place], self, other->x, other->y);
     fw_vec2 pull[FW_DIRECTIONS];
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
         const int neighbour = cell + own->span[~place].offset[d];

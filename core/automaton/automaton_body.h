@@ -141,8 +141,7 @@ void fw_automaton_release(fw_automaton *body);
  */
 bool fw_automaton_rim_weigh(const fw_automaton *body, int colour, fw_automaton_rim *rim);
 
-/* s = sum_d pull[d] (neighbour - self): of one rim cell, of any cell. */
-fw_vec2 fw_automaton_rim_pull(const fw_automaton *body, int colour, const fw_automaton_rim *rim);
+/* s = sum_d pull[d] (neighbour - self) of any cell. */
 fw_vec2 fw_automaton_cell_pull(const fw_automaton *body, int colour, int cell);
 
 /* Masses of any cell; the unit matrix inside. */

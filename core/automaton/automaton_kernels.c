@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* automaton_kernels.c - the half-step of cells that have all their neighbours (Dong Eq 3); compiled
+/* automaton_kernels.c - the half-step of cells (Dong Eq 3); compiled
  * once for each instruction set. Keeps no state. Start reading at move_part(). */
 #include "automaton_kernels.h"
+
+#include "automaton_rim.h"
 
 #include "core/vectors.h"
 
@@ -82,6 +84,12 @@ __attribute__((noinline, cold)) static void tear(const double *neighbour_x,
     }
 }
 
+/* A little less than the square of break_at, for hypot() rounds otherwise. */
+FW_INLINE double least_to_tear(const fw_automaton_move *move)
+{
+    return move->break_at * move->break_at * (1 - 1e-12);
+}
+
 /* Bonds of the cells from k on, from the middle of the cells' displacements to their neighbours. */
 FW_INLINE void look_for_tears(const fw_automaton_move *move, const stream *s, int k, int count,
                               const fw_vector_pair neighbour[FW_DIRECTIONS], fw_vector_pair middle,
@@ -94,9 +102,7 @@ FW_INLINE void look_for_tears(const fw_automaton_move *move, const stream *s, in
     }
     const fw_vector largest = fw_larger(fw_larger(square[FW_EAST], square[FW_NORTH]),
                                         fw_larger(square[FW_WEST], square[FW_SOUTH]));
-    /* A little less than the square of break_at, for hypot() rounds otherwise. */
-    const double least = move->break_at * move->break_at * (1 - 1e-12);
-    if (__builtin_expect(!fw_any(fw_less(fw_splat(least), largest)), 1)) return;
+    if (__builtin_expect(!fw_any(fw_less(fw_splat(least_to_tear(move)), largest)), 1)) return;
     double middle_x[FW_WIDTH], middle_y[FW_WIDTH];
     fw_store(middle_x, middle.x);
     fw_store(middle_y, middle.y);
@@ -146,6 +152,24 @@ FW_INLINE void move_part(const fw_automaton_move *move, const stream *s, int k, 
     }
 }
 
+/* Fewer cells than a block has. */
+FW_INLINE void move_some(const fw_automaton_move *move, const stream *s, int k, int count, kind has,
+                         passed *sum)
+{
+    const uint8_t bits = fw_first_lanes(count);
+    for (int part = 0; part * FW_WIDTH < count; ++part)
+        move_part(move, s, k + part * FW_WIDTH, part, count - part * FW_WIDTH,
+                  (lanes){.mask = fw_mask_of(bits, part)}, has, sum);
+}
+
+/* So many cells come before the first block that fills a line of the cache. Long spans only; not
+ * where lanes are summed, which must be the same wherever memory lies. */
+FW_INLINE int lead_of(const double *x, int count)
+{
+    const int past = (int)((uintptr_t)x / sizeof *x % FW_BLOCK);
+    return past > 0 && count >= 8 * FW_BLOCK ? FW_BLOCK - past : 0;
+}
+
 /* What nobody has read yet: the cells' own displacements, and those to their north. The processor
  * alone looks less far ahead, and memory then gives half of what it can. */
 FW_INLINE void fetch_ahead(const stream *s, int k)
@@ -173,18 +197,16 @@ FW_INLINE void move_span(const fw_automaton_move *moved, const fw_automaton_span
         s.force_y = move->force_y + span->particle;
     }
     if (has.breakable) s.torn = move->torn + span->begin;
-    int k = 0;
+    const int lead = has.loaded || has.damped ? 0 : lead_of(s.x, span->count);
+    if (lead > 0) move_some(move, &s, 0, lead, has, &sum);
+    int k = lead;
     for (; k + FW_BLOCK <= span->count; k += FW_BLOCK) {
-        fetch_ahead(&s, k);
+        if (move->fetches) fetch_ahead(&s, k);
         for (int part = 0; part < FW_PARTS; ++part)
             move_part(move, &s, k + part * FW_WIDTH, part, FW_WIDTH, (lanes){.all = true}, has,
                       &sum);
     }
-    const int left = span->count - k;
-    const uint8_t bits = fw_first_lanes(left);
-    for (int part = 0; part * FW_WIDTH < left; ++part)
-        move_part(move, &s, k + part * FW_WIDTH, part, left - part * FW_WIDTH,
-                  (lanes){.mask = fw_mask_of(bits, part)}, has, &sum);
+    move_some(move, &s, k, span->count - k, has, &sum);
     share->torn |= sum.torn;
     if (has.loaded) {
         share->work += fw_sum_block(sum.work);
@@ -218,4 +240,48 @@ static void move_cells(const fw_automaton_move *move, const fw_automaton_span *s
     }
 }
 
-const fw_automaton_kernels FW_KERNELS_HERE(fw_automaton_kernels) = {.move = move_cells};
+/* Notes the bonds of a cell at a rim that are too long. */
+__attribute__((noinline, cold)) static void
+tear_rim(const fw_automaton_move *move, const fw_automaton_rim *rim, fw_vec2 middle, bool *any)
+{
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        const int neighbour = rim->neighbour[d];
+        if (neighbour >= 0)
+            tear(move->other_x + neighbour, move->other_y + neighbour, &middle.x, &middle.y, 1,
+                 move->break_at, (uint8_t)(1 << d), move->torn + rim->cell, any);
+    }
+}
+
+/* Is a bond longer than may be, or nearly so? */
+static bool is_stretched(const fw_automaton_move *move, const fw_automaton_rim *rim, fw_vec2 middle)
+{
+    double largest = 0;
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        const int neighbour = rim->neighbour[d];
+        if (neighbour < 0) continue;
+        const double x = move->other_x[neighbour] - middle.x;
+        const double y = move->other_y[neighbour] - middle.y;
+        largest = fmax(largest, x * x + y * y);
+    }
+    return largest > least_to_tear(move);
+}
+
+static void move_rim(const fw_automaton_move *move, const fw_automaton_rim *rim, int count,
+                     fw_automaton_share *share)
+{
+    for (int n = 0; n < count; ++n) {
+        const int cell = rim[n].cell;
+        const fw_vec2 self = {move->x[cell], move->y[cell]};
+        const fw_vec2 pull = fw_automaton_rim_pull(&rim[n], self, move->other_x, move->other_y);
+        const fw_vec2 d =
+            fw_automaton_rim_displacement(&rim[n], pull, move->share_of_pull, move->mirror);
+        move->x[cell] = self.x + d.x;
+        move->y[cell] = self.y + d.y;
+        if (!move->torn) continue;
+        const fw_vec2 middle = fw_vec2_add(self, fw_vec2_scale(0.5, d));
+        if (is_stretched(move, &rim[n], middle)) tear_rim(move, &rim[n], middle, &share->torn);
+    }
+}
+
+const fw_automaton_kernels FW_KERNELS_HERE(fw_automaton_kernels) = {.move = move_cells,
+                                                                    .move_rim = move_rim};

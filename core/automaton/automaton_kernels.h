@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* automaton_kernels.h - the loops of a half-step over cells that have all their neighbours. */
+/* automaton_kernels.h - the loops of a half-step over cells. */
 #ifndef FW_AUTOMATON_KERNELS_H
 #define FW_AUTOMATON_KERNELS_H
 
@@ -17,6 +17,8 @@ typedef struct fw_automaton_move {
     const double *force_x, *force_y; /* of each particle; NULL: no loads */
     double break_at;                 /* stretch of a bond that breaks it */
     uint8_t *torn;                   /* of each cell: see the body's; NULL: unbreakable */
+    bool mirror;                     /* the boundary rule of that name */
+    bool fetches;                    /* the cells have to come from memory */
 } fw_automaton_move;
 
 typedef struct fw_automaton_kernels {
@@ -26,6 +28,9 @@ typedef struct fw_automaton_kernels {
      * lattice distance. */
     void (*move)(const fw_automaton_move *move, const fw_automaton_span *span,
                  fw_automaton_share *share);
+    /* The same of cells at a rim that nothing loads or damps. */
+    void (*move_rim)(const fw_automaton_move *move, const fw_automaton_rim *rim, int count,
+                     fw_automaton_share *share);
 } fw_automaton_kernels;
 
 FW_KERNELS(fw_automaton_kernels, fw_automaton_kernels);

@@ -10,6 +10,8 @@
  * that is left of the precision of the differences, on which the energy stands. */
 #include "automaton_sweep.h"
 
+#include "automaton_rim.h"
+
 #include <math.h>
 
 fw_half_step fw_half_step_of(const fw_automaton *body, int colour)
@@ -30,7 +32,9 @@ fw_half_step fw_half_step_of(const fw_automaton *body, int colour)
                                     .force_x = body->head.loaded ? body->head.external_x : NULL,
                                     .force_y = body->head.loaded ? body->head.external_y : NULL,
                                     .break_at = body->break_at,
-                                    .torn = body->torn};
+                                    .torn = body->torn,
+                                    .mirror = body->boundary == FW_BOUNDARY_MIRROR,
+                                    .fetches = true};
     for (int d = 0; d < FW_DIRECTIONS; ++d) step.move.matrix[d] = *own->matrix[d];
     return step;
 }
@@ -41,18 +45,10 @@ static fw_sym2 mobility(const fw_half_step *step, fw_sym2 inverse_mass)
     return fw_sym2_scale(step->share_of_pull, inverse_mass);
 }
 
-/* Free displacement (1 + a)/2 m^-1 s of a rim cell. The rounding of m^-1 is the same each time and
- * would add up to 1e-12 of the energy in 10^4 steps; a second pass over what m d misses leaves only
- * rounding that varies. */
+/* Of a rim cell that is pulled by s. */
 static fw_vec2 rim_displacement(const fw_half_step *step, const fw_automaton_rim *rim, fw_vec2 s)
 {
-    const fw_sym2 m = rim->mass;
-    fw_vec2 d = fw_sym2_apply(rim->inverse_mass, s);
-    const fw_vec2 missed = {fma(-m.xy, d.y, fma(-m.xx, d.x, s.x)),
-                            fma(-m.yy, d.y, fma(-m.xy, d.x, s.y))};
-    if (step->body->boundary != FW_BOUNDARY_MIRROR)
-        d = fw_vec2_add(d, fw_sym2_apply(rim->inverse_mass, missed));
-    return fw_vec2_scale(step->share_of_pull, d);
+    return fw_automaton_rim_displacement(rim, s, step->share_of_pull, step->move.mirror);
 }
 
 void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,
@@ -141,13 +137,25 @@ static void move_held_span(const fw_half_step *step, const fw_automaton_span *sp
     }
 }
 
-static void move_rim(const fw_half_step *step, const fw_automaton_rim *rim,
-                     fw_automaton_share *share)
+/* Cell by cell, where a constraint may decide, or something passes. */
+static void move_busy_rim(const fw_half_step *step, const fw_automaton_rim *rim,
+                          fw_automaton_share *share)
 {
-    const fw_vec2 pull = fw_automaton_rim_pull(step->body, step->colour, rim);
-    const int particle = step->body->colour[step->colour].particle[rim->cell];
+    const fw_automaton_colour *colour = &step->body->colour[step->colour];
+    const fw_vec2 pull = fw_automaton_rim_pull(rim, fw_automaton_at(colour, rim->cell),
+                                               step->move.other_x, step->move.other_y);
+    const int particle = colour->particle[rim->cell];
     move(step, rim->cell, particle, rim->mass, rim->inverse_mass, rim_displacement(step, rim, pull),
          share);
+}
+
+static void move_rim(const fw_half_step *step, const fw_automaton_rim *rim, int count,
+                     fw_automaton_share *share)
+{
+    if (!step->constraints && !fw_half_step_passes(step))
+        step->kernels->move_rim(&step->move, rim, count, share);
+    else
+        for (int n = 0; n < count; ++n) move_busy_rim(step, &rim[n], share);
 }
 
 static void move_span(const fw_half_step *step, const fw_automaton_span *span,
@@ -190,8 +198,8 @@ void fw_half_step_move_row(const fw_half_step *step, int number, fw_automaton_sh
         else
             move_span(step, &colour->span[n], share);
     }
-    for (int n = row[0].rim; n < row[1].rim; ++n) move_rim(step, &colour->rim[n], share);
-    for (int n = 0; n < gaps->count; ++n) move_rim(step, &colour->rim[gaps->rim[n]], share);
+    move_rim(step, &colour->rim[row[0].rim], row[1].rim - row[0].rim, share);
+    for (int n = 0; n < gaps->count; ++n) move_rim(step, &colour->rim[gaps->rim[n]], 1, share);
 }
 
 void fw_automaton_book(fw_automaton *body, const fw_automaton_share *shares)

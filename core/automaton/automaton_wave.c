@@ -12,7 +12,9 @@ enum { FRONT_BYTES = 1 << 19 };
 
 typedef struct front {
     fw_automaton *body;
-    fw_half_step step[FW_COLOURS]; /* of the colour that moves in even ticks, in odd ones */
+    fw_half_step step[FW_COLOURS]; /* of the colour that moves in even ticks, in odd ones; rows
+                                    * are in the cache already */
+    fw_half_step first;            /* of tick 0, which fetches them */
     fw_status status;              /* of what breaks; then there is but one strip */
     fw_error *error;
 } front;
@@ -23,7 +25,7 @@ static void move_row(void *context, int tick, int row)
 {
     front *f = context;
     fw_automaton *body = f->body;
-    const fw_half_step *step = &f->step[tick & 1];
+    const fw_half_step *step = tick == 0 ? &f->first : &f->step[tick & 1];
     fw_automaton_share share;
     fw_half_step_move_row(step, row, &share);
     if (fw_half_step_passes(step)) body->share[tick * body->row_count + row] = share;
@@ -31,14 +33,17 @@ static void move_row(void *context, int tick, int row)
         f->status = fw_automaton_tear_row(body, step->colour, row, tick, f->error);
 }
 
-/* How many ticks a front takes, at most `most`. */
+/* How many ticks a front takes, at most `most`: few enough for the cache, and if that takes several
+ * sweeps, then equally many in each. */
 static int depth_of(const fw_automaton *body, int most, bool passes)
 {
-    const int64_t bytes = (int64_t)sizeof(double[2]) * body->head.count / body->row_count + 1;
+    const int64_t bytes = (int64_t)sizeof(double[2]) * body->head.count / body->row_count;
     const int64_t fits = FRONT_BYTES / bytes;
     int depth = fits > 2 ? (fits < most ? (int)fits : most) : 2;
     if (passes && depth > FW_SHARED_TICKS) depth = FW_SHARED_TICKS;
-    return depth < most ? depth : most;
+    if (depth >= most) return most;
+    const int sweeps = (most + depth - 1) / depth;
+    return (most + sweeps - 1) / sweeps;
 }
 
 static int threads_of(const fw_automaton *body)
@@ -53,6 +58,8 @@ static fw_status advance_front(fw_automaton *body, int most, int *taken, fw_erro
     front f = {.body = body,
                .step = {fw_half_step_of(body, moving), fw_half_step_of(body, !moving)},
                .error = error};
+    f.first = f.step[0];
+    f.step[0].move.fetches = f.step[1].move.fetches = false;
     const bool passes = fw_half_step_passes(&f.step[0]);
     const int ticks = depth_of(body, most, passes);
     const int strips =
