@@ -3,6 +3,8 @@
  * Keeps no state. */
 #include "particle_forces.h"
 
+#include "core/particles/surroundings.h"
+
 #include <math.h>
 
 static const fw_particles *particles_of(const fw_solid *solid)
@@ -61,6 +63,32 @@ static void fill_coordination(const fw_solid *solid, double *values)
     }
 }
 
+/* Order of a symmetry, whatever the body's own; 0 without bonds, NaN without memory. */
+static void fill_order(const fw_solid *solid, int fold, double *values)
+{
+    const double radius = fw_particles_bond_radius(solid);
+    const bool found = fw_surroundings_order(solid->x, solid->y, solid->count, radius, &fold, 1,
+                                             values, NULL) == FW_OK;
+    for (int i = 0; i < solid->count; ++i)
+        values[i] = found ? (isfinite(values[i]) ? values[i] : 0) : NAN;
+}
+
+static void fill_order_of_four(const fw_solid *solid, double *values)
+{
+    fill_order(solid, 4, values);
+}
+
+static void fill_order_of_six(const fw_solid *solid, double *values)
+{
+    fill_order(solid, 6, values);
+}
+
+static void fill_density(const fw_solid *solid, double *values)
+{
+    if (fw_surroundings_density(solid->x, solid->y, solid->count, 1, values, NULL) != FW_OK)
+        for (int i = 0; i < solid->count; ++i) values[i] = NAN;
+}
+
 static void fill_group(const fw_solid *solid, double *values)
 {
     for (int i = 0; i < solid->count; ++i) values[i] = particles_of(solid)->group_of[i];
@@ -86,6 +114,10 @@ const fw_field fw_particle_fields[] = {
     {"lab-order", "real part of the mean of e^{i n (phi - axes)} over the particle's bonds",
      fill_lab_order},
     {"coordination", "how many bonds the particle has", fill_coordination},
+    {"order-4", "|mean of e^{4 i phi}| over the particle's bonds", fill_order_of_four},
+    {"order-6", "|mean of e^{6 i phi}| over the particle's bonds", fill_order_of_six},
+    {"gaussian-density", "sum over all particles of exp(-distance^2) (Eq 22, lambda 1)",
+     fill_density},
     {"group", "number of the body among those of movable particles", fill_group},
     {NULL, NULL, NULL},
 };

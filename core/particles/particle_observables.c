@@ -3,6 +3,7 @@
 #include "core/particles/particle_observables.h"
 
 #include "core/particles/neighbours.h"
+#include "core/particles/surroundings.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -235,53 +236,8 @@ fw_status fw_particle_pair_correlation(const fw_solid *solid, int group, double 
     return FW_OK;
 }
 
-/* The lowest particle that i is known to be linked to; shortens the chain for later calls. */
-static int root_of(int *parent, int i)
-{
-    while (parent[i] != i) {
-        parent[i] = parent[parent[i]];
-        i = parent[i];
-    }
-    return i;
-}
-
-static void link_all(const fw_solid *solid, const fw_neighbours *near, int *parent)
-{
-    for (int i = 0; i < solid->count; ++i) parent[i] = i;
-    for (int i = 0; i < solid->count; ++i)
-        for (size_t k = near->begin[i]; k < near->begin[i + 1]; ++k) {
-            const int a = root_of(parent, i), b = root_of(parent, near->list[k]);
-            if (a < b) parent[b] = a;
-            if (b < a) parent[a] = b;
-        }
-}
-
-/* Counts the particles of each cluster into `size`, all zero before; returns the largest count. */
-static int mark_largest(const fw_solid *solid, int *parent, int *size, uint8_t *members)
-{
-    int largest = 0;
-    for (int i = 0; i < solid->count; ++i) size[root_of(parent, i)] += 1;
-    for (int i = 0; i < solid->count; ++i)
-        if (size[i] > size[largest]) largest = i;
-    for (int i = 0; i < solid->count; ++i) members[i] = root_of(parent, i) == largest;
-    return size[largest];
-}
-
 fw_status fw_particle_largest_cluster(const fw_solid *solid, double link, uint8_t *members,
                                       int *count, fw_error *error)
 {
-    fw_neighbours *near;
-    FW_TRY(fw_neighbours_create(&near, solid->x, solid->y, solid->count, link, error));
-    int *parent = malloc((size_t)solid->count * sizeof *parent);
-    int *size = calloc((size_t)solid->count, sizeof *size);
-    const fw_status status =
-        parent && size ? FW_OK : fw_fail_memory(error, "the clusters of particles");
-    if (status == FW_OK) {
-        link_all(solid, near, parent);
-        *count = mark_largest(solid, parent, size, members);
-    }
-    free(parent);
-    free(size);
-    fw_neighbours_destroy(near);
-    return status;
+    return fw_surroundings_cluster(solid->x, solid->y, solid->count, link, members, count, error);
 }

@@ -35,7 +35,7 @@ typedef struct fw_subject {
     const fw_observer *observer; /* what is followed beside the scene; NULL: nothing is */
 } fw_subject;
 
-enum { FW_COMPONENTS_MAX = 4 };
+enum { FW_COMPONENTS_MAX = 8 };
 
 /* What is a smaller part than this of what it is compared with is rounding: nothing is divided by
  * it. */
@@ -67,6 +67,7 @@ static inline void fw_quantity_put(double *out, fw_vec2 v)
 /* The tables, each in the file of its name. */
 extern const fw_quantity fw_common_quantities[];
 extern const fw_quantity fw_contact_quantities[];
+extern const fw_quantity fw_shape_quantities[];
 extern const fw_quantity fw_boltzmann_quantities[];
 extern const fw_quantity fw_elastic_quantities[];
 extern const fw_quantity fw_particle_quantities[];

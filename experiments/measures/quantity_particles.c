@@ -5,6 +5,7 @@
 #include "experiments/setup/body_range.h"
 
 #include "core/particles/particle_observables.h"
+#include "core/particles/surroundings.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -164,18 +165,19 @@ static void bragg_peak(const fw_experiment *experiment, fw_subject subject, doub
 
 static void largest_cluster(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    static const fw_subject all = {.body = -1};
-    (void)subject;
-    const particle_set set = particles_of(experiment, all);
+    const fw_solid *solid = particles_of(experiment, subject).solid;
+    const fw_body_range all = {.count = solid->count};
+    const fw_body_range *range = subject.body < 0 ? &all : &experiment->bodies[subject.body];
     const fw_scenario *scenario = experiment->scenario;
     double link = 0;
     for (int m = 0; m < scenario->material_count; ++m)
         if (scenario->materials[m].kind == FW_MOVABLE_PARTICLES)
             link = scenario->materials[m].particles.potential.cut.outer;
-    uint8_t *members = malloc((size_t)set.solid->count);
+    uint8_t *members = malloc((size_t)range->count);
     int count = 0;
     out[0] = NAN;
-    if (members && fw_particle_largest_cluster(set.solid, link, members, &count, NULL) == FW_OK)
+    if (members && fw_surroundings_cluster(solid->x + range->first, solid->y + range->first,
+                                           range->count, link, members, &count, NULL) == FW_OK)
         out[0] = count;
     free(members);
 }
@@ -231,7 +233,7 @@ const fw_quantity fw_particle_quantities[] = {
     {"local-order", FW_SCOPE_BODIES, "", "1", "mean of |psi_n|, psi_n the mean of e^{i n phi} over the bonds of a particle", MLP, local_order, NULL, FW_NEEDS_NOTHING},
     {"coordination", FW_SCOPE_BODIES, "", "1", "mean number of bonds of a particle", MLP, coordination, NULL, FW_NEEDS_NOTHING},
     {"bragg-peak", FW_SCOPE_BODY, "", "1", "mean height of the structure factor's first peaks, each the largest value within a tenth of its wave number from where the axes have it: 1 for a perfect crystal", MLP, bragg_peak, NULL, FW_NEEDS_NOTHING},
-    {"largest-cluster", FW_SCOPE_SCENE, "", "1", "particles in the largest cluster, linked where the potential reaches", MLP, largest_cluster, NULL, FW_NEEDS_NOTHING},
+    {"largest-cluster", FW_SCOPE_BODIES, "", "1", "particles in the largest cluster, linked where the potential reaches, of a body inside it", MLP, largest_cluster, NULL, FW_NEEDS_NOTHING},
     {"return-force", FW_SCOPE_BODIES, "", "force", "mean size of the net return force on a particle", MLP, return_force, NULL, FW_NEEDS_NOTHING},
     {"bond-angle", FW_SCOPE_BODY, "", "degrees", "direction of the second particle, seen from the first", POINT_MASSES, bond_angle, NULL, FW_NEEDS_NOTHING},
     {"diffusion-ratio", FW_SCOPE_BODY, "", "1", "mean square displacement over the exact one of free Brownian particles that start thermal", POINT_MASSES, diffusion_ratio, "without damping or temperature nothing diffuses", FW_NEEDS_NOTHING},
