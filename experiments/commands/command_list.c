@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_list.c - list and show: the named experiments, grouped by what one wants to see. Keeps
- * no state. Start reading at fw_command_list(). */
+/* command_list.c - list: the named experiments, grouped by what one wants to see. Keeps no state.
+ * Start reading at fw_command_list(). */
 #include "experiments/commands/command.h"
 #include "experiments/scenario/catalogue.h"
 #include "experiments/text/json.h"
@@ -171,12 +171,4 @@ fw_status fw_command_list(const fw_arguments *arguments, fw_error *error)
         print_groups(&c);
     release(&c);
     return status;
-}
-
-fw_status fw_command_show(const fw_arguments *arguments, fw_error *error)
-{
-    const fw_catalogue_entry *entry;
-    FW_TRY(fw_catalogue_find(&entry, arguments->words[0], error));
-    fwrite(entry->text, 1, entry->length, stdout);
-    return FW_OK;
 }

@@ -33,6 +33,10 @@ static const fw_key scenario_keys[] = {
      .unit = "seconds", .meaning = "how long a run took on two processors, for `fretwork list`"},
     {"about", AT_TEXT(fw_scenario, about), .default_meaning = "none",
      .meaning = "anything else a reader should know"},
+    {"parameters", FW_FORM_CONSTANTS, NOT_STORED, .default_meaning = "none",
+     .hint = "such as {A: 2, F: 24*A}",
+     .meaning = "named numbers, which formulas in the place of any number may use, as `24*A`; a "
+                "sweep may vary them. Formulas are those of `study.sweep`"},
     {"materials", FW_FORM_NAMED, .subsection = &fw_material_section, .least = 1,
      .most = FW_NAMED_MAX, REQUIRED, NOT_STORED, .meaning = "materials by name"},
     {"bodies", FW_FORM_NAMED, .subsection = &fw_body_section, .least = 1, .most = FW_NAMED_MAX,
@@ -176,6 +180,7 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     FW_TRY(fw_settings_apply(document, &fw_scenario_section, settings, setting_count, error));
     FW_TRY(fw_schema_check(document, &fw_scenario_section, error));
     FW_TRY(fw_scenario_read_sweep(scenario, error));
+    FW_TRY(fw_scenario_check_constants(scenario, error));
     FW_TRY(fw_schema_fill(document, &fw_scenario_section, fw_document_root(document), scenario,
                           error));
     FW_TRY(refuse_lines(scenario, "title", error));

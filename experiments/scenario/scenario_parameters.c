@@ -162,6 +162,15 @@ static fw_status read_list(const fw_scenario *scenario, const char *name, const 
     return FW_OK;
 }
 
+static fw_status refuse_empty(const fw_scenario *scenario, const fw_scenario_parameter *parameter,
+                              fw_error *error)
+{
+    return fw_scenario_fail(scenario, parameter->place, error,
+                            "%s has no values, expected 'values', or 'from', 'to' and 'count', or "
+                            "'points' of the sweep",
+                            parameter->name);
+}
+
 /* `is_known`: it has the value of the case that the scenario is. */
 static fw_status read_parameter(fw_scenario *scenario, const fw_node *node, bool has_points,
                                 bool is_known, value_list *list, fw_error *error)
@@ -187,11 +196,7 @@ static fw_status read_parameter(fw_scenario *scenario, const fw_node *node, bool
                                 "two",
                                 node->key, given->key);
     if (!given && (has_points || is_known)) return FW_OK;
-    if (!given)
-        return fw_scenario_fail(scenario, node->key_place, error,
-                                "%s has no values, expected 'values', or 'from', 'to' and 'count', "
-                                "or 'points' of the sweep",
-                                node->key);
+    if (!given) return refuse_empty(scenario, made, error);
     FW_TRY(fw_scenario_allocate(scenario, (size_t)(values ? values->count : w.count),
                                 sizeof *list->values, &list->values, error));
     return values ? read_list(scenario, node->key, values, list, error)
@@ -369,8 +374,13 @@ fw_status fw_scenario_read_parameters(fw_scenario *scenario, const fw_node *swee
         FW_TRY(read_parameter(scenario, child, points && !bisects, is_known,
                               &lists[sweep->parameter_count], error));
     if (points) FW_TRY(read_points(scenario, points, error));
-    bool all = !points;
-    for (int p = 0; p < sweep->parameter_count; ++p) all = all && lists[p].count > 0;
+    bool all = !points, any = false;
+    for (int p = 0; p < sweep->parameter_count; ++p) {
+        all = all && lists[p].count > 0;
+        any = any || lists[p].count > 0;
+    }
+    for (int p = 0; any && !all && !points && p < sweep->parameter_count; ++p)
+        if (lists[p].count == 0) return refuse_empty(scenario, &sweep->parameters[p], error);
     if (all) FW_TRY(combine(scenario, lists, error));
     return check_names(scenario, error);
 }

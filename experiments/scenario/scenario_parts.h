@@ -6,6 +6,7 @@
 #define FW_SCENARIO_PARTS_H
 
 #include "experiments/scenario/scenario.h"
+#include "experiments/schema/constants.h"
 #include "experiments/schema/schema.h"
 
 /* --- keys --- */
@@ -109,6 +110,12 @@ fw_status fw_scenario_read_phases(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_study(fw_scenario *scenario, fw_error *error);
 /* The sweep, and the settings of the case that the scenario is: before everything else. */
 fw_status fw_scenario_read_sweep(fw_scenario *scenario, fw_error *error);
+/* The named numbers under `parameters`, at most FW_CONSTANTS_MAX; returns how many. */
+int fw_scenario_constants(const fw_scenario *scenario, fw_variable *variables);
+/* Does anything but other constants depend on it, by itself or through these? */
+bool fw_scenario_needs_constant(const fw_scenario *scenario, const char *name);
+/* FW_BAD_INPUT: a --set option gives one on which nothing depends. */
+fw_status fw_scenario_check_constants(const fw_scenario *scenario, fw_error *error);
 /* Parameters and cases of the sweep that is written there; `is_known`: it is a case that needs no
  * values, and has none but what `case` says. */
 fw_status fw_scenario_read_parameters(fw_scenario *scenario, const fw_node *sweep_node,

@@ -4,6 +4,7 @@
  * Start reading at check_mapping(). */
 #include "experiments/schema/schema.h"
 
+#include "experiments/schema/constants.h"
 #include "experiments/text/number.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
@@ -15,7 +16,8 @@
 enum { PATH_SIZE = 320, EXPECTED_SIZE = 400, ALTERNATIVES_MAX = 16 };
 
 typedef struct checker {
-    const fw_document *document;
+    fw_document *document;
+    fw_constants constants;
     fw_error *error;
     char path[PATH_SIZE]; /* "bodies.sheet.velocity" */
 } checker;
@@ -52,6 +54,9 @@ static description describe(const fw_node *node, const fw_key *key)
     description d;
     if (node->kind == FW_SCALAR && node->length == 0)
         snprintf(d.text, sizeof d.text, "empty");
+    else if (node->kind == FW_SCALAR && node->formula)
+        snprintf(d.text, sizeof d.text, "'%s' = %s",
+                 fw_text_quote(node->formula, strlen(node->formula)).text, node->text);
     else if (node->kind == FW_SCALAR)
         snprintf(d.text, sizeof d.text, "%s'%s'%s", node->quoted ? "the text " : "",
                  fw_text_quote(node->text, node->length).text,
@@ -111,9 +116,10 @@ static bool in_bounds(const fw_key *key, double value)
 }
 
 /* A number of at most `most` in size where a single one may be. */
-static fw_status check_number(checker *c, const fw_node *node, const fw_key *key, double most)
+static fw_status check_number(checker *c, fw_node *node, const fw_key *key, double most)
 {
-    if (node->kind != FW_SCALAR || node->quoted) return refuse(c, node, key);
+    FW_TRY(fw_constants_resolve(&c->constants, c->document, node, c->path, c->error));
+    if (node->kind != FW_SCALAR || (node->quoted && !node->formula)) return refuse(c, node, key);
     double value = 0;
     int64_t integer = 0;
     bool whole = key->forms & FW_FORM_INTEGER;
@@ -125,20 +131,24 @@ static fw_status check_number(checker *c, const fw_node *node, const fw_key *key
 
     char expected[EXPECTED_SIZE];
     fw_schema_expected(key, expected, sizeof expected);
-    fw_quote found = fw_text_quote(node->text, node->length);
+    const description found = describe(node, NULL);
     if (fault == FW_NUMBER_TOO_SMALL)
         return fw_document_fail(c->document, node->place, c->error,
-                                "%s is '%s', which is not 0 but too small for a number here",
-                                c->path, found.text);
+                                "%s is %s, which is not 0 but too small for a number here", c->path,
+                                found.text);
+    if (fault == FW_NUMBER_NOT_WHOLE && node->formula)
+        return fw_document_fail(c->document, node->place, c->error,
+                                "%s is %s, expected %s, which rint(...) makes", c->path, found.text,
+                                expected);
     if (fault == FW_NUMBER_NOT_WHOLE)
         return fw_document_fail(c->document, node->place, c->error,
-                                "%s is '%s', expected %s, written without point, exponent or "
+                                "%s is %s, expected %s, written without point, exponent or "
                                 "leading zeros",
                                 c->path, found.text, expected);
     if (huge && !(key->bounds & (FW_UP_TO | FW_BELOW)))
         return fw_document_fail(c->document, node->place, c->error,
-                                "%s is '%s', expected %s, finite and at most %.15g in size",
-                                c->path, found.text, expected, most);
+                                "%s is %s, expected %s, finite and at most %.15g in size", c->path,
+                                found.text, expected, most);
     return refuse(c, node, key);
 }
 
@@ -150,14 +160,14 @@ static int layout_length(const char *layout)
     return length;
 }
 
-static fw_status check_numbers(checker *c, const fw_node *node, const fw_key *key, bool whole)
+static fw_status check_numbers(checker *c, fw_node *node, const fw_key *key, bool whole)
 {
     if (node->kind != FW_LIST || node->count != layout_length(key->layout))
         return refuse(c, node, key);
     fw_key single = *key;
     single.forms = whole ? FW_FORM_INTEGER : FW_FORM_NUMBER;
     int number = 0;
-    for (const fw_node *child = node->first; child; child = child->next) {
+    for (fw_node *child = node->first; child; child = child->next) {
         size_t before = enter_item(c, number++);
         FW_TRY(check_number(c, child, &single, whole ? FW_COORDINATE_MAX : FW_NUMBER_MAX));
         leave(c, before);
@@ -165,13 +175,12 @@ static fw_status check_numbers(checker *c, const fw_node *node, const fw_key *ke
     return FW_OK;
 }
 
-static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *key)
+static fw_status check_symmetric(checker *c, fw_node *node, const fw_key *key)
 {
     fw_key single = *key;
     single.forms = FW_FORM_NUMBER;
     if (node->kind == FW_SCALAR) {
-        return node->quoted || !node->length ? refuse(c, node, key)
-                                             : check_number(c, node, &single, FW_NUMBER_MAX);
+        return node->length ? check_number(c, node, &single, FW_NUMBER_MAX) : refuse(c, node, key);
     }
     bool full = node->kind == FW_LIST && node->count == 2;
     if (!full && !(node->kind == FW_LIST && node->count == 3)) return refuse(c, node, key);
@@ -180,9 +189,9 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
     single.bounds = FW_UNBOUNDED;
     double entry[4];
     int count = 0;
-    for (const fw_node *row = node->first; row; row = row->next) {
+    for (fw_node *row = node->first; row; row = row->next) {
         if (full && (row->kind != FW_LIST || row->count != 2)) return refuse(c, node, key);
-        for (const fw_node *child = full ? row->first : row; child; child = child->next) {
+        for (fw_node *child = full ? row->first : row; child; child = child->next) {
             size_t before = enter_item(c, count);
             FW_TRY(check_number(c, child, &single, FW_NUMBER_MAX));
             leave(c, before);
@@ -205,7 +214,7 @@ static fw_status check_symmetric(checker *c, const fw_node *node, const fw_key *
     return FW_OK;
 }
 
-static fw_status check_word(checker *c, const fw_node *node, const fw_key *key)
+static fw_status check_word(checker *c, fw_node *node, const fw_key *key)
 {
     fw_suggestion suggestion = fw_suggestion_begin(node->text);
     for (const fw_word *word = key->words; word->name; ++word) {
@@ -247,10 +256,10 @@ static bool is_path(const char *text, size_t length)
 
 /* --- values made of others --- */
 
-static fw_status check_mapping(checker *c, const fw_node *mapping, const fw_section *section);
-static fw_status check_value(checker *c, const fw_node *node, const fw_key *key);
+static fw_status check_mapping(checker *c, fw_node *mapping, const fw_section *section);
+static fw_status check_value(checker *c, fw_node *node, const fw_key *key);
 
-static fw_status check_list(checker *c, const fw_node *node, const fw_key *key)
+static fw_status check_list(checker *c, fw_node *node, const fw_key *key)
 {
     int most = key->most ? key->most : FW_ITEMS_MAX;
     if (node->count < key->least || node->count > most)
@@ -261,7 +270,7 @@ static fw_status check_list(checker *c, const fw_node *node, const fw_key *key)
     item.forms = key->items;
     item.items = 0;
     int number = 0;
-    for (const fw_node *child = node->first; child; child = child->next) {
+    for (fw_node *child = node->first; child; child = child->next) {
         size_t before = enter_item(c, number++);
         FW_TRY(check_value(c, child, &item));
         leave(c, before);
@@ -269,7 +278,7 @@ static fw_status check_list(checker *c, const fw_node *node, const fw_key *key)
     return FW_OK;
 }
 
-static fw_status check_named(checker *c, const fw_node *node, const fw_key *key)
+static fw_status check_named(checker *c, fw_node *node, const fw_key *key)
 {
     if (node->kind != FW_MAPPING) return refuse(c, node, key);
     if (node->count < key->least || node->count > key->most)
@@ -278,7 +287,7 @@ static fw_status check_named(checker *c, const fw_node *node, const fw_key *key)
                                 key->least, key->most);
     fw_key named = *key;
     named.forms = FW_FORM_MAPPING;
-    for (const fw_node *child = node->first; child; child = child->next) {
+    for (fw_node *child = node->first; child; child = child->next) {
         size_t length = strlen(child->key);
         if (!is_name(child->key, length))
             return fw_document_fail(c->document, child->key_place, c->error,
@@ -292,12 +301,12 @@ static fw_status check_named(checker *c, const fw_node *node, const fw_key *key)
     return FW_OK;
 }
 
-/* {A: 2.5, p: 1} */
-static fw_status check_point(checker *c, const fw_node *node, const fw_key *key)
+/* {A: 2.5, p: 1}, also of constants, whose values are known by now. */
+static fw_status check_point(checker *c, fw_node *node, const fw_key *key)
 {
     const fw_key number = {.name = key->name, .forms = FW_FORM_NUMBER};
     if (node->count == 0) return refuse(c, node, key);
-    for (const fw_node *child = node->first; child; child = child->next) {
+    for (fw_node *child = node->first; child; child = child->next) {
         size_t before = enter(c, child->key);
         FW_TRY(check_number(c, child, &number, FW_NUMBER_MAX));
         leave(c, before);
@@ -305,7 +314,7 @@ static fw_status check_point(checker *c, const fw_node *node, const fw_key *key)
     return FW_OK;
 }
 
-static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key)
+static fw_status check_scalar(checker *c, fw_node *node, const fw_key *key)
 {
     if (key->forms & FW_FORM_SYMMETRIC) return check_symmetric(c, node, key);
     if (key->forms & (FW_FORM_NUMBER | FW_FORM_ANGLE))
@@ -325,11 +334,12 @@ static fw_status check_scalar(checker *c, const fw_node *node, const fw_key *key
     return refuse(c, node, key);
 }
 
-static fw_status check_value(checker *c, const fw_node *node, const fw_key *key)
+static fw_status check_value(checker *c, fw_node *node, const fw_key *key)
 {
     if (key->forms & FW_FORM_NAMED) return check_named(c, node, key);
     if (node->kind == FW_SCALAR) return check_scalar(c, node, key);
-    if (node->kind == FW_MAPPING && key->forms & FW_FORM_POINT) return check_point(c, node, key);
+    if (node->kind == FW_MAPPING && key->forms & (FW_FORM_POINT | FW_FORM_CONSTANTS))
+        return check_point(c, node, key);
     if (node->kind == FW_MAPPING)
         return key->forms & FW_FORM_MAPPING ? check_mapping(c, node, key->subsection)
                                             : refuse(c, node, key);
@@ -389,13 +399,13 @@ static fw_status check_presence(checker *c, const fw_node *mapping, const fw_sec
     return check_alternatives(c, mapping, section);
 }
 
-static fw_status check_mapping(checker *c, const fw_node *mapping, const fw_section *section)
+static fw_status check_mapping(checker *c, fw_node *mapping, const fw_section *section)
 {
     /* Unknown keys first: a misspelt one would also be missed as required. */
     for (const fw_node *child = mapping->first; child; child = child->next)
         FW_TRY(fw_schema_check_key(c->document, section, c->path, child->key, child->key_place,
                                    c->error));
-    for (const fw_node *child = mapping->first; child; child = child->next) {
+    for (fw_node *child = mapping->first; child; child = child->next) {
         size_t before = enter(c, child->key);
         FW_TRY(check_value(c, child, fw_section_find(section, child->key)));
         leave(c, before);
@@ -403,14 +413,24 @@ static fw_status check_mapping(checker *c, const fw_node *mapping, const fw_sect
     return check_presence(c, mapping, section);
 }
 
-fw_status fw_schema_check(const fw_document *document, const fw_section *section, fw_error *error)
+static fw_status read_constants(checker *c, const fw_node *root, const fw_section *section)
 {
-    const fw_node *root = fw_document_root(document);
+    for (const fw_key *key = fw_section_first(section); key; key = fw_section_next(section, key))
+        if (key->forms & FW_FORM_CONSTANTS)
+            return fw_constants_read(&c->constants, c->document, key->name,
+                                     fw_node_find(root, key->name), c->error);
+    return FW_OK;
+}
+
+fw_status fw_schema_check(fw_document *document, const fw_section *section, fw_error *error)
+{
+    fw_node *root = fw_document_root(document);
     checker c = {.document = document, .error = error};
     if (root->kind != FW_MAPPING)
         return fw_document_fail(document, root->place, error,
                                 "the scenario is %s, expected keys such as 'title: ...' in lines "
                                 "of their own",
                                 describe(root, NULL).text);
+    FW_TRY(read_constants(&c, root, section));
     return check_mapping(&c, root, section);
 }

@@ -27,9 +27,10 @@ typedef enum fw_form {
     FW_FORM_LIST = 1 << 10,     /* of `items`; stored only if they are names: fw_schema_names */
     FW_FORM_MAPPING = 1 << 11,  /* with the keys of section `subsection`: the section's object */
     FW_FORM_SELECTION = FW_FORM_WORD | FW_FORM_LIST | FW_FORM_MAPPING, /* not stored */
-    FW_FORM_NAMED = 1 << 12, /* names of the user's own, each with a mapping: not stored */
-    FW_FORM_PATH = 1 << 13,  /* names with '.' between them: as FW_FORM_NAME */
-    FW_FORM_POINT = 1 << 14  /* names of the user's own, each with a number: not stored */
+    FW_FORM_NAMED = 1 << 12,    /* names of the user's own, each with a mapping: not stored */
+    FW_FORM_PATH = 1 << 13,     /* names with '.' between them: as FW_FORM_NAME */
+    FW_FORM_POINT = 1 << 14,    /* names of the user's own, each with a number: not stored */
+    FW_FORM_CONSTANTS = 1 << 15 /* the same, at the root: formulas may name them */
 } fw_form;
 
 typedef enum fw_bounds {
@@ -173,8 +174,9 @@ const fw_key *fw_section_find(const fw_section *section, const char *name);  /* 
 int fw_schema_sections(const fw_section *root, const fw_section *sections[FW_SECTIONS_MAX]);
 
 /* Is the whole tree what the table says of that section? FW_BAD_INPUT with place,
- * value and what was expected. */
-fw_status fw_schema_check(const fw_document *document, const fw_section *section, fw_error *error);
+ * value and what was expected. A formula where a number may be gets its value: of the constants
+ * that stand there now, whatever it was before. */
+fw_status fw_schema_check(fw_document *document, const fw_section *section, fw_error *error);
 
 /* Is `key` one of the section? FW_BAD_INPUT with the key that may have been meant; `path` leads
  * to the mapping ("" for the root). */

@@ -96,7 +96,7 @@ static void append_forms(const fw_key *key, unsigned forms, bool sentence, char 
                        bounds);
         join = " or ";
     }
-    if (forms & FW_FORM_POINT) {
+    if (forms & (FW_FORM_POINT | FW_FORM_CONSTANTS)) {
         fw_text_append(out, size, "%snames with a number each", join);
         join = " or ";
     }
@@ -161,14 +161,16 @@ static void print_key(const fw_key *key, FILE *out)
 
 fw_status fw_schema_print(const fw_section *root, FILE *out, fw_error *error)
 {
-    fprintf(out,
-            "A scenario is YAML: one document, no anchors, aliases and tags. Lengths, masses and "
-            "times are in reduced units. A number is written as `12`, `-0.5` or `2.5e-3`, is "
-            "finite and at most %g in size; a whole number has neither point nor exponent and is "
-            "at most %g in size (%d for sites); angles and phases are in degrees; a name is a "
-            "letter followed by letters, digits, `-` or `_`. Whatever is not in these tables is "
-            "refused.\n",
-            FW_NUMBER_MAX, FW_INTEGER_MAX, FW_COORDINATE_MAX);
+    fprintf(
+        out,
+        "A scenario is YAML: one document, no anchors, aliases and tags. Lengths, masses and "
+        "times are in reduced units. A number is written as `12`, `-0.5` or `2.5e-3`, is "
+        "finite and at most %g in size; a whole number has neither point nor exponent and is "
+        "at most %g in size (%d for sites); angles and phases are in degrees; a name is a "
+        "letter followed by letters, digits, `-` or `_`. In the place of a number a formula "
+        "may stand, of the names in `parameters`: `24*A`, `\"max(A, 2)\"` in quotes where it has "
+        "commas. Whatever is not in these tables is refused.\n",
+        FW_NUMBER_MAX, FW_INTEGER_MAX, FW_COORDINATE_MAX);
     const fw_section *sections[FW_SECTIONS_MAX];
     const int count = fw_schema_sections(root, sections);
     for (int n = 0; n < count; ++n) {

@@ -71,7 +71,8 @@ static fw_status enter_key(step *s, const char *name, bool last, fw_node **child
     *child = fw_node_find(s->at, name);
     if (s->key->alternative) remove_other_alternatives(s->at, s->section, s->key);
     if (!*child) {
-        bool can_grow = last || (s->key->forms & (FW_FORM_MAPPING | FW_FORM_NAMED));
+        bool can_grow =
+            last || (s->key->forms & (FW_FORM_MAPPING | FW_FORM_NAMED | FW_FORM_CONSTANTS));
         if (!can_grow)
             return fw_document_fail(s->document, s->value->place, s->error,
                                     "there is no '%s' yet; give it as a whole", name);

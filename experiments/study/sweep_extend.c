@@ -197,7 +197,7 @@ static void list_changes(const fw_node *old, const fw_node *fresh, const char *p
 {
     char inner[512];
     if (old && fresh && old->kind == fresh->kind && old->kind == FW_SCALAR &&
-        strcmp(old->text, fresh->text) == 0)
+        strcmp(fw_node_written(old), fw_node_written(fresh)) == 0)
         return;
     const bool both = old && fresh && old->kind == fresh->kind && old->kind != FW_SCALAR &&
                       (old->kind == FW_MAPPING || old->count == fresh->count);

@@ -155,7 +155,10 @@ static fw_node *clone_node(fw_document *document, const fw_node *node)
                        .quoted = node->quoted};
     if (node->key) clone->key = fw_document_copy(document, node->key, strlen(node->key));
     if (node->text) clone->text = fw_document_copy(document, node->text, node->length);
+    if (node->formula)
+        clone->formula = fw_document_copy(document, node->formula, strlen(node->formula));
     if ((node->key && !clone->key) || (node->text && !clone->text)) return NULL;
+    if (node->formula && !clone->formula) return NULL;
     for (const fw_node *child = node->first; child; child = child->next) {
         fw_node *copy = clone_node(document, child);
         if (!copy) return NULL;
@@ -199,6 +202,11 @@ fw_node *fw_document_root(const fw_document *document)
 const char *fw_document_file(const fw_document *document)
 {
     return document->file ? document->file : UNWRITTEN;
+}
+
+const char *fw_node_written(const fw_node *scalar)
+{
+    return scalar->formula ? scalar->formula : scalar->text;
 }
 
 fw_node *fw_node_find(const fw_node *mapping, const char *key)

@@ -34,14 +34,15 @@ typedef enum fw_node_kind { FW_SCALAR, FW_LIST, FW_MAPPING } fw_node_kind;
 typedef struct fw_node fw_node;
 struct fw_node {
     fw_node_kind kind;
-    fw_place place;     /* of the value */
-    const char *key;    /* in a mapping: the key; NULL in a list and for the root */
-    fw_place key_place; /* of the key, or of the value where there is no key */
-    const char *text;   /* of a scalar, without quotes */
-    size_t length;      /* of text, in bytes */
-    bool quoted;        /* "1" is a text, 1 a number */
-    int count;          /* children of a list or mapping */
-    fw_node *first;     /* in the order of writing */
+    fw_place place;      /* of the value */
+    const char *key;     /* in a mapping: the key; NULL in a list and for the root */
+    fw_place key_place;  /* of the key, or of the value where there is no key */
+    const char *text;    /* of a scalar, without quotes */
+    size_t length;       /* of text, in bytes */
+    bool quoted;         /* "1" is a text, 1 a number */
+    const char *formula; /* what was written where text is its value; NULL: text was */
+    int count;           /* children of a list or mapping */
+    fw_node *first;      /* in the order of writing */
     fw_node *last;
     fw_node *next; /* sibling */
 };
@@ -67,6 +68,8 @@ fw_status fw_document_parse_value(fw_document *document, const char *option, con
 fw_node *fw_document_root(const fw_document *document);
 const char *fw_document_file(const fw_document *document);
 
+/* What was written: the formula, or the text, of a scalar. */
+const char *fw_node_written(const fw_node *scalar);
 /* The child of that key, or NULL. */
 fw_node *fw_node_find(const fw_node *mapping, const char *key);
 /* Makes `child`, which has no parent yet, the last one. */
@@ -83,7 +86,8 @@ const char *fw_document_copy(fw_document *document, const char *text, size_t len
 fw_status fw_document_fail_memory(const fw_document *document, fw_error *error);
 
 /* Writes the tree as YAML that parses to the same tree: places differ, and a text may come out in
- * quotes. FW_SYSTEM_FAILED where `out` cannot be written. */
+ * quotes. Where formulas are written their values stand behind them, as comments of their lines.
+ * FW_SYSTEM_FAILED where `out` cannot be written. */
 fw_status fw_document_print(const fw_document *document, FILE *out, fw_error *error);
 
 /* FW_BAD_INPUT with "FILE:LINE:COLUMN: sentence", or "--set OPTION: sentence" for what a --set

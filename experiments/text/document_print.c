@@ -48,8 +48,9 @@ static bool is_lines(const fw_node *scalar)
 static int flow_width(const fw_node *node)
 {
     if (node->kind == FW_SCALAR) {
-        bool fits = node->length <= LINE_WIDTH && !is_lines(node);
-        return fits ? (int)node->length + 2 : INT_MAX;
+        const size_t length = node->formula ? strlen(node->formula) : node->length;
+        bool fits = length <= LINE_WIDTH && !is_lines(node);
+        return fits ? (int)length + 2 : INT_MAX;
     }
     int width = 2;
     for (const fw_node *child = node->first; child; child = child->next) {
@@ -101,7 +102,9 @@ static void print_key(const char *key, FILE *out)
 static void print_flow(const fw_node *node, FILE *out)
 {
     if (node->kind == FW_SCALAR) {
-        if (is_plain(node))
+        if (node->formula)
+            print_quoted(node->formula, strlen(node->formula), out);
+        else if (is_plain(node))
             fwrite(node->text, 1, node->length, out);
         else
             print_quoted(node->text, node->length, out);
@@ -136,6 +139,16 @@ static void print_lines(const fw_node *scalar, int indent, FILE *out)
     fputc('\n', out);
 }
 
+/* Behind what is on one line: the values of its formulas, in order. */
+static bool print_values(const fw_node *node, bool begun, FILE *out)
+{
+    for (const fw_node *child = node->first; child; child = child->next)
+        begun = print_values(child, begun, out);
+    if (!node->formula) return begun;
+    fprintf(out, "%s%s", begun ? ", " : "  # = ", node->text);
+    return true;
+}
+
 /* The value after a key or a '-'; ends its line. */
 static void print_block(const fw_node *node, int indent, FILE *out)
 {
@@ -147,6 +160,7 @@ static void print_block(const fw_node *node, int indent, FILE *out)
     if (!many || (indent > 0 && flow_width(node) <= LINE_WIDTH)) {
         if (indent > 0) fputc(' ', out);
         print_flow(node, out);
+        print_values(node, false, out);
         fputc('\n', out);
         return;
     }

@@ -84,8 +84,8 @@ static fw_status refuse_name(const char *formula, const char *name, const fw_var
                        "the formula '%s' has the unknown name '%s'; did you mean '%s'?", formula,
                        quote.text, suggestion.best);
     return fw_fail(error, FW_BAD_INPUT,
-                   "the formula '%s' has the unknown name '%s', expected a parameter of the sweep "
-                   "or a function such as sqrt",
+                   "the formula '%s' has the unknown name '%s', expected a parameter or a "
+                   "function such as sqrt",
                    formula, quote.text);
 }
 
@@ -120,9 +120,9 @@ static fw_status refuse_value(const char *text, double value, const fw_variable 
         fw_text_append(at, sizeof at, "%s%s=%.10g", at[0] ? ", " : "", variables[n].name,
                        variables[n].value);
     }
-    return fw_fail(error, FW_BAD_INPUT, "the formula '%s' is %s where %s, expected a finite number",
+    return fw_fail(error, FW_BAD_INPUT, "the formula '%s' is %s%s%s, expected a finite number",
                    fw_text_quote(text, strlen(text)).text,
-                   isnan(value) ? "not a number" : "infinite", at);
+                   isnan(value) ? "not a number" : "infinite", at[0] ? " where " : "", at);
 }
 
 /* "x=3" would give x another value; "==", "<=", ">=" and "!=" compare. */

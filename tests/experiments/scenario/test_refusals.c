@@ -146,7 +146,7 @@ static const struct {
      "8:14: bodies.sheet.origin.0 is '1e16', expected a number, finite and at most 1e+15 in size"},
     {"7.3", "1e-999",
      "8:14: bodies.sheet.origin.0 is '1e-999', which is not 0 but too small for a number here"},
-    {"7.3", "1/3", "8:14: bodies.sheet.origin.0 is '1/3', expected a number"},
+    {"7.3", "1:3", "8:14: bodies.sheet.origin.0 is '1:3', expected a number"},
     {"7.3", "1,5", "8:13: bodies.sheet.origin is a list of 3, expected [x, y], each a number"},
     {"7.3", "1_000", "8:14: bodies.sheet.origin.0 is '1_000', expected a number"},
     {"4000", "99999999999999999999",
@@ -298,7 +298,7 @@ static const struct {
                       "written without point, exponent or leading zeros"},
     {"steps=3", "steps=3: unknown key 'steps', expected a key of a scenario: title, source, "
                 "figure, group, takes, "
-                "about, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
+                "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
                 "contact, run, record, "
                 "measure, expect, pictures, analysis"},
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
@@ -327,7 +327,7 @@ static const struct {
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
     {"a=b=c",
      "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, takes, "
-     "about, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
+     "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
      "contact, run, record, "
      "measure, expect, pictures, analysis"},
 };

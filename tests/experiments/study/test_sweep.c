@@ -146,12 +146,13 @@ static const struct {
      "from: 1, to: 2, count: 1000}\n      w: {from: 1, to: 2, count: 1000}\n",
      "7:3: study.sweep has 1000000 cases, expected at most 10000"},
     {"    set: ['bodies.sheet.velocity=[-v, 0.5*v]']\n", "",
-     "7:3: study.sweep has no 'set', which says what the values change"},
+     "7:3: study.sweep has no 'set', which says what the values of v change: it is none of the "
+     "scenario's 'parameters'"},
     {"[-v, 0.5*v]", "[1, 2]",
      "10:11: no parameter occurs in the setting 'bodies.sheet.velocity=[1, 2]', expected KEY=VALUE "
      "with v, or a formula of it such as 2*v, in the value"},
     {"0.5*v]", "0.5*v*x]",
-     "10:11: the formula '0.5*v*x' has the unknown name 'x', expected a parameter of the sweep or "
+     "10:11: the formula '0.5*v*x' has the unknown name 'x', expected a parameter or "
      "a function such as sqrt"},
     {"bodies.sheet.velocity=[-v, 0.5*v]", "study.seeds=v",
      "10:11: the setting 'study.seeds=v' changes the study that it is part of, expected another "

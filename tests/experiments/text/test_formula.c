@@ -55,8 +55,8 @@ static void wrong_formulas_get_their_sentence(void **state)
     } rows[] = {
         {"2*sped + m",
          "the formula '2*sped + m' has the unknown name 'sped'; did you mean 'speed'?"},
-        {"m*foo(m)", "the formula 'm*foo(m)' has the unknown name 'foo', expected a parameter of "
-                     "the sweep or a function such as sqrt"},
+        {"m*foo(m)", "the formula 'm*foo(m)' has the unknown name 'foo', expected a parameter or "
+                     "a function such as sqrt"},
         {"2 m", "the formula '2 m' cannot be read from its character 3 on, 'm'"},
         {"24**m", "the formula '24**m' cannot be read from its character 4 on, '*m'"},
         {"m*", "the formula 'm*' ends where more is expected"},
