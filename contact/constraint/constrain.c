@@ -58,6 +58,8 @@ static fw_contact_solution report(const constrain_problem *p, const double *trac
         wall_contact.work = fw_vec2_dot(wall_contact.force, motion);
         wall_contact.dissipated = -fw_vec2_dot(friction, fw_vec2_subtract(p->w, motion));
         wall_contact.stiffness = stiffness_of(p, k);
+        wall_contact.cone = r->cone;
+        wall_contact.beyond = r->beyond;
         c.wall_contact[c.wall_contact_count++] = wall_contact;
         c.force = fw_vec2_add(c.force, wall_contact.force);
     }

@@ -30,6 +30,7 @@ typedef struct fw_contact_memory {
     double inertial; /* tangential inertial displacement of the last step, relative to its wall */
     int32_t facet;   /* 1 + number; 0: none */
     int32_t stuck;   /* stuck in the last step */
+    double crept;    /* along the tangent, relative to its wall, since the step after it stuck */
 } fw_contact_memory;
 
 /* What one wall does to the particle. */
@@ -39,6 +40,8 @@ typedef struct fw_wall_contact {
     double work;       /* done by the wall's own motion */
     double dissipated; /* turned into heat by friction, >= 0 */
     fw_sym2 stiffness; /* d force/d motion of the wall, where rows neither come nor go */
+    double cone;       /* the bound of friction: its coefficient times the reaction; 0: none */
+    double beyond;     /* by how much friction exceeds that */
 } fw_wall_contact;
 
 enum { FW_WALL_CONTACTS = 4 };

@@ -14,6 +14,7 @@ typedef struct constrain_row {
     double lambda;               /* normal force */
     double tangential_stiffness; /* by how much friction grows with the wall's motion along the
                                     tangent */
+    double cone, beyond;         /* bound of friction, and by how much friction exceeds it */
     bool pinned;                 /* held in all components */
     bool infeasible;             /* of a piston that the particle cannot give way to: left out */
 } constrain_row;

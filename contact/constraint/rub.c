@@ -7,6 +7,9 @@
 
 #include <math.h>
 
+/* What friction exceeds its cone by that part is rounding. */
+#define ROUNDING 1e-9
+
 /* After friction on a circle: back to the radius, with the forces along the normal and tangent of
  * the new middle of the step. Returns the tangential one. */
 static double follow_curve(constrain_problem *p, constrain_row *r)
@@ -25,6 +28,12 @@ static double sticking_target(const fw_contact_memory *memory, bool same_wall, d
                               slip, slope);
 }
 
+/* Along the tangent, relative to the wall. */
+static double slip_of(const constrain_problem *p, const constrain_row *r)
+{
+    return fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, r->candidate->motion));
+}
+
 static double clip(double value, double bound)
 {
     return fmin(fmax(value, -bound), bound);
@@ -36,7 +45,7 @@ static double clip(double value, double bound)
 static bool feeds(const constrain_problem *p, const constrain_row *r, double traction)
 {
     const fw_vec2 motion = r->candidate->motion;
-    const double slip = fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, motion));
+    const double slip = slip_of(p, r);
     const double size = fabs(p->free->displacement.x) + fabs(p->free->displacement.y) +
                         fabs(motion.x) + fabs(motion.y);
     return traction * slip > 1e-12 * fabs(traction) * size;
@@ -99,6 +108,13 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
             stuck = false;
         }
     }
-    *memory = (fw_contact_memory){r->lambda, inertial, candidate->number + 1, stuck};
+    r->cone = half * (r->lambda + before);
+    r->beyond = fmax(0, fabs(traction) - r->cone * (1 + ROUNDING));
+    const bool stays = stuck && same_wall && memory->stuck;
+    *memory = (fw_contact_memory){.reaction = r->lambda,
+                                  .inertial = inertial,
+                                  .facet = candidate->number + 1,
+                                  .stuck = stuck,
+                                  .crept = stays ? memory->crept + slip_of(p, r) : 0};
     return traction;
 }

@@ -69,6 +69,9 @@ static void balance_ledger(fw_scene *scene)
             fw_vec2_scale(0.5, fw_vec2_add(ledger->force, scene->walls[w].force_before));
         ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
         ledger->held += ledger->contacts;
+        if (scene->walls[w].cone > 0)
+            ledger->overstep =
+                fmax(ledger->overstep, scene->walls[w].beyond / scene->walls[w].cone);
     }
 }
 

@@ -23,6 +23,9 @@ typedef struct fw_wall_ledger {
     double stored;     /* energy in the springs of a penalty wall */
     double contacts;   /* particles held in this step */
     double held;       /* particle steps held since the beginning */
+    double overstep;   /* the most by which friction went beyond its cone, as a part of the widest
+                          cone of that tick */
+    double creep;      /* the furthest that any particle moved along the wall while it stuck */
 } fw_wall_ledger;
 
 /* What other bodies do to a body. Forces are those on the body; of all bodies they add up to zero.
@@ -44,6 +47,7 @@ typedef struct fw_contact_ledger {
     double overstep;    /* the most by which friction went beyond its cone, as a part of the widest
                            cone of that tick */
     double residual;    /* the largest energy that a tick took or gave by rounding, of one island */
+    double creep;       /* the furthest that any particle moved along an edge while it stuck */
 } fw_contact_ledger;
 
 /* What the whole scene has exchanged since it began. Closes to rounding:
@@ -131,6 +135,8 @@ const fw_grip *fw_scene_observe_grip(const fw_scene *scene, int grip);
 
 /* Do two bodies keep out of each other: matter between links, and the same clock? */
 bool fw_scene_bodies_meet(const fw_scene *scene, int a, int b);
+/* Is there friction between them? */
+bool fw_scene_bodies_rub(const fw_scene *scene);
 const fw_body_ledger *fw_scene_body_ledger(const fw_scene *scene, int body);
 const fw_contact_ledger *fw_scene_contact_ledger(const fw_scene *scene);
 const fw_wall_ledger *fw_scene_wall_ledger(const fw_scene *scene, int wall);

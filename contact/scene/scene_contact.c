@@ -180,6 +180,21 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
     return FW_OK;
 }
 
+/* How well friction keeps to its law. */
+static void book_friction(fw_scene *scene, const scene_body *body, const scene_contact *contact)
+{
+    for (int n = 0; n < contact->solution.wall_contact_count; ++n) {
+        const fw_wall_contact *of = &contact->solution.wall_contact[n];
+        scene_wall *wall = &scene->walls[of->wall];
+        wall->cone = fmax(wall->cone, of->cone);
+        wall->beyond = fmax(wall->beyond, of->beyond);
+    }
+    const fw_contact_memory *memory = body->memory ? &body->memory[contact->particle] : NULL;
+    if (!memory || memory->facet == 0) return;
+    fw_wall_ledger *ledger = &scene->ledgers[scene->candidates[memory->facet - 1].facet->wall];
+    ledger->creep = fmax(ledger->creep, fabs(memory->crept));
+}
+
 /* A force acts on its particle for `ticks`, from one move to the next. */
 static void book(fw_scene *scene, const scene_body *body, const scene_contact *contact)
 {
@@ -197,6 +212,7 @@ static void book(fw_scene *scene, const scene_body *body, const scene_contact *c
         for (int m = 0; m < n; ++m) counted |= solution->wall_contact[m].wall == wall_contact->wall;
         ledger->contacts += !counted;
     }
+    book_friction(scene, body, contact);
     scene->clock.unresolved += solution->unresolved;
 }
 
@@ -207,6 +223,7 @@ void scene_book_contacts(fw_scene *scene)
         scene->walls[w].work_before = scene->ledgers[w].work;
         scene->ledgers[w].force = (fw_vec2){0, 0};
         scene->ledgers[w].contacts = 0;
+        scene->walls[w].cone = scene->walls[w].beyond = 0;
     }
     for (int b = 0; b < scene->body_count; ++b) {
         const scene_body *body = &scene->bodies[b];

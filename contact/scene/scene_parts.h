@@ -22,6 +22,7 @@ typedef struct scene_contact {
 /* What a particle remembers of the edge that it rubbed on in the last tick; all zero: none. */
 typedef struct scene_rub {
     double lambda, inertial;
+    double crept;    /* along the edge since the tick after it stuck */
     int32_t other;   /* 1 + body */
     int32_t segment; /* of its contour */
     int32_t stuck;
@@ -60,6 +61,7 @@ typedef struct scene_row {
     int next;              /* an earlier row of the same end, or -1 */
     double when;           /* part of the tick after which it was passed */
     int point_body, point; /* what passes */
+    double crept;          /* by it along the segment, since the tick after it stuck */
 } scene_row;
 
 /* Contact of bodies with each other: all of it but the ledger is of one tick only. */
@@ -134,6 +136,7 @@ typedef struct scene_wall {
     fw_vec2 place, motion; /* in this tick */
     fw_vec2 force_before;  /* of the last tick */
     double work_before;    /* done on bodies until the last tick */
+    double cone, beyond;   /* of friction in this tick: the widest, and the most that exceeds it */
     fw_piston *piston;     /* what moves it; NULL: its path */
     scene_search search;   /* of a piston */
 } scene_wall;

@@ -10,6 +10,11 @@ void fw_scene_set_friction(fw_scene *scene, double coefficient)
     scene->friction = coefficient;
 }
 
+bool fw_scene_bodies_rub(const fw_scene *scene)
+{
+    return scene->joint && scene->friction > 0;
+}
+
 /* A point rubs on one segment at a time: the one that it passes, rather than the one on which it
  * rubbed before. */
 fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end)
@@ -100,11 +105,29 @@ static void forget(fw_scene *scene)
     }
 }
 
+/* What sticks, and stuck in the tick before, should stay where it is but for what the filter lets
+ * through. */
+static void follow_creep(fw_scene *scene)
+{
+    scene_joint *joint = scene->joint;
+    for (int n = 0; n < joint->row_count; ++n) {
+        scene_row *row = &joint->rows[n];
+        const fw_joint_rub *rub = &joint->joint_rows[n].rub;
+        row->crept = 0;
+        if (!(rub->coefficient > 0) || !rub->stuck) continue;
+        const scene_edge *edge = scene->bodies[row->point_body].edge;
+        const scene_rub *before = &edge->rubs[edge->contour.particles[row->point]];
+        if (before->stuck && before->other == 1 + row->body) row->crept = before->crept + rub->slip;
+        joint->ledger.creep = fmax(joint->ledger.creep, fabs(row->crept));
+    }
+}
+
 void scene_remember_rubbing(fw_scene *scene)
 {
     scene_joint *joint = scene->joint;
     double widest = 0, beyond = 0;
     if (!(scene->friction > 0)) return;
+    follow_creep(scene);
     forget(scene);
     for (int n = 0; n < joint->row_count; ++n) {
         const scene_row *row = &joint->rows[n];
@@ -120,6 +143,7 @@ void scene_remember_rubbing(fw_scene *scene)
         const scene_edge *edge = scene->bodies[row->point_body].edge;
         edge->rubs[edge->contour.particles[row->point]] = (scene_rub){.lambda = solved->lambda,
                                                                       .inertial = rub->inertial,
+                                                                      .crept = row->crept,
                                                                       .other = 1 + row->body,
                                                                       .segment = row->segment,
                                                                       .stuck = rub->stuck};

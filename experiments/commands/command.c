@@ -21,8 +21,10 @@
     }
 
 const fw_command fw_commands[] = {
-    {"list", "list [WORD...]", "named experiments, or those that speak of all words", 0,
-     FW_WORDS_MAX, FW_COMPLETE_NAME, OPTIONS(&fw_option_names, &fw_option_json),
+    {"list", "list [WORD...|DIR]",
+     "named experiments, or those that speak of all words; of a result, what it holds and where it "
+     "comes from",
+     0, FW_WORDS_MAX, FW_COMPLETE_EXPERIMENT, OPTIONS(&fw_option_names, &fw_option_json),
      .run = fw_command_list},
     {"show", "show NAME|FILE",
      "its scenario file, ready to copy and edit, with the values of formulas behind them", 1, 1,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* command_list.c - list: the named experiments, grouped by what one wants to see. Keeps no state.
- * Start reading at fw_command_list(). */
+/* command_list.c - list: the named experiments, grouped by what one wants to see, and what a result
+ * is. Keeps no state. Start reading at fw_command_list(). */
+#include "command_list_result.h"
 #include "experiments/commands/command.h"
 #include "experiments/scenario/catalogue.h"
 #include "experiments/text/json.h"
@@ -156,6 +157,8 @@ fw_status fw_command_list(const fw_arguments *arguments, fw_error *error)
     const char *word = arguments->word_count == 1 ? arguments->words[0] : "";
     const int named = find_name(word);
     catalogue c = {0};
+    if (named < 0 && fw_command_is_result(word))
+        return fw_command_list_result(word, arguments->json, error);
     fw_status status = load(&c, error);
     if (status == FW_OK && named < 0) status = choose(&c, arguments, error);
     if (status == FW_OK && named >= 0) c.wanted[named] = true;

@@ -23,8 +23,8 @@ static fw_status finish(fw_study *study, const fw_scenario *scenario, const char
     fw_interrupt_watch();
     FW_TRY(fw_study_to_end(study, error));
     FW_TRY(fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error));
-    const fw_status status =
-        fw_report_result(scenario, &verdicts, fw_study_warnings(study), directory, no_plot, error);
+    const fw_status status = fw_report_result(scenario, &verdicts, fw_study_certificate(study),
+                                              fw_study_warnings(study), directory, no_plot, error);
     fw_verdicts_clear(&verdicts);
     return status;
 }

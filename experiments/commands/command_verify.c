@@ -10,6 +10,7 @@
 #include "experiments/study/sweep.h"
 #include "experiments/text/json.h"
 #include "experiments/text/text.h"
+#include "report.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -47,14 +48,26 @@ static void write_verdict(fw_json *json, const fw_verdict *verdict)
     fw_json_end(json, '}');
 }
 
+/* Of what applies, the number. */
+static void write_certificate(fw_json *json, const fw_certificate *certificate)
+{
+    fw_json_begin(json, "certificate", '{');
+    for (int n = 0; n < FW_CERTIFICATE_ITEMS; ++n)
+        if (!isnan(certificate->worst[n]))
+            fw_json_number(json, fw_certificate_rows[n].name, certificate->worst[n]);
+    fw_json_end(json, '}');
+}
+
+/* `certificate` is NULL for a sweep, each case of which has its own. */
 static void judge(tally *sum, const char *name, const fw_scenario *scenario,
-                  const fw_verdicts *verdicts, double seconds)
+                  const fw_verdicts *verdicts, const fw_certificate *certificate, double seconds)
 {
     if (sum->table) {
         fprintf(sum->table, "%s: ", name);
         fw_text_print_line(sum->table, scenario->title);
         fprintf(sum->table, " (%.1f s)\n", seconds);
         fw_verdicts_print(sum->table, verdicts);
+        if (certificate) fw_report_certificate(sum->table, certificate);
         fprintf(sum->table, "\n");
         fflush(sum->table);
     }
@@ -64,6 +77,7 @@ static void judge(tally *sum, const char *name, const fw_scenario *scenario,
     fw_json_text(json, "title", scenario->title);
     fw_json_text(json, "source", scenario->source);
     fw_json_number(json, "seconds", seconds);
+    if (certificate) write_certificate(json, certificate);
     fw_json_begin(json, "expectations", '[');
     for (int n = 0; n < verdicts->count; ++n)
         if (verdicts->item[n].asked) write_verdict(json, &verdicts->item[n]);
@@ -85,7 +99,8 @@ static fw_status verify_study(const fw_scenario *scenario, const fw_run_options 
     if (status == FW_OK)
         status = fw_verdicts_create(&verdicts, scenario, fw_study_measurement(study), error);
     if (status == FW_OK)
-        judge(sum, options->name, scenario, &verdicts, fw_progress_clock() - started);
+        judge(sum, options->name, scenario, &verdicts, fw_study_certificate(study),
+              fw_progress_clock() - started);
     fw_verdicts_clear(&verdicts);
     fw_study_destroy(study);
     return status;
@@ -99,7 +114,7 @@ static fw_status verify_sweep(const fw_scenario *scenario, const fw_run_options 
     FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
     const fw_status status = fw_sweep_to_end(sweep, error);
     if (status == FW_OK)
-        judge(sum, options->name, scenario, fw_sweep_verdicts(sweep),
+        judge(sum, options->name, scenario, fw_sweep_verdicts(sweep), NULL,
               fw_progress_clock() - started);
     fw_sweep_destroy(sweep);
     return status;

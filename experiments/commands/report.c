@@ -17,13 +17,21 @@ static void suggest_next(const fw_scenario *scenario, const char *directory)
            directory, directory, directory);
 }
 
+void fw_report_certificate(FILE *out, const fw_certificate *certificate)
+{
+    char line[FW_CERTIFICATE_SIZE];
+    fw_certificate_print(certificate, line);
+    if (line[0]) fprintf(out, "certificate: %s\n", line);
+}
+
 fw_status fw_report_result(const fw_scenario *scenario, const fw_verdicts *verdicts,
-                           const char *warnings, const char *directory, bool no_plot,
-                           fw_error *error)
+                           const fw_certificate *certificate, const char *warnings,
+                           const char *directory, bool no_plot, fw_error *error)
 {
     fw_text_print_line(stdout, scenario->title);
     printf("\n");
     fw_verdicts_print(stdout, verdicts);
+    if (certificate) fw_report_certificate(stdout, certificate);
     /* They were said when they came, and belong to what came out. */
     if (warnings) fw_text_print(stdout, warnings);
     if (fw_scenario_is_sweep(scenario)) {
@@ -58,7 +66,7 @@ static fw_status report(const fw_sweep *sweep, const fw_scenario *scenario, cons
     if (status != FW_DIVERGED) FW_TRY(status);
     fw_error own;
     const fw_status reported =
-        fw_report_result(scenario, fw_sweep_verdicts(sweep), NULL, directory, no_plot, &own);
+        fw_report_result(scenario, fw_sweep_verdicts(sweep), NULL, NULL, directory, no_plot, &own);
     if (status != FW_OK) return status;
     *error = own;
     return reported;

@@ -7,10 +7,12 @@
 #include "experiments/measures/verdict.h"
 #include "experiments/study/sweep.h"
 
-/* `warnings` may be NULL. FW_EXPECTATION_FAILED where one did not hold. */
+/* A line of a run's certificate; none where it says nothing. */
+void fw_report_certificate(FILE *out, const fw_certificate *certificate);
+/* `certificate` and `warnings` may be NULL. FW_EXPECTATION_FAILED where one did not hold. */
 fw_status fw_report_result(const fw_scenario *scenario, const fw_verdicts *verdicts,
-                           const char *warnings, const char *directory, bool no_plot,
-                           fw_error *error);
+                           const fw_certificate *certificate, const char *warnings,
+                           const char *directory, bool no_plot, fw_error *error);
 /* Runs the sweep to its end and reports it, as far as no other process is at work on it. */
 fw_status fw_report_sweep(fw_sweep *sweep, const fw_scenario *scenario, const char *directory,
                           bool no_plot, fw_error *error);

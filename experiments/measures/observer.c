@@ -27,11 +27,18 @@ static void follow_energy(fw_observer *observer)
         scale[b] = fmax(scale[b], largest_in_body(experiment, b));
 }
 
+void fw_observer_certify(fw_observer *observer)
+{
+    fw_certificate_look(&observer->certificate, observer->experiment);
+}
+
 static fw_status begin_following(fw_observer *observer, fw_error *error)
 {
     observer->energy_scale = fw_array_of_doubles((size_t)observer->experiment->body_count);
     if (!observer->energy_scale) return fw_fail_memory(error, "an observer");
     follow_energy(observer);
+    observer->certificate = fw_certificate_begin();
+    fw_observer_certify(observer);
     return FW_OK;
 }
 
@@ -39,6 +46,7 @@ void fw_observer_state(fw_observer *observer, fw_state_list *list)
 {
     fw_state_list_add(list, "energy-scale", FW_F64, (size_t)observer->experiment->body_count,
                       observer->energy_scale);
+    fw_certificate_state(&observer->certificate, list);
     if (!observer->profile) return;
     fw_profile_state(observer->profile, list);
     fw_rubbing_state(&observer->rubbing, list);

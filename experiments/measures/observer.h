@@ -5,6 +5,7 @@
 #define FW_OBSERVER_H
 
 #include "experiments/measures/analysis.h"
+#include "experiments/measures/certificate.h"
 #include "experiments/measures/profile.h"
 #include "experiments/measures/rubbing.h"
 #include "experiments/setup/experiment.h"
@@ -17,6 +18,7 @@ typedef struct fw_observer {
     /* Of each body of the scenario, by its own ledger, what fw_scene_energy_scale is of the scene:
      * the largest energy or work so far. Part of the state. */
     double *energy_scale;
+    fw_certificate certificate; /* part of the state */
     int analysis_count;
     fw_analysis **analyses; /* same order as the scenario's */
 } fw_observer;
@@ -32,6 +34,9 @@ fw_status fw_observer_restored(const fw_observer *observer, fw_error *error);
 
 /* What changes beside the scene, for checkpoints. */
 void fw_observer_state(fw_observer *observer, fw_state_list *list);
+
+/* Enters the present in the certificate; to be called where positions are right. */
+void fw_observer_certify(fw_observer *observer);
 
 /* 1 to `most` steps of the experiment, as fw_scene_advance(), followed. All positions are right
  * after `most` of them; in between they wait for fw_scene_settle(). */

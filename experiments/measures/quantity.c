@@ -5,17 +5,11 @@
 
 #include <string.h>
 
-static const fw_quantity *const tables[] = {fw_common_quantities,
-                                            fw_shape_quantities,
-                                            fw_contact_quantities,
-                                            fw_elastic_quantities,
-                                            fw_boltzmann_quantities,
-                                            fw_particle_quantities,
-                                            fw_automaton_quantities,
-                                            fw_grip_quantities,
-                                            fw_piston_quantities,
-                                            fw_layer_quantities,
-                                            NULL};
+static const fw_quantity *const tables[] = {
+    fw_common_quantities,      fw_shape_quantities,     fw_contact_quantities,
+    fw_elastic_quantities,     fw_boltzmann_quantities, fw_particle_quantities,
+    fw_automaton_quantities,   fw_grip_quantities,      fw_piston_quantities,
+    fw_certificate_quantities, fw_layer_quantities,     NULL};
 
 const fw_renamed_quantity fw_renamed_quantities[] = {
     {"grip-way", "grip-path-length"},

@@ -74,6 +74,7 @@ extern const fw_quantity fw_particle_quantities[];
 extern const fw_quantity fw_automaton_quantities[];
 extern const fw_quantity fw_grip_quantities[];
 extern const fw_quantity fw_piston_quantities[];
+extern const fw_quantity fw_certificate_quantities[];
 extern const fw_quantity fw_layer_quantities[]; /* in the order of fw_layer_measure */
 
 /* A quantity that had another name: the refusal of the old one names the new one. */

@@ -55,6 +55,12 @@ static void heat(const fw_experiment *experiment, fw_subject subject, double *ou
     out[0] = fw_scene_contact_ledger(experiment->scene)->heat;
 }
 
+static void creep(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    (void)subject;
+    out[0] = fw_scene_contact_ledger(experiment->scene)->creep;
+}
+
 static void overstep(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
@@ -71,6 +77,7 @@ const fw_quantity fw_contact_quantities[] = {
     {"contact-unconverged", FW_SCOPE_SCENE, "", "1", "those of them in which normals did not settle: gaps are inexact there, energy and momentum are not", LINKED, unconverged, NULL, FW_NEEDS_NOTHING},
     {"contact-heat", FW_SCOPE_SCENE, "", "energy", "of friction between bodies since the start", LINKED, heat, NULL, FW_NEEDS_NOTHING},
     {"contact-overstep", FW_SCOPE_SCENE, "", "1", "the most by which friction between bodies went beyond its cone since the start, as a part of the widest one of that step", LINKED, overstep, NULL, FW_NEEDS_NOTHING},
+    {"contact-creep", FW_SCOPE_SCENE, "", "length", "the furthest that any particle moved along an edge while it stuck to it, since the start", LINKED, creep, NULL, FW_NEEDS_NOTHING},
     {"contact-residual", FW_SCOPE_SCENE, "", "energy", "the most that rounding took or gave where bodies touch, in one step", LINKED, residual, NULL, FW_NEEDS_NOTHING},
     {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };

@@ -270,6 +270,14 @@ fw_status fw_playback_open(fw_playback **playback, const char *path, fw_error *e
     return FW_OK;
 }
 
+char *fw_playback_fact(fw_playback *playback, const char *name)
+{
+    char path[FW_NAME_SIZE + 64];
+    snprintf(path, sizeof path, "parameters/provenance/%s", name);
+    const fw_dataset dataset = fw_hdf5_find(playback->file->hdf5, path);
+    return dataset < 0 ? NULL : fw_hdf5_read_text(playback->file->hdf5, dataset);
+}
+
 void fw_playback_close(fw_playback *playback)
 {
     if (!playback) return;

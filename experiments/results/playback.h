@@ -53,6 +53,9 @@ typedef struct fw_playback {
 /* `path` is a results folder or a results file. FW_BAD_INPUT: there is none, or it is not one;
  * FW_SYSTEM_FAILED: it cannot be read. */
 fw_status fw_playback_open(fw_playback **playback, const char *path, fw_error *error);
+/* A text of the run's provenance, such as "instructions" (results-format.md), malloc'ed. NULL: the
+ * file has none of that name, or there is no memory. */
+char *fw_playback_fact(fw_playback *playback, const char *name);
 /* NULL is legal. */
 void fw_playback_close(fw_playback *playback);
 

@@ -6,6 +6,7 @@
 #include "experiments/measures/profile_table.h"
 #include "experiments/text/spelling.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -160,6 +161,28 @@ static fw_status describe_analyses(fw_file_plan *plan, fw_error *error)
     return FW_OK;
 }
 
+/* What is known at the end of the run: a profile, and the items of the certificate that apply. */
+static fw_status describe_arrays(fw_file_plan *plan, fw_error *error)
+{
+    const fw_observer *observer = plan->observer;
+    fw_trajectory_array *profile = NULL;
+    int count = 0;
+    if (observer->profile)
+        FW_TRY(fw_profile_table_arrays(&profile, &count, fw_profile_bin_count(observer->profile),
+                                       error));
+    plan->arrays = realloc(profile, ((size_t)count + FW_CERTIFICATE_ITEMS) * sizeof *plan->arrays);
+    if (!plan->arrays) {
+        free(profile);
+        return fw_fail_memory(error, "the arrays of a results file");
+    }
+    for (int n = 0; n < FW_CERTIFICATE_ITEMS; ++n)
+        if (!isnan(observer->certificate.worst[n]))
+            plan->arrays[count++] = fw_certificate_array((fw_certificate_item)n);
+    plan->def.arrays = plan->arrays;
+    plan->def.array_count = count;
+    return FW_OK;
+}
+
 fw_status fw_file_plan_make(fw_file_plan *plan, const fw_observer *observer,
                             const fw_measurement *measurement, const char *directory, int threads,
                             fw_error *error)
@@ -183,12 +206,7 @@ fw_status fw_file_plan_make(fw_file_plan *plan, const fw_observer *observer,
     FW_TRY(describe_bodies(plan, error));
     FW_TRY(describe_forms(plan, error));
     FW_TRY(describe_fields(plan, error));
-    if (observer->profile) {
-        fw_trajectory_array *arrays;
-        FW_TRY(fw_profile_table_arrays(&arrays, &plan->def.array_count,
-                                       fw_profile_bin_count(observer->profile), error));
-        plan->def.arrays = plan->arrays = arrays;
-    }
+    FW_TRY(describe_arrays(plan, error));
     FW_TRY(describe_analyses(plan, error));
     return describe_observables(plan, error);
 }

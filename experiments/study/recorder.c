@@ -207,6 +207,18 @@ fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_arr
     return fw_trajectory_write_array(recorder->trajectory, array, values, error);
 }
 
+fw_status fw_recorder_write_certificate(fw_recorder *recorder, fw_error *error)
+{
+    const fw_trajectory_def *def = &recorder->plan.def;
+    for (int n = 0; n < def->array_count; ++n) {
+        const int item = fw_certificate_find(def->arrays[n].name);
+        if (item < 0) continue;
+        FW_TRY(fw_recorder_write_array(recorder, &def->arrays[n],
+                                       &recorder->observer->certificate.worst[item], error));
+    }
+    return FW_OK;
+}
+
 fw_status fw_recorder_finish(fw_recorder *recorder, fw_status status, const char *reason,
                              fw_error *error)
 {

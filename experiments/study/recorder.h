@@ -38,6 +38,9 @@ fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error);
 fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_array *array,
                                   const double *values, fw_error *error);
 
+/* The observer's, as it is now. */
+fw_status fw_recorder_write_certificate(fw_recorder *recorder, fw_error *error);
+
 /* Keeps what the user was warned of, a line each, beside the results, and `warned` for the next
  * checkpoint. */
 fw_status fw_recorder_add_warnings(fw_recorder *recorder, const char *lines, int64_t warned,

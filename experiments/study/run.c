@@ -250,6 +250,8 @@ static fw_status step_on(fw_run *run, fw_error *error)
     FW_TRY(fw_observer_advance(run->observer, steps_to_go(run), error));
     int64_t step = fw_scene_steps(run->experiment->scene);
     if (frame_is_due(run, step)) FW_TRY(fw_scene_check_energy(run->experiment->scene, error));
+    if (frame_is_due(run, step) || fw_measurement_is_due(run->scenario, step))
+        fw_observer_certify(run->observer);
     if (fw_measurement_is_due(run->scenario, step)) FW_TRY(measure(run, error));
     if (frame_is_due(run, step)) FW_TRY(record(run, error));
     fw_status signal = fw_interrupt_seen();
@@ -312,7 +314,8 @@ fw_status fw_run_finish(fw_run *run, fw_error *error)
 {
     if (!run->recorder) return FW_OK;
     fw_interrupt_hold();
-    const fw_status status = fw_recorder_finish(run->recorder, FW_OK, NULL, error);
+    fw_status status = fw_recorder_write_certificate(run->recorder, error);
+    if (status == FW_OK) status = fw_recorder_finish(run->recorder, FW_OK, NULL, error);
     fw_interrupt_release();
     return status;
 }
@@ -338,6 +341,16 @@ void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count
 {
     run->measurement->seeds = seeds;
     run->measurement->seed_count = count;
+}
+
+void fw_run_join_certificate(fw_run *run, const fw_run *other)
+{
+    fw_certificate_join(&run->observer->certificate, &other->observer->certificate);
+}
+
+const fw_certificate *fw_run_certificate(const fw_run *run)
+{
+    return &run->observer->certificate;
 }
 
 void fw_run_abandon(fw_run *run)

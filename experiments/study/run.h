@@ -58,6 +58,10 @@ void fw_run_set_outcome(fw_run *run, const fw_outcome *outcome, const double *ou
 /* For all other expectations: what all seeds measured; observed. */
 void fw_run_set_seeds(fw_run *run, const fw_measurement *const *seeds, int count);
 
+/* Of a study: with what another one of its runs has shown. */
+void fw_run_join_certificate(fw_run *run, const fw_run *other);
+const fw_certificate *fw_run_certificate(const fw_run *run);
+
 void fw_run_destroy(fw_run *run);
 /* The same, of a run that has just begun and is not to be: nothing of it stays on disk. */
 void fw_run_abandon(fw_run *run);

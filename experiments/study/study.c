@@ -371,6 +371,8 @@ fw_status fw_study_to_end(fw_study *study, fw_error *error)
     FW_TRY(status);
     if (study->scenario->profile.every != 0) FW_TRY(evaluate(study, error));
     compare_seeds(study);
+    for (int n = 1; n < study->seed_count; ++n)
+        fw_run_join_certificate(study->replicas[0].run, study->replicas[n].run);
     if (!directory) return FW_OK;
     if (study->table) FW_TRY(write_profile(study, directory, error));
     FW_TRY(write_summary(study, directory, error));
@@ -380,6 +382,11 @@ fw_status fw_study_to_end(fw_study *study, fw_error *error)
 const fw_measurement *fw_study_measurement(const fw_study *study)
 {
     return fw_run_measurement(study->replicas[0].run);
+}
+
+const fw_certificate *fw_study_certificate(const fw_study *study)
+{
+    return fw_run_certificate(study->replicas[0].run);
 }
 
 const char *fw_study_warnings(const fw_study *study)

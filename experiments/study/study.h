@@ -36,6 +36,8 @@ void fw_study_destroy(fw_study *study);
 
 /* The experiment's own; a measurement that has the outcome. */
 const fw_measurement *fw_study_measurement(const fw_study *study);
+/* The worst of all seeds, once they have ended. */
+const fw_certificate *fw_study_certificate(const fw_study *study);
 /* What the user was warned of in the experiment's own run, a line each; "" if of nothing. */
 const char *fw_study_warnings(const fw_study *study);
 /* NULL where the scenario has no profile, or before the end. */
