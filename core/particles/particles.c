@@ -34,7 +34,8 @@ static void destroy(fw_solid *solid)
 {
     if (!solid) return;
     fw_particles *particles = (fw_particles *)solid;
-    for (int g = 0; g < particles->group_count; ++g) free((char *)particles->groups[g].name);
+    for (int g = 0; particles->groups && g < particles->group_count; ++g)
+        free((char *)particles->groups[g].name);
     free(particles->groups);
     free(particles->amplitudes);
     free(particles->group_of);

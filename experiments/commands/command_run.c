@@ -56,8 +56,10 @@ static fw_status refuse_unfinished(const char *directory, fw_error *error)
 {
     fw_playback *playback;
     fw_error own;
-    if (fw_sweep_is_in(directory) || fw_playback_open(&playback, directory, &own) != FW_OK)
-        return FW_OK;
+    if (fw_sweep_is_in(directory)) return FW_OK;
+    const fw_status status = fw_playback_open(&playback, directory, &own);
+    if (status == FW_SYSTEM_FAILED) return fw_fail(error, status, "%s", own.sentence);
+    if (status != FW_OK) return FW_OK;
     const bool interrupted = strncmp(playback->exit_reason, "interrupted", 11) == 0;
     fw_playback_close(playback);
     if (!interrupted) return FW_OK;

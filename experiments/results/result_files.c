@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* result_files.c - names of files, and what they begin with. Keeps no state. Start reading at
- * fw_result_file_is_ours(). */
+ * fw_result_file_check(). */
 #include "experiments/results/result_files.h"
 
 #include "experiments/results/checkpoint.h"
@@ -94,18 +94,20 @@ static bool is_our_trajectory(const char *directory, const char *path)
     return false;
 }
 
-bool fw_result_file_is_ours(const char *directory, int number)
+fw_status fw_result_file_check(const char *directory, int number, fw_error *error)
 {
     char path[FW_PATH_SIZE];
-    fw_error ignored;
-    if (fw_path_join(path, directory, files[number].name, &ignored) != FW_OK) return false;
+    bool ours = false;
+    FW_TRY(fw_path_join(path, directory, files[number].name, error));
     switch (files[number].how) {
     case BY_START:
-        return begins_with(path, files[number].start);
+        ours = begins_with(path, files[number].start);
+        break;
     case BY_CREATOR:
-        return is_our_trajectory(directory, path);
+        ours = is_our_trajectory(directory, path);
+        break;
     case BY_MANIFEST:
-        return fw_manifest_knows(directory, files[number].name);
+        return fw_manifest_check(directory, files[number].name, error);
     }
-    return false;
+    return ours ? FW_OK : fw_fail(error, FW_BAD_INPUT, "%s is not this program's", path);
 }

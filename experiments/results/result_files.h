@@ -4,12 +4,12 @@
 #ifndef FW_RESULT_FILES_H
 #define FW_RESULT_FILES_H
 
-#include <stdbool.h>
+#include "core/status.h"
 
 /* Name number n, from 0 on; NULL behind the last. Files that were left behind before they were
  * whole are among them. */
 const char *fw_result_file(int number);
-/* Whether file number n of a folder is one of this program's. */
-bool fw_result_file_is_ours(const char *directory, int number);
+/* Whether file number n of a folder is one of this program's: FW_BAD_INPUT where it is not. */
+fw_status fw_result_file_check(const char *directory, int number, fw_error *error);
 
 #endif

@@ -132,6 +132,14 @@ bool fw_folder_has(const fw_folder *folder, const char *name)
     return fstatat(folder->descriptor, name, &facts, AT_SYMLINK_NOFOLLOW) == 0;
 }
 
+bool fw_folder_path_has(const char *folder, const char *name)
+{
+    char path[FW_PATH_SIZE];
+    fw_error ignored;
+    struct stat facts;
+    return fw_path_join(path, folder, name, &ignored) == FW_OK && lstat(path, &facts) == 0;
+}
+
 double fw_folder_room(const fw_folder *folder)
 {
     struct statvfs facts;

@@ -29,6 +29,8 @@ void fw_folder_abandon(fw_folder *folder);
 
 /* Whether there is anything of that name, if only a link. */
 bool fw_folder_has(const fw_folder *folder, const char *name);
+/* The same of the folder of that path, as it is now. */
+bool fw_folder_path_has(const char *folder, const char *name);
 /* Bytes that are free where it lies; INFINITY where the system does not know. */
 double fw_folder_room(const fw_folder *folder);
 /* "FOLDER/name" into `path` of FW_PATH_SIZE bytes; FW_BAD_INPUT when that is too long. */

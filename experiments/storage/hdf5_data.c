@@ -207,9 +207,13 @@ char *fw_hdf5_read_text(fw_hdf5 *file, fw_dataset dataset)
     /* A damaged header could claim any length. */
     if (!fw_hdf5_is_stored(file, dataset)) return NULL;
     char *text = calloc(1, shape.width + 1);
+    if (!text) {
+        fw_hdf5_give_up(file, file->path);
+        return NULL;
+    }
     hid_t type = fw_hdf5_text_type(shape.width);
     H5Tset_cset(type, H5T_CSET_UTF8);
-    if (text && H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text) < 0) {
+    if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text) < 0) {
         H5Eclear2(H5E_DEFAULT);
         free(text);
         text = NULL;

@@ -151,12 +151,11 @@ fw_status fw_manifest_read(char **bytes, size_t *size, const char *directory, co
     return status;
 }
 
-bool fw_manifest_knows(const char *directory, const char *name)
+fw_status fw_manifest_check(const char *directory, const char *name, fw_error *error)
 {
     char *bytes;
     size_t size;
-    fw_error ignored;
-    if (fw_manifest_read(&bytes, &size, directory, name, &ignored) != FW_OK) return false;
+    FW_TRY(fw_manifest_read(&bytes, &size, directory, name, error));
     free(bytes);
-    return true;
+    return FW_OK;
 }

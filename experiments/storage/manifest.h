@@ -25,7 +25,7 @@ fw_status fw_manifest_enter(const char *directory, const char *name, fw_error *e
  * the program wrote it. */
 fw_status fw_manifest_read(char **bytes, size_t *size, const char *directory, const char *name,
                            fw_error *error);
-/* Whether a file is there as the program wrote it. */
-bool fw_manifest_knows(const char *directory, const char *name);
+/* FW_OK where a file is there as the program wrote it, FW_BAD_INPUT where it is not. */
+fw_status fw_manifest_check(const char *directory, const char *name, fw_error *error);
 
 #endif

@@ -117,8 +117,10 @@ static bool is_there(const char *directory, const char *name)
     return fw_path_join(path, directory, name, &ignored) == FW_OK && lstat(path, &facts) == 0;
 }
 
-static fw_status refuse(const char *directory, const char *name, fw_error *error)
+/* `found` says that a file is not ours, or why that cannot be told. */
+static fw_status refuse(const char *directory, const char *name, fw_status found, fw_error *error)
 {
+    if (found != FW_BAD_INPUT) return found;
     return fw_fail(error, FW_BAD_INPUT,
                    "%s/%s is in the way, and is not as this program wrote it: move it away, or "
                    "put the result elsewhere with -o DIR",
@@ -129,7 +131,8 @@ static fw_status check_file(void *object, const char *directory, const char *nam
 {
     const bool *overwrite = object;
     if (!is_there(directory, name)) return FW_OK;
-    if (!fw_manifest_knows(directory, name)) return refuse(directory, name, error);
+    const fw_status found = fw_manifest_check(directory, name, error);
+    if (found != FW_OK) return refuse(directory, name, found, error);
     return *overwrite ? FW_OK : fw_trajectory_refuse(directory, error);
 }
 
@@ -138,8 +141,8 @@ static fw_status check_result(const char *directory, bool overwrite, fw_error *e
 {
     for (int n = 0; fw_result_file(n); ++n) {
         if (!is_there(directory, fw_result_file(n))) continue;
-        if (!fw_result_file_is_ours(directory, n))
-            return refuse(directory, fw_result_file(n), error);
+        const fw_status found = fw_result_file_check(directory, n, error);
+        if (found != FW_OK) return refuse(directory, fw_result_file(n), found, error);
         /* What a killed run left before it was whole is no result yet. */
         const bool unfinished = strstr(fw_result_file(n), FW_FRESH_SUFFIX) != NULL;
         if (!overwrite && !unfinished) return fw_trajectory_refuse(directory, error);
@@ -182,7 +185,11 @@ fw_status fw_leftovers_check(const char *directory, const fw_scenario *scenario,
 
 static fw_status add_file(void *object, const char *directory, const char *name, fw_error *error)
 {
-    return fw_manifest_knows(directory, name) ? add(object, error, directory, name) : FW_OK;
+    fw_error own;
+    const fw_status found = fw_manifest_check(directory, name, &own);
+    if (found == FW_SYSTEM_FAILED) *error = own;
+    if (found != FW_OK) return found == FW_BAD_INPUT ? FW_OK : found;
+    return add(object, error, directory, name);
 }
 
 /* The folder of a result within another one; it stays, unless the new result has none of that name.
@@ -247,7 +254,8 @@ static void discard_result(const char *path)
     int count = 0;
     bool ours[32];
     if (fw_path_check_inner(path, &ignored) != FW_OK) return;
-    for (; fw_result_file(count); ++count) ours[count] = fw_result_file_is_ours(path, count);
+    for (; fw_result_file(count); ++count)
+        ours[count] = fw_result_file_check(path, count, &ignored) == FW_OK;
     /* Whoever writes there keeps them. */
     if (fw_folder_open(&folder, path, &ignored) != FW_OK) return;
     for (int n = 0; n < count; ++n)

@@ -88,12 +88,7 @@ static fw_status look(fw_sweep_case *c, const fw_run_options *options, bool clai
 
 static bool has_results(const char *path)
 {
-    fw_folder *folder;
-    fw_error ignored;
-    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return false;
-    const bool begun = fw_folder_has(folder, FW_TRAJECTORY_FILE);
-    fw_folder_close(folder);
-    return begun;
+    return fw_folder_path_has(path, FW_TRAJECTORY_FILE);
 }
 
 static fw_status read_layer(fw_sweep_case *c, const char *path, fw_error *error)
@@ -162,8 +157,9 @@ fw_status fw_sweep_case_read(fw_sweep_case *c, const fw_run_options *options, fw
      * that says it is of another scenario does. */
     *stage = FW_STAGE_BEGUN;
     const fw_status status = look(c, options, false, stage, &own);
-    if (status != FW_OK && is_over(*stage)) *error = own;
-    if (!is_over(*stage)) return FW_OK;
+    const bool told = is_over(*stage) || status == FW_SYSTEM_FAILED;
+    if (status != FW_OK && told) *error = own;
+    if (!told) return FW_OK;
     FW_TRY(status);
     c->missing = false;
     return take_result(c, options, *stage, error);

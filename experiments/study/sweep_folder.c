@@ -11,12 +11,7 @@
 
 bool fw_sweep_is_in(const char *directory)
 {
-    fw_folder *folder;
-    fw_error ignored;
-    if (fw_folder_visit(&folder, directory, &ignored) != FW_OK) return false;
-    const bool found = fw_folder_has(folder, FW_SWEEP_SCENARIO);
-    fw_folder_close(folder);
-    return found;
+    return fw_folder_path_has(directory, FW_SWEEP_SCENARIO);
 }
 
 fw_status fw_sweep_load(fw_scenario **scenario, const char *directory, fw_error *error)

@@ -202,11 +202,12 @@ static int find_part(const fw_sweep_table *table, const char *name)
     return 0;
 }
 
-static bool read_names(fw_sweep_table *table, layout *cells, char *units, char *names)
+/* FW_BAD_INPUT where a table is not as expected, FW_SYSTEM_FAILED without memory. */
+static fw_status read_names(fw_sweep_table *table, layout *cells, char *units, char *names)
 {
     char *unit, *name;
     for (int a = 0; a < table->axis_count; ++a) {
-        if (!names || !units) return false;
+        if (!names || !units) return FW_BAD_INPUT;
         units = fw_csv_cut(units, &unit);
         snprintf(table->axes[a].unit, sizeof table->axes[a].unit, "%s", unit);
         names = fw_csv_cut(names, &name);
@@ -220,30 +221,31 @@ static bool read_names(fw_sweep_table *table, layout *cells, char *units, char *
             break;
         }
         const int part = find_part(table, name);
-        if (part == 0 && !fw_sweep_table_column(table, name, unit)) return false;
+        if (part == 0 && !fw_sweep_table_column(table, name, unit)) return FW_SYSTEM_FAILED;
         cells->column[cells->count] = table->column_count - 1;
         cells->part[cells->count++] = part;
     }
-    return !names && !units && (cells->count > 0 || cells->failures);
+    return !names && !units && (cells->count > 0 || cells->failures) ? FW_OK : FW_BAD_INPUT;
 }
 
-static bool read_values(fw_sweep_table *table, const layout *cells, char *line, int row)
+static fw_status read_values(fw_sweep_table *table, const layout *cells, char *line, int row)
 {
     char *cell;
     for (int a = 0; a < table->axis_count; ++a) {
-        if (!line) return false;
+        if (!line) return FW_BAD_INPUT;
         line = fw_csv_cut(line, &cell);
         table->values[row * table->axis_count + a] = fw_number_scan(cell, NULL);
     }
     for (int n = 0; n < cells->count; ++n) {
-        if (!line) return false;
+        if (!line) return FW_BAD_INPUT;
         line = fw_csv_cut(line, &cell);
         part_of(table, cells->column[n], cells->part[n])[row] = fw_csv_read_number(cell);
     }
-    if (!cells->failures) return !line;
-    if (!line) return false;
+    if (!cells->failures) return line ? FW_BAD_INPUT : FW_OK;
+    if (!line) return FW_BAD_INPUT;
     line = fw_csv_cut(line, &cell);
-    return !line && (!cell[0] || fw_sweep_table_fail(table, row, cell));
+    if (line) return FW_BAD_INPUT;
+    return !cell[0] || fw_sweep_table_fail(table, row, cell) ? FW_OK : FW_SYSTEM_FAILED;
 }
 
 static int count_lines(const char *text)
@@ -253,23 +255,21 @@ static int count_lines(const char *text)
     return count;
 }
 
-static bool read_text(fw_sweep_table *table, char *text)
+static fw_status read_lines(fw_sweep_table *table, layout *cells, char *text)
 {
     static const char units_head[] = "# units: ";
     table->row_count = count_lines(text) - 3;
     fw_text_line(&text);
     char *units = fw_text_line(&text), *names = fw_text_line(&text);
-    layout *cells = calloc(1, sizeof *cells);
-    bool fine = cells && names && table->row_count > 0 &&
-                strncmp(units, units_head, strlen(units_head)) == 0;
-    table->values = fine ? fw_array_of_doubles(value_count(table)) : NULL;
-    table->failures = fine ? calloc((size_t)table->row_count, sizeof *table->failures) : NULL;
-    fine = fine && table->values && table->failures &&
-           read_names(table, cells, units + strlen(units_head), names);
-    for (int v = 0; fine && v < table->row_count; ++v)
-        fine = read_values(table, cells, fw_text_line(&text), v);
-    free(cells);
-    return fine;
+    if (!names || table->row_count <= 0 || strncmp(units, units_head, strlen(units_head)) != 0)
+        return FW_BAD_INPUT;
+    table->values = fw_array_of_doubles(value_count(table));
+    table->failures = calloc((size_t)table->row_count, sizeof *table->failures);
+    if (!table->values || !table->failures) return FW_SYSTEM_FAILED;
+    fw_status status = read_names(table, cells, units + strlen(units_head), names);
+    for (int v = 0; status == FW_OK && v < table->row_count; ++v)
+        status = read_values(table, cells, fw_text_line(&text), v);
+    return status;
 }
 
 fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, int axis_count,
@@ -279,10 +279,13 @@ fw_status fw_sweep_table_read(fw_sweep_table *table, const char *directory, int 
     size_t size;
     *table = (fw_sweep_table){.axis_count = axis_count};
     FW_TRY(fw_manifest_read(&text, &size, directory, FW_SWEEP_FILE, error));
-    const bool fine = read_text(table, text);
+    layout *cells = calloc(1, sizeof *cells);
+    const fw_status status = cells ? read_lines(table, cells, text) : FW_SYSTEM_FAILED;
+    free(cells);
     free(text);
-    if (fine) return FW_OK;
+    if (status == FW_OK) return FW_OK;
     fw_sweep_table_clear(table);
+    if (status == FW_SYSTEM_FAILED) return fw_fail_memory(error, "the table of a sweep");
     return fw_fail(error, FW_BAD_INPUT, "%s/" FW_SWEEP_FILE " is not the table of a sweep",
                    directory);
 }
