@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* island.c - islands of rows, by going from row to row over shared ends, breadth first. From the
  * row that was reached last the same is done again: it lies at one end of the contact, and the
- * order in which rows are reached from there is that of Cuthill and McKee.
+ * order in which rows are reached from there is that of Cuthill and McKee. Ends that many rows
+ * share, pistons, hold an island together and are left out of its order.
  * State: which rows meet at an end, and which were seen. Start reading at joint_islands_next(). */
 #include "island.h"
 
@@ -71,9 +72,9 @@ void joint_islands_release(joint_islands *islands)
     *islands = (joint_islands){0};
 }
 
-/* Lists all rows that can be reached, marks them, and returns how many. */
+/* Lists all rows that can be reached, over wide ends or not, marks them, and returns how many. */
 static int spread_from(joint_islands *islands, const fw_joint_end *ends, const fw_joint_row *rows,
-                       int start, int mark, int *list)
+                       int start, bool wide, int mark, int *list)
 {
     int count = 1;
     list[0] = start;
@@ -82,7 +83,7 @@ static int spread_from(joint_islands *islands, const fw_joint_end *ends, const f
         const fw_joint_row *row = &rows[list[n]];
         for (int k = 0; k < fw_joint_end_count(row); ++k) {
             const int end = row->end[k];
-            if (!joint_moves(&ends[end])) continue;
+            if (!joint_moves(&ends[end]) || (ends[end].wide && !wide)) continue;
             for (int m = islands->begin[end]; m < islands->begin[end + 1]; ++m) {
                 const int other = islands->incident[m];
                 if (islands->seen[other] == mark) continue;
@@ -92,6 +93,20 @@ static int spread_from(joint_islands *islands, const fw_joint_end *ends, const f
         }
     }
     return count;
+}
+
+/* Puts the rows of an island in order. Of the pieces that only wide ends hold together, each by
+ * itself. */
+static void put_in_order(joint_islands *islands, const fw_joint_end *ends, const fw_joint_row *rows,
+                         const int *island, int count, int *list)
+{
+    int done = 0;
+    for (int n = 0; n < count; ++n) {
+        if (islands->seen[island[n]] != 1) continue;
+        int *piece = list + done;
+        const int size = spread_from(islands, ends, rows, island[n], false, 2, piece);
+        done += spread_from(islands, ends, rows, piece[size - 1], false, 3, piece);
+    }
 }
 
 static bool can_give_way(const fw_joint_end *ends, const fw_joint_row *row)
@@ -107,11 +122,11 @@ const int *joint_islands_next(joint_islands *islands, const fw_joint_end *ends,
     for (; *first < row_count; ++*first) {
         if (islands->seen[*first] || !can_give_way(ends, &rows[*first])) continue;
         int *list = islands->order + islands->count;
-        *count = spread_from(islands, ends, rows, *first, 1, islands->scratch);
+        *count = spread_from(islands, ends, rows, *first, true, 1, islands->scratch);
         bool fresh = false;
         for (int n = 0; n < *count; ++n) fresh |= rows[islands->scratch[n]].fresh;
         if (!fresh) continue;
-        spread_from(islands, ends, rows, islands->scratch[*count - 1], 2, list);
+        put_in_order(islands, ends, rows, islands->scratch, *count, list);
         islands->count += *count;
         return list;
     }

@@ -29,7 +29,7 @@ const int *joint_islands_next(joint_islands *islands, const fw_joint_end *ends,
 
 static inline bool joint_moves(const fw_joint_end *end)
 {
-    return end->mobility.xx > 0;
+    return end->mobility.xx > 0 || end->mobility.yy > 0;
 }
 
 #endif

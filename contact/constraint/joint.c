@@ -54,8 +54,9 @@ int fw_joint_end_count(const fw_joint_row *row)
     switch (row->kind) {
     case FW_JOINT_PLANE:
     case FW_JOINT_ROUND:
-        return 1;
+        return row->borne ? 2 : 1;
     case FW_JOINT_POINT:
+    case FW_JOINT_SPRING:
         return 2;
     case FW_JOINT_SEGMENT:
         return 3;
@@ -82,8 +83,8 @@ static void *enlarge(void *list, size_t count, size_t size, bool *failed)
 static fw_status reserve(fw_joint *joint, int end_count, int row_count, fw_error *error)
 {
     bool failed = false;
-    if (end_count > joint->end_capacity) {
-        const size_t size = 2 * (size_t)end_count + 64;
+    if (end_count + row_count > joint->end_capacity) { /* a spring needs an end of its own */
+        const size_t size = 2 * ((size_t)end_count + (size_t)row_count) + 64;
         joint->local = enlarge(joint->local, size, sizeof *joint->local, &failed);
         joint->global = enlarge(joint->global, size, sizeof *joint->global, &failed);
         joint->first = enlarge(joint->first, size, sizeof *joint->first, &failed);
@@ -118,86 +119,6 @@ fw_status joint_reserve_room(fw_joint *joint, size_t size, fw_error *error)
     return FW_OK;
 }
 
-fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, int end)
-{
-    const int local = joint->local[end];
-    const fw_vec2 w = local >= 0 ? joint->w[local] : ends[end].displacement;
-    return fw_vec2_add(ends[end].position, fw_vec2_scale(0.5, w));
-}
-
-static fw_vec2 scaled_to(fw_vec2 v, double length)
-{
-    return length > 0 ? fw_vec2_scale(1 / length, v) : v;
-}
-
-static double length_of(fw_vec2 v)
-{
-    return sqrt(fw_vec2_dot(v, v));
-}
-
-/* Area (k - j) x (i - j), whose gradient at the middle gives its change over the step exactly;
- * divided by the length at the start. */
-static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
-{
-    const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
-                  j = joint_middle_of(joint, ends, row->end[1]),
-                  k = joint_middle_of(joint, ends, row->end[2]);
-    const double length =
-        length_of(fw_vec2_subtract(ends[row->end[2]].position, ends[row->end[1]].position));
-    row->weight[0] = scaled_to(fw_vec2_turn(fw_vec2_subtract(k, j)), length);
-    row->weight[2] = scaled_to(fw_vec2_turn(fw_vec2_subtract(j, i)), length);
-    row->weight[1] = fw_vec2_scale(-1, fw_vec2_add(row->weight[0], row->weight[2]));
-    row->bound = 0;
-}
-
-/* Along i - j at the start: distances grow from there, whatever the ends do across it. (The middle
- * would leave another way out: i and j exchange their places.) */
-static void weigh_point(const fw_joint_end *ends, fw_joint_row *row)
-{
-    const fw_vec2 apart = fw_vec2_subtract(ends[row->end[0]].position, ends[row->end[1]].position);
-    row->weight[0] = scaled_to(apart, length_of(apart));
-    row->weight[1] = fw_vec2_scale(-1, row->weight[0]);
-    row->bound = 0;
-}
-
-static void weigh(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
-{
-    if (row->kind == FW_JOINT_SEGMENT) {
-        weigh_segment(joint, ends, row);
-        return;
-    }
-    if (row->kind == FW_JOINT_POINT) {
-        weigh_point(ends, row);
-        return;
-    }
-    row->weight[0] = row->normal;
-    if (row->kind == FW_JOINT_ROUND) {
-        const fw_vec2 centre = fw_vec2_add(row->centre, fw_vec2_scale(0.5, row->motion));
-        const fw_vec2 from = fw_vec2_subtract(joint_middle_of(joint, ends, row->end[0]), centre);
-        const fw_vec2 outward = scaled_to(from, length_of(from));
-        row->weight[0] = row->inside ? fw_vec2_scale(-1, outward) : outward;
-    }
-    row->bound = fw_vec2_dot(row->weight[0], row->motion) + row->behind;
-}
-
-bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
-                     const fw_vec2 *weight, joint_line *line)
-{
-    double squared = 0;
-    *line = (joint_line){0};
-    for (int k = 0; k < fw_joint_end_count(row); ++k) {
-        const fw_joint_end *end = &ends[row->end[k]];
-        if (!joint_moves(end)) continue;
-        const fw_vec2 c = joint_apply_transposed(joint_root_of(end->mobility), weight[k]);
-        if (c.x == 0 && c.y == 0) continue;
-        line->end[line->count] = joint->local[row->end[k]];
-        line->c[line->count++] = c;
-        squared += fw_vec2_dot(c, c);
-    }
-    line->length = sqrt(squared);
-    return squared > 0;
-}
-
 /* bound - G (w_p + what friction adds to it) */
 static double wanted_of(const fw_joint_end *ends, const fw_joint_row *row)
 {
@@ -209,15 +130,16 @@ static double wanted_of(const fw_joint_end *ends, const fw_joint_row *row)
     return wanted;
 }
 
-/* Ends of the island in the order in which its rows name them. Returns how many can move. */
+/* Ends of the island that are wide, or are not, in the order in which its rows name them. Returns
+ * how many are found, with those that there are. */
 static int list_ends(fw_joint *joint, fw_joint_end *ends, const fw_joint_row *rows, const int *list,
-                     int count)
+                     int count, bool wide, int found)
 {
-    int found = 0;
     for (int n = 0; n < count; ++n)
         for (int k = 0; k < fw_joint_end_count(&rows[list[n]]); ++k) {
             const int end = rows[list[n]].end[k];
-            if (joint->local[end] >= 0 || !joint_moves(&ends[end])) continue;
+            if (joint->local[end] >= 0 || !joint_moves(&ends[end]) || ends[end].wide != wide)
+                continue;
             joint->local[end] = found;
             joint->w[found] = ends[end].displacement;
             ends[end].rubbed = (fw_vec2){0, 0};
@@ -226,14 +148,26 @@ static int list_ends(fw_joint *joint, fw_joint_end *ends, const fw_joint_row *ro
     return found;
 }
 
+/* Those that can move, wide ones last; and one more for each spring. Returns the first number. */
+static int number_ends(fw_joint *joint, fw_joint_end *ends, const fw_joint_row *rows,
+                       const int *list, int count, joint_system *system)
+{
+    system->first_wide = list_ends(joint, ends, rows, list, count, false, 0);
+    const int moving = list_ends(joint, ends, rows, list, count, true, system->first_wide);
+    system->wide_count = moving - system->first_wide;
+    system->end_count = moving;
+    for (int n = 0; n < count; ++n) system->end_count += rows[list[n]].kind == FW_JOINT_SPRING;
+    return moving;
+}
+
 static fw_status solve_system(fw_joint *joint, joint_system *system, bool *solved, fw_error *error)
 {
     const size_t room = joint_nearest_room(system->line_count, system->end_count);
     *solved = false;
     if (system->line_count > FEW) {
         const int bandwidth = joint_bandwidth(system, joint->first);
-        FW_TRY(
-            joint_reserve_room(joint, joint_interior_room(system->line_count, bandwidth), error));
+        FW_TRY(joint_reserve_room(
+            joint, joint_interior_room(system->line_count, bandwidth, system->wide_count), error));
         *solved = joint_solve_interior(system, bandwidth, joint->room);
         if (*solved) return FW_OK;
     }
@@ -243,10 +177,10 @@ static fw_status solve_system(fw_joint *joint, joint_system *system, bool *solve
 }
 
 /* Moves from w to what the weights there give. Returns how far the furthest end goes. */
-static double follow(fw_joint *joint, fw_joint_end *ends, const joint_system *system)
+static double follow(fw_joint *joint, fw_joint_end *ends, const joint_system *system, int moving)
 {
     double furthest = 0;
-    for (int e = 0; e < system->end_count; ++e) {
+    for (int e = 0; e < moving; ++e) {
         fw_joint_end *end = &ends[joint->global[e]];
         end->displacement = fw_vec2_add(fw_vec2_add(end->free, end->rubbed),
                                         joint_apply(joint_root_of(end->mobility), system->z[e]));
@@ -290,11 +224,21 @@ static bool depends_on_displacement(const fw_joint_row *rows, const int *list, i
     return springs != NULL;
 }
 
+/* A spring yields, as if it moved an end of its own with a mobility of 1/slope. */
+static void add_slack(const fw_joint_row *row, int end, joint_line *line)
+{
+    line->end[line->count] = end;
+    line->c[line->count++] = (fw_vec2){sqrt(row->compliance), 0};
+    line->length = sqrt(line->length * line->length + row->compliance);
+}
+
 /* Lines of the island for the present w; lambda of its rows is where the solver begins. */
 static void make_system(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
-                        int count, const fw_joint_springs *springs, joint_system *system)
+                        int count, int moving, joint_system *system)
 {
-    for (int e = 0; springs && e < system->end_count; ++e) {
+    const fw_joint_springs *springs = joint->springs;
+    int slack = moving;
+    for (int e = 0; springs && e < moving; ++e) {
         const int end = joint->global[e];
         ends[end].free = springs->free(springs->context, end, joint->w[e]);
     }
@@ -302,11 +246,13 @@ static void make_system(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
     system->line_count = 0;
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
-        weigh(joint, ends, row);
+        joint_weigh(joint, ends, row, list[n]);
         joint_line *line = &joint->lines[system->line_count];
         joint->line_of[n] = -1;
         if (row->open || !joint_make_line(joint, ends, row, row->weight, line)) continue;
+        if (row->kind == FW_JOINT_SPRING) add_slack(row, slack++, line);
         line->wanted = wanted_of(ends, row);
+        line->both = row->both;
         joint->line_of[n] = system->line_count;
         joint->lambda[system->line_count++] = row->lambda;
     }
@@ -324,8 +270,9 @@ static bool keeps_gaps(fw_joint *joint, const fw_joint_end *ends, int end_count,
     }
     for (int n = 0; n < count && keeps; ++n) {
         fw_joint_row there = rows[list[n]];
-        weigh(joint, ends, &there);
-        keeps = there.open || fw_joint_motion(&there, ends) - there.bound >= -ARRIVED;
+        joint_weigh(joint, ends, &there, list[n]);
+        const double gap = fw_joint_motion(&there, ends) - there.bound;
+        keeps = there.open || (gap >= -ARRIVED && (!there.both || gap <= ARRIVED));
     }
     for (int e = 0; e < end_count; ++e) joint->w[e] = joint->z[e];
     return keeps;
@@ -337,7 +284,8 @@ static double residual_of(const fw_joint_end *ends, const fw_joint_row *rows, co
     double sum = 0;
     for (int n = 0; n < count; ++n) {
         const fw_joint_row *row = &rows[list[n]];
-        if (row->lambda > 0) sum += row->lambda * (fw_joint_motion(row, ends) - row->bound);
+        if (row->lambda != 0 && row->kind != FW_JOINT_SPRING)
+            sum += row->lambda * (fw_joint_motion(row, ends) - row->bound);
     }
     return fabs(sum);
 }
@@ -351,54 +299,57 @@ static void store_lambda(const fw_joint *joint, fw_joint_row *rows, const int *l
 /* Normal forces for the present weights, and friction with them, in turn; normal forces last, so
  * that nothing passes. */
 static fw_status solve_forces(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
-                              const int *list, int count, joint_system *system, bool *solved,
-                              double *change, fw_error *error)
+                              const int *list, int count, int moving, joint_system *system,
+                              bool *solved, double *change, fw_error *error)
 {
     const int turns = joint_rubs(rows, list, count) ? TURNS : 0;
     for (int turn = 0; turn < turns; ++turn) {
         FW_TRY(solve_system(joint, system, solved, error));
         store_lambda(joint, rows, list, count);
-        FW_TRY(joint_rub(joint, ends, rows, list, count, joint->z, system->end_count, error));
+        FW_TRY(joint_rub(joint, ends, rows, list, count, system, moving, error));
         for (int n = 0; n < count; ++n)
             if (joint->line_of[n] >= 0)
                 joint->lines[joint->line_of[n]].wanted = wanted_of(ends, &rows[list[n]]);
     }
     FW_TRY(solve_system(joint, system, solved, error));
     store_lambda(joint, rows, list, count);
-    *change = follow(joint, ends, system);
+    *change = follow(joint, ends, system, moving);
     return FW_OK;
 }
 
 static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
-                              const int *list, int count, const fw_joint_springs *springs,
-                              fw_joint_outcome *outcome, fw_error *error)
+                              const int *list, int count, fw_joint_outcome *outcome,
+                              fw_error *error)
 {
+    const fw_joint_springs *springs = joint->springs;
     joint_system system = {.lines = joint->lines, .lambda = joint->lambda, .z = joint->z};
     const bool iterates = depends_on_displacement(rows, list, count, springs);
-    system.end_count = list_ends(joint, ends, rows, list, count);
+    const int moving = number_ends(joint, ends, rows, list, count, &system);
     double change = INFINITY, part = 1;
     bool arrived = false, solved = true;
     for (int round = 0; round < ROUNDS && !arrived && solved; ++round) {
-        if (round > 1) part = next_part(joint, ends, system.end_count, part);
-        if (round > 0) relax(joint, ends, system.end_count, springs, part);
-        make_system(joint, ends, rows, list, count, springs, &system);
-        FW_TRY(solve_forces(joint, ends, rows, list, count, &system, &solved, &change, error));
+        if (round > 1) part = next_part(joint, ends, moving, part);
+        if (round > 0) relax(joint, ends, moving, springs, part);
+        make_system(joint, ends, rows, list, count, moving, &system);
+        FW_TRY(
+            solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
         outcome->iterations += 1;
-        arrived = change <= ARRIVED || !iterates ||
-                  (change <= NEARLY && !springs &&
-                   keeps_gaps(joint, ends, system.end_count, rows, list, count));
+        arrived =
+            change <= ARRIVED || !iterates ||
+            (change <= NEARLY && !springs && keeps_gaps(joint, ends, moving, rows, list, count));
         if (arrived) arrived = !joint_bar_feeding(ends, rows, list, count);
     }
     if (joint_bar_all_that_feed(ends, rows, list, count)) {
-        make_system(joint, ends, rows, list, count, springs, &system);
-        FW_TRY(solve_forces(joint, ends, rows, list, count, &system, &solved, &change, error));
+        make_system(joint, ends, rows, list, count, moving, &system);
+        FW_TRY(
+            solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
         joint_find_slips(ends, rows, list, count);
     }
     outcome->islands += 1;
     outcome->unconverged += !arrived || !solved;
     if (iterates) outcome->change = fmax(outcome->change, change);
     outcome->residual = fmax(outcome->residual, residual_of(ends, rows, list, count));
-    for (int e = 0; e < system.end_count; ++e) joint->local[joint->global[e]] = -1;
+    for (int e = 0; e < moving; ++e) joint->local[joint->global[e]] = -1;
     for (int n = 0; n < count; ++n) rows[list[n]].fresh = false;
     return FW_OK;
 }
@@ -408,6 +359,7 @@ fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_
                          fw_error *error)
 {
     *outcome = (fw_joint_outcome){0};
+    joint->springs = springs;
     FW_TRY(reserve(joint, end_count, row_count, error));
     FW_TRY(joint_islands_begin(&joint->islands, ends, end_count, rows, row_count, error));
     for (int e = 0; e < end_count; ++e) {
@@ -419,11 +371,11 @@ fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_
         const int *list =
             joint_islands_next(&joint->islands, ends, rows, row_count, &first, &count);
         if (!list) break;
-        FW_TRY(solve_island(joint, ends, rows, list, count, springs, outcome, error));
+        FW_TRY(solve_island(joint, ends, rows, list, count, outcome, error));
     }
     for (int e = 0; e < end_count; ++e) ends[e].force = (fw_vec2){0, 0};
     for (int n = 0; n < row_count; ++n)
-        for (int k = 0; rows[n].lambda > 0 && k < fw_joint_end_count(&rows[n]); ++k) {
+        for (int k = 0; rows[n].lambda != 0 && k < fw_joint_end_count(&rows[n]); ++k) {
             fw_vec2 *force = &ends[rows[n].end[k]].force;
             *force = fw_vec2_add(*force, fw_vec2_scale(rows[n].lambda, rows[n].weight[k]));
         }

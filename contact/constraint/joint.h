@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* joint.h - one contact problem of many particles: bodies against bodies, and walls on the same
- * particles.
+/* joint.h - one contact problem of many particles: bodies against bodies, walls on the same
+ * particles, and walls that yield.
  *
- * An end is what moves: a particle with its mobility A, or something on a prescribed path (A = 0).
+ * An end is what moves: a particle or a piston with its mobility A, or something on a prescribed
+ * path (A = 0).
  * A row is what must not happen: it weighs the displacements w of at most three ends, G w >= bound,
  * lambda >= 0,   lambda (G w - bound) = 0,   w = w_p + A G^T lambda, so that w is the point nearest
  * to the free displacement w_p in the norm of the masses. Since lambda . G w = lambda . bound,
@@ -24,9 +25,11 @@
 typedef struct fw_joint_end {
     fw_vec2 position;     /* at the start of the step */
     fw_vec2 free;         /* displacement without any row */
-    fw_sym2 mobility;     /* dw/dF, positive definite; zero: `free` is prescribed */
+    fw_sym2 mobility;     /* dw/dF, positive definite; zero: `free` is prescribed; a diagonal one
+                             may be zero in one component, which is then prescribed */
     fw_vec2 displacement; /* in: where to begin, as near as is known; out: w */
     fw_vec2 inertial;     /* displacement by momentum alone, for sticking */
+    bool wide;            /* many rows share it, as those of all particles on a piston */
     fw_vec2 rubbed;       /* out: the part of w that friction makes */
     fw_vec2 force;        /* out: of all rows; w = free + mobility force */
 } fw_joint_end;
@@ -35,10 +38,11 @@ typedef enum fw_joint_kind {
     FW_JOINT_PLANE,   /* end 0 stays before a plane of that normal */
     FW_JOINT_ROUND,   /* end 0 keeps its distance from a centre: outside, or inside */
     FW_JOINT_SEGMENT, /* end 0 stays to the left of the segment from end 1 to end 2 */
-    FW_JOINT_POINT    /* end 0 comes no nearer to end 1, which lies elsewhere */
+    FW_JOINT_POINT,   /* end 0 comes no nearer to end 1, which lies elsewhere */
+    FW_JOINT_SPRING   /* end 1 is a spring that pushes end 0: see fw_joint_springs */
 } fw_joint_kind;
 
-/* Coulomb friction along a segment, bounded by the reaction [lambda(t) + lambda(t-1)]/2. */
+/* Coulomb friction along a segment or wall, bounded by the reaction [lambda(t) + lambda(t-1)]/2. */
 typedef struct fw_joint_rub {
     double coefficient;     /* in: >= 0; 0: none */
     double before;          /* in: lambda of the step before */
@@ -51,6 +55,7 @@ typedef struct fw_joint_rub {
     double traction;   /* out: force on end 0 along the segment */
     double inertial;   /* out: displacement by momentum alone, along it */
     double slip;       /* out: displacement along it, relative to the segment */
+    double drift;      /* out: how far a wall that is no end moves along it */
     fw_vec2 weight[3]; /* out */
 } fw_joint_rub;
 
@@ -60,14 +65,17 @@ typedef struct fw_joint_row {
     fw_vec2 normal;    /* of a plane, a unit vector to the free side */
     fw_vec2 centre;    /* of a circle, at the start of the step */
     bool inside;       /* of a circle */
-    fw_vec2 motion;    /* of a plane or circle in this step */
+    bool borne;        /* the plane or circle moves as end 1 does; else ... */
+    fw_vec2 motion;    /* ... so far in this step */
     double behind;     /* by how much a plane or circle is to push end 0 back, >= 0 */
+    bool both;         /* of a plane: held both ways, lambda has any sign */
     bool open;         /* only rubs: the point may come nearer */
     fw_joint_rub rub;  /* of a segment */
     bool fresh;        /* in: its island has to be solved (again) */
     double lambda;     /* in: as near as is known, or 0; out: its force, >= 0 */
     fw_vec2 weight[3]; /* out: the gradient G; zero where there is no end */
-    double bound;      /* out */
+    double bound;      /* out: G w + compliance lambda >= bound */
+    double compliance; /* out: of a spring; else 0 */
 } fw_joint_row;
 
 /* What one call of fw_joint_solve has done. */
@@ -78,10 +86,13 @@ typedef struct fw_joint_outcome {
     double residual;         /* |sum lambda (G w - bound)|, the worst island: energy */
 } fw_joint_outcome;
 
-/* Where an end would go freely depends on where it goes: springs act on it. NULL: on none. */
+/* Where an end would go freely depends on where it goes: springs act on it. NULL: on none. Springs
+ * that are ends themselves push with a force that depends on how end 0 of their row moves relative
+ * to end 1; `slope`, by how much it grows as that shrinks, only steers. */
 typedef struct fw_joint_springs {
     fw_vec2 (*free)(void *context, int end, fw_vec2 displacement);
     double (*softening)(void *context, int end); /* A K/2 >= 0: steps are divided by 1 + this */
+    fw_vec2 (*push)(void *context, int row, fw_vec2 relative, double *slope);
     void *context;
 } fw_joint_springs;
 

@@ -14,30 +14,49 @@ bool joint_rubs(const fw_joint_row *rows, const int *list, int count)
     return false;
 }
 
+/* Of end 0, relative to what it rubs on. */
 static double along(const fw_joint_row *row, const fw_vec2 displacement[3])
 {
-    double sum = 0;
-    for (int k = 0; k < 3; ++k) sum += fw_vec2_dot(row->rub.weight[k], displacement[k]);
+    double sum = -row->rub.drift;
+    for (int k = 0; k < fw_joint_end_count(row); ++k)
+        sum += fw_vec2_dot(row->rub.weight[k], displacement[k]);
     return sum;
 }
 
 /* The unit vector along the segment, on the point; on the segment's ends by how near they are. */
+static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
+{
+    const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
+                  j = joint_middle_of(joint, ends, row->end[1]),
+                  k = joint_middle_of(joint, ends, row->end[2]);
+    const fw_vec2 edge = fw_vec2_subtract(k, j);
+    const double squared = fw_vec2_dot(edge, edge);
+    const double part = fw_vec2_dot(fw_vec2_subtract(i, j), edge) / squared;
+    const fw_vec2 tangent = fw_vec2_scale(1 / sqrt(squared), edge);
+    row->rub.weight[0] = tangent;
+    row->rub.weight[2] = fw_vec2_scale(-fmin(fmax(part, 0), 1), tangent);
+    row->rub.weight[1] = fw_vec2_scale(-1, fw_vec2_add(row->rub.weight[0], row->rub.weight[2]));
+}
+
+/* Across the normal of the wall. */
+static void weigh_wall(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
+{
+    joint_weigh(joint, ends, row, 0);
+    row->rub.weight[0] = fw_vec2_turn(row->weight[0]);
+    row->rub.weight[1] = fw_vec2_scale(-1, row->rub.weight[0]);
+    row->rub.drift = row->borne ? 0 : fw_vec2_dot(row->rub.weight[0], row->motion);
+}
+
 void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
                           const int *list, int count)
 {
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
         if (!(row->rub.coefficient > 0)) continue;
-        const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
-                      j = joint_middle_of(joint, ends, row->end[1]),
-                      k = joint_middle_of(joint, ends, row->end[2]);
-        const fw_vec2 edge = fw_vec2_subtract(k, j);
-        const double squared = fw_vec2_dot(edge, edge);
-        const double part = fw_vec2_dot(fw_vec2_subtract(i, j), edge) / squared;
-        const fw_vec2 tangent = fw_vec2_scale(1 / sqrt(squared), edge);
-        row->rub.weight[0] = tangent;
-        row->rub.weight[2] = fw_vec2_scale(-fmin(fmax(part, 0), 1), tangent);
-        row->rub.weight[1] = fw_vec2_scale(-1, fw_vec2_add(row->rub.weight[0], row->rub.weight[2]));
+        if (row->kind == FW_JOINT_SEGMENT)
+            weigh_segment(joint, ends, row);
+        else
+            weigh_wall(joint, ends, row);
     }
 }
 
@@ -45,7 +64,7 @@ void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_jo
 static void collect(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
                     const fw_vec2 *z, fw_vec2 smooth[3], fw_vec2 inertial[3])
 {
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < fw_joint_end_count(row); ++k) {
         const fw_joint_end *end = &ends[row->end[k]];
         smooth[k] = inertial[k] = end->free;
         if (!joint_moves(end)) continue;
@@ -124,7 +143,7 @@ static void share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *r
         fw_joint_row *row = &rows[list[n]];
         row->rub.traction = joint->traction[joint->tangent_of[n]];
         row->rub.stuck = fabs(row->rub.traction) < row->rub.limit;
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < fw_joint_end_count(row); ++k) {
             fw_joint_end *end = &ends[row->end[k]];
             if (!joint_moves(end)) continue;
             const fw_vec2 force = fw_vec2_scale(row->rub.traction, row->rub.weight[k]);
@@ -134,15 +153,19 @@ static void share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *r
 }
 
 fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
-                    int count, const fw_vec2 *z, int end_count, fw_error *error)
+                    int count, const joint_system *normal, int moving, fw_error *error)
 {
-    joint_system system = {
-        .lines = joint->tangents, .lambda = joint->traction, .end_count = end_count};
-    system.line_count = make_tangents(joint, ends, rows, list, count, z);
-    for (int e = 0; e < end_count; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
+    joint_system system = {.lines = joint->tangents,
+                           .lambda = joint->traction,
+                           .end_count = moving,
+                           .first_wide = normal->first_wide,
+                           .wide_count = normal->wide_count};
+    system.line_count = make_tangents(joint, ends, rows, list, count, normal->z);
+    for (int e = 0; e < moving; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
     if (system.line_count == 0) return FW_OK;
     const int bandwidth = joint_bandwidth(&system, joint->first);
-    FW_TRY(joint_reserve_room(joint, joint_interior_room(system.line_count, bandwidth), error));
+    FW_TRY(joint_reserve_room(
+        joint, joint_interior_room(system.line_count, bandwidth, system.wide_count), error));
     find_tractions(joint, &system, bandwidth);
     share_out(joint, ends, rows, list, count);
     return FW_OK;
@@ -152,10 +175,11 @@ void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *l
 {
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
+        fw_vec2 displacement[3];
         if (!(row->rub.coefficient > 0)) continue;
-        row->rub.slip = 0;
-        for (int k = 0; k < 3; ++k)
-            row->rub.slip += fw_vec2_dot(row->rub.weight[k], ends[row->end[k]].displacement);
+        for (int k = 0; k < fw_joint_end_count(row); ++k)
+            displacement[k] = ends[row->end[k]].displacement;
+        row->rub.slip = along(row, displacement);
     }
 }
 
@@ -169,7 +193,7 @@ bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *
         fw_joint_rub *rub = &rows[list[n]].rub;
         double size = 0;
         if (!(rub->coefficient > 0) || rub->stuck) continue;
-        for (int k = 0; k < 3; ++k) {
+        for (int k = 0; k < fw_joint_end_count(&rows[list[n]]); ++k) {
             const fw_vec2 w = ends[rows[list[n]].end[k]].displacement;
             size += fabs(w.x) + fabs(w.y);
         }
@@ -192,7 +216,7 @@ bool joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const
         const fw_joint_rub *rub = &rows[list[n]].rub;
         power += rub->traction * rub->slip;
         if (rub->traction == 0) continue;
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < fw_joint_end_count(&rows[list[n]]); ++k)
             size += rub->traction * rub->traction * ends[rows[list[n]].end[k]].mobility.xx;
     }
     if (power <= 1e-12 * size) return false; /* rounding */

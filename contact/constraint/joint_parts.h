@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* joint_parts.h - the inside of the joint solver, shared by joint.c (normal contact) and
- * joint_friction.c, and by nobody else. */
+/* joint_parts.h - the inside of the joint solver, shared by joint.c (normal contact),
+ * joint_weights.c and joint_friction.c, and by nobody else. */
 #ifndef FW_JOINT_PARTS_H
 #define FW_JOINT_PARTS_H
 
@@ -24,6 +24,7 @@ struct fw_joint {
     int *tangent_of; /* per row of the island, or -1 */
     double *room;
     size_t room_size;
+    const fw_joint_springs *springs; /* of this call; or NULL */
 };
 
 /* L L^T = A; L^T v and L v. */
@@ -33,7 +34,7 @@ typedef struct joint_root {
 
 static inline joint_root joint_root_of(fw_sym2 mobility)
 {
-    const double xx = sqrt(mobility.xx), yx = mobility.xy / xx;
+    const double xx = sqrt(mobility.xx), yx = xx > 0 ? mobility.xy / xx : 0;
     return (joint_root){xx, yx, sqrt(mobility.yy - yx * yx)};
 }
 
@@ -47,6 +48,8 @@ static inline fw_vec2 joint_apply(joint_root l, fw_vec2 v)
     return (fw_vec2){l.xx * v.x, l.yx * v.x + l.yy * v.y};
 }
 
+/* G and bound of a row, number `n` of the problem, at the middle of the step. */
+void joint_weigh(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row, int n);
 /* A line with these weights; `wanted` is left 0. False where no end can give way to it. */
 bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
                      const fw_vec2 *weight, joint_line *line);
@@ -60,9 +63,10 @@ bool joint_rubs(const fw_joint_row *rows, const int *list, int count);
 /* Tangents at the middle of the step. */
 void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
                           const int *list, int count);
-/* Friction for the present normal forces, whose part of the displacements is A^(1/2) z. */
+/* Friction for the present normal forces, whose part of the displacements is A^(1/2) z of their
+ * system, in which so many ends move. */
 fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
-                    int count, const fw_vec2 *z, int end_count, fw_error *error);
+                    int count, const joint_system *normal, int moving, fw_error *error);
 /* How far points slide along segments on the present displacements. */
 void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
 /* Bars all rows of the island if their friction together gives energy. Returns whether it did. */

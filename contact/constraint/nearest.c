@@ -4,7 +4,8 @@
  * c_P z = wanted_P have the nearest point z = Q y, R^T y = wanted_P, with C_P^T = Q R. Neither
  * C C^T, whose condition is the square, nor lambda is needed for z.
  * State: the active lines in the order of Q's columns. Invariant: they are independent to rounding;
- * a line that depends on them holds where they hold, and is never activated.
+ * a line that depends on them holds where they hold, and is never activated. Lines that hold both
+ * ways are active from the first.
  * Start reading at joint_solve_nearest(). */
 #include "joint_system.h"
 
@@ -51,6 +52,11 @@ static active_set open_set(joint_system *system, double *room)
     set.r = set.q + (size_t)most * (size_t)size;
     memset(set.barred, 0, (size_t)system->line_count * sizeof *set.barred);
     return set;
+}
+
+static bool is_both(const active_set *set, int line)
+{
+    return set->system->lines[line].both;
 }
 
 static double *column_of(const active_set *set, int n)
@@ -134,7 +140,7 @@ static void release(active_set *set)
     for (int j = 0; j < count; ++j) {
         const int number = (int)set->active[j];
         double *lambda = &set->system->lambda[number];
-        if (*lambda > 0 && activate(set, number)) continue;
+        if ((*lambda > 0 || is_both(set, number)) && activate(set, number)) continue;
         *lambda = 0;
     }
     memset(set->barred, 0, (size_t)set->system->line_count * sizeof *set->barred);
@@ -150,7 +156,7 @@ static void settle(active_set *set)
         find_point(set);
         for (int j = 0; j < set->count; ++j) {
             const double now = lambda[(int)set->active[j]];
-            if (set->next[j] > 0) continue;
+            if (set->next[j] > 0 || is_both(set, (int)set->active[j])) continue;
             const double reach = now > 0 ? now / (now - set->next[j]) : 0;
             if (last >= 0 && reach >= part) continue;
             part = reach;
@@ -159,7 +165,8 @@ static void settle(active_set *set)
         if (last < 0) break;
         for (int j = 0; j < set->count; ++j) {
             double *now = &lambda[(int)set->active[j]];
-            *now = j == last ? 0 : fmax(0, *now + part * (set->next[j] - *now));
+            const double then = *now + part * (set->next[j] - *now);
+            *now = j == last ? 0 : is_both(set, (int)set->active[j]) ? then : fmax(0, then);
         }
         release(set);
     }
@@ -179,7 +186,7 @@ static int find_missed(const active_set *set)
     int missed = -1;
     for (int n = 0; n < system->line_count; ++n) {
         const joint_line *line = &system->lines[n];
-        if (system->lambda[n] > 0 || set->barred[n] > 0) continue;
+        if (system->lambda[n] > 0 || set->barred[n] > 0 || line->both) continue;
         const double by = (line->wanted - joint_dot(line, system->z)) / line->length;
         if (by <= most) continue;
         most = by;
@@ -197,8 +204,9 @@ static bool keeps_barred(const active_set *set)
         scale = fmax(scale, fabs(system->z[e].x) + fabs(system->z[e].y));
     for (int n = 0; n < system->line_count; ++n) {
         const joint_line *line = &system->lines[n];
-        if (set->barred[n] == 0) continue;
-        const double missed = line->wanted - joint_dot(line, system->z);
+        if (set->barred[n] == 0 && !line->both) continue;
+        double missed = line->wanted - joint_dot(line, system->z);
+        if (line->both) missed = fabs(missed);
         if (missed > BARRED_MISS * scale * line->length) return false;
     }
     return true;
@@ -208,7 +216,10 @@ static bool find_nearest(joint_system *system, double *room)
 {
     active_set set = open_set(system, room);
     for (int n = 0; n < system->line_count; ++n)
-        if (system->lambda[n] > 0 && !activate(&set, n)) system->lambda[n] = 0;
+        if (system->lines[n].both && !activate(&set, n)) system->lambda[n] = 0;
+    for (int n = 0; n < system->line_count; ++n)
+        if (!system->lines[n].both && system->lambda[n] > 0 && !activate(&set, n))
+            system->lambda[n] = 0;
     settle(&set);
     for (int tries = 0; tries < 4 * system->line_count + 40; ++tries) {
         const int missed = find_missed(&set);

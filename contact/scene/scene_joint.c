@@ -276,7 +276,8 @@ static void put_on_walls(fw_scene *scene)
 fw_status scene_solve_joint(fw_scene *scene, fw_error *error)
 {
     scene_joint *joint = scene->joint;
-    const fw_joint_springs springs = {free_with_springs, softening_of, scene};
+    const fw_joint_springs springs = {
+        .free = free_with_springs, .softening = softening_of, .context = scene};
     fw_joint_outcome outcome;
     FW_TRY(fw_joint_solve(joint->solver, joint->joint_ends, joint->end_count, joint->joint_rows,
                           joint->row_count, scene->soft_count > 0 ? &springs : NULL, &outcome,
