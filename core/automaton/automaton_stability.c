@@ -301,6 +301,9 @@ fw_status fw_automaton_check_stability(const fw_automaton *body, fw_error *error
     if (body->colour[FW_BLACK].rim_count + body->colour[FW_WHITE].rim_count == 0) return FW_OK;
     if (body->boundary == FW_BOUNDARY_MIRROR) return check_mirror(body, error);
     if (fw_automaton_matrices_least(&body->matrices) >= 0) return FW_OK;
+    bool positive;
+    FW_TRY(fw_automaton_tiles_are_positive(body, &positive, error));
+    if (positive) return FW_OK;
     fw_form_sign sign;
     FW_TRY(fw_automaton_form_sign(body, &sign, error));
     if (sign == FW_FORM_POSITIVE) return FW_OK;

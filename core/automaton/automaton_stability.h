@@ -13,17 +13,22 @@
 #include "automaton_body.h"
 
 /* FW_BAD_INPUT with the reason and the growth for an unstable body. Exact where every bond's matrix
- * is positive, for small bodies and for those whose factorisation takes less than a second or so
- * (about 200 x 200 cells, long strips of any length); beyond that by Lanczos iteration, which finds
- * every growth that is not slower than what the iteration can resolve. `mirror` has no energy: its
- * spectral radius is computed for small bodies (up to 400 cells), larger ones run for 400 steps and
- * are refused for growth above 2 % a step. */
+ * is positive, where every tile of it is, for small bodies and for those whose
+ * factorisation takes less than a second or so (about 200 x 200 cells, long strips of any length);
+ * beyond that by Lanczos iteration, which finds every growth that is not slower than what the
+ * iteration can resolve. `mirror` has no energy: its spectral radius is computed for small bodies
+ * (up to 400 cells), larger ones run for 400 steps and are refused for growth above 2 % a step. */
 fw_status fw_automaton_check_stability(const fw_automaton *body, fw_error *error);
 
 /* The largest |lambda| of a step at a = 1, by dense eigenvalues; for at most 400 cells. Where it is
  * 1, rounding leaves up to 1 + 1e-6: lambda = 1 is defective. */
 enum { FW_AUTOMATON_DENSE_MAX = 400 };
 fw_status fw_automaton_spectral_radius(const fw_automaton *body, double *radius, fw_error *error);
+
+/* *are true: the body's energy is nowhere below that of masses of -1e-12, since that of none of its
+ * tiles is; takes time for the rim only. false: this does not tell. Not for `mirror`.
+ * automaton_tiles.c */
+fw_status fw_automaton_tiles_are_positive(const fw_automaton *body, bool *are, fw_error *error);
 
 /* Cholesky factorisation of the energy form, shifted by 1e-12: automaton_energy_form.c. */
 typedef enum fw_form_sign { FW_FORM_POSITIVE, FW_FORM_NEGATIVE, FW_FORM_TOO_LARGE } fw_form_sign;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_automaton.c - bodies of the elastic automaton: what they keep, how they start, what holds
  * and loads do to them, and that Chopard's automaton is the LB solid. */
+#include "tests/support/automata.h"
 #include "tests/support/laws.h"
 #include "tests/support/steps.h"
 
@@ -33,21 +34,6 @@ static fw_sites ragged(void)
                                    NULL),
                      FW_OK);
     return sites;
-}
-
-static fw_sites rectangle(int columns, int rows)
-{
-    fw_sites sites;
-    assert_int_equal(fw_sites_rectangle(&sites, columns, rows, NULL), FW_OK);
-    return sites;
-}
-
-static fw_elastic_automaton_def def_of(const fw_sites *sites, double c1, double c2)
-{
-    fw_elastic_automaton_def def = fw_elastic_automaton_def_default();
-    def.sites = sites;
-    def.speeds = (fw_automaton_speeds){c1, c2};
-    return def;
 }
 
 static fw_solid *made(const fw_elastic_automaton_def *def)
