@@ -29,7 +29,19 @@ typedef struct fw_prediction {
     fw_vec2 displacement; /* external force, damping and noise included */
     fw_sym2 mobility;     /* positive definite, or zero where the particle rests in this tick */
     fw_vec2 inertial;     /* displacement by momentum alone, without elastic and external force */
+    bool later;           /* of `predict_step`: it moves in the second tick of the step */
+    bool led;             /* for whoever keeps it: what leads it was taken into account */
 } fw_prediction;
+
+/* A neighbour of the other colour, in a solid whose colours move in turn. What the neighbour is
+ * displaced in a first tick more than it was predicted, r, brings the particle (x.r, y.r) in the
+ * second one. */
+typedef struct fw_partner {
+    int particle;
+    fw_vec2 x, y;
+} fw_partner;
+
+enum { FW_PARTNERS = 4 };
 
 /* What contact decides for a particle. The solid moves it by exactly `displacement` (zero stays
  * zero, which no force could promise after rounding); `force` is the constraint force that does it.
@@ -82,6 +94,11 @@ typedef struct fw_solid_model {
     void (*destroy)(fw_solid *solid);
     /* For each listed particle what this tick would bring; the solid is unaltered. */
     void (*predict)(const fw_solid *solid, const int *particles, int count, fw_prediction *out);
+    /* Where a step has two ticks, before the first of them: what the whole step would bring, in
+     * whichever tick a particle moves; and whom it follows or leads. NULL: a step has one. */
+    void (*predict_step)(const fw_solid *solid, const int *particles, int count,
+                         fw_prediction *out);
+    int (*partners)(const fw_solid *solid, int particle, fw_partner partners[FW_PARTNERS]);
     /* One tick. `constraints` ascends by particle, each particle at most once. FW_SYSTEM_FAILED
      * without memory; the solid is then of no further use. A model with `place` need move x, y of
      * boundary particles only. */
@@ -121,6 +138,7 @@ typedef struct fw_solid_model {
     const char *(*form)(const fw_solid *solid);
     const fw_field *fields;
     bool solid_between_links; /* its links enclose matter: no other such body may enter it */
+    bool bare_is_nothing;     /* a particle without links has no mass, and bars no way */
 } fw_solid_model;
 
 /* The head shared by all models. Everybody may read it; external_x/y is what loads write. */

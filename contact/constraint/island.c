@@ -72,6 +72,17 @@ void joint_islands_release(joint_islands *islands)
     *islands = (joint_islands){0};
 }
 
+static int list_rows_of(joint_islands *islands, int end, int mark, int *list, int count)
+{
+    for (int m = islands->begin[end]; m < islands->begin[end + 1]; ++m) {
+        const int other = islands->incident[m];
+        if (islands->seen[other] == mark) continue;
+        islands->seen[other] = mark;
+        list[count++] = other;
+    }
+    return count;
+}
+
 /* Lists all rows that can be reached, over wide ends or not, marks them, and returns how many. */
 static int spread_from(joint_islands *islands, const fw_joint_end *ends, const fw_joint_row *rows,
                        int start, bool wide, int mark, int *list)
@@ -82,14 +93,13 @@ static int spread_from(joint_islands *islands, const fw_joint_end *ends, const f
     for (int n = 0; n < count; ++n) {
         const fw_joint_row *row = &rows[list[n]];
         for (int k = 0; k < fw_joint_end_count(row); ++k) {
-            const int end = row->end[k];
-            if (!joint_moves(&ends[end]) || (ends[end].wide && !wide)) continue;
-            for (int m = islands->begin[end]; m < islands->begin[end + 1]; ++m) {
-                const int other = islands->incident[m];
-                if (islands->seen[other] == mark) continue;
-                islands->seen[other] = mark;
-                list[count++] = other;
-            }
+            const fw_joint_end *end = &ends[row->end[k]];
+            if (!joint_moves(end) || (end->wide && !wide)) continue;
+            count = list_rows_of(islands, row->end[k], mark, list, count);
+            for (int m = 0; m < end->lead_count; ++m)
+                count = list_rows_of(islands, end->lead[m].end, mark, list, count);
+            for (int m = 0; m < end->follower_count; ++m)
+                count = list_rows_of(islands, end->follower[m], mark, list, count);
         }
     }
     return count;

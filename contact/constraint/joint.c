@@ -17,6 +17,8 @@ enum { ROUNDS = 100, TURNS = 3 };
  * there: rounding of displacements of a spacing. Or no further than NEARLY, if gaps are kept. */
 #define ARRIVED 1e-13
 #define NEARLY  1e-8
+/* Where ends follow others, what is left costs energy and momentum, not gap alone. */
+#define LED 1e-15
 /* Between these lies the part of a change that is taken. */
 #define PART_MIN 0.1
 #define PART_MAX 1.5
@@ -232,21 +234,26 @@ static void add_slack(const fw_joint_row *row, int end, joint_line *line)
     line->length = sqrt(line->length * line->length + row->compliance);
 }
 
-/* Lines of the island for the present w; lambda of its rows is where the solver begins. */
+/* Lines of the island for the present w, with weights of their own or as they stand; lambda of its
+ * rows is where the solver begins. */
 static void make_system(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
-                        int count, int moving, joint_system *system)
+                        int count, int moving, bool weighs, joint_system *system)
 {
     const fw_joint_springs *springs = joint->springs;
     int slack = moving;
-    for (int e = 0; springs && e < moving; ++e) {
-        const int end = joint->global[e];
-        ends[end].free = springs->free(springs->context, end, joint->w[e]);
+    for (int e = 0; e < moving; ++e) {
+        fw_joint_end *end = &ends[joint->global[e]];
+        if (springs)
+            end->free = springs->free(springs->context, joint->global[e], joint->w[e]);
+        else if (end->lead_count > 0)
+            end->free = end->unled;
+        if (end->lead_count > 0) end->free = fw_vec2_add(end->free, joint_led_by(joint, ends, end));
     }
-    joint_weigh_tangents(joint, ends, rows, list, count);
+    if (weighs) joint_weigh_tangents(joint, ends, rows, list, count);
     system->line_count = 0;
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
-        joint_weigh(joint, ends, row, list[n]);
+        if (weighs) joint_weigh(joint, ends, row, list[n]);
         joint_line *line = &joint->lines[system->line_count];
         joint->line_of[n] = -1;
         if (row->open || !joint_make_line(joint, ends, row, row->weight, line)) continue;
@@ -323,24 +330,35 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
 {
     const fw_joint_springs *springs = joint->springs;
     joint_system system = {.lines = joint->lines, .lambda = joint->lambda, .z = joint->z};
-    const bool iterates = depends_on_displacement(rows, list, count, springs);
     const int moving = number_ends(joint, ends, rows, list, count, &system);
+    const bool follows = joint_follows(joint, ends, moving);
+    const bool iterates = follows || depends_on_displacement(rows, list, count, springs);
     double change = INFINITY, part = 1;
     bool arrived = false, solved = true;
     for (int round = 0; round < ROUNDS && !arrived && solved; ++round) {
         if (round > 1) part = next_part(joint, ends, moving, part);
         if (round > 0) relax(joint, ends, moving, springs, part);
-        make_system(joint, ends, rows, list, count, moving, &system);
+        make_system(joint, ends, rows, list, count, moving, true, &system);
+        const double before = change;
         FW_TRY(
             solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
         outcome->iterations += 1;
-        arrived =
-            change <= ARRIVED || !iterates ||
-            (change <= NEARLY && !springs && keeps_gaps(joint, ends, moving, rows, list, count));
+        arrived = !iterates || change <= (follows ? LED : ARRIVED) ||
+                  (follows && change <= ARRIVED && change >= before) ||
+                  (change <= NEARLY && !springs && !follows &&
+                   keeps_gaps(joint, ends, moving, rows, list, count));
         if (arrived) arrived = !joint_bar_feeding(ends, rows, list, count);
     }
+    /* With the weights as they stand: gaps stay inexact, energy and momentum are kept. */
+    for (int round = 0; follows && !arrived && solved && round < ROUNDS && change > LED; ++round) {
+        part = next_part(joint, ends, moving, part);
+        relax(joint, ends, moving, springs, part);
+        make_system(joint, ends, rows, list, count, moving, false, &system);
+        FW_TRY(
+            solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
+    }
     if (joint_bar_all_that_feed(ends, rows, list, count)) {
-        make_system(joint, ends, rows, list, count, moving, &system);
+        make_system(joint, ends, rows, list, count, moving, true, &system);
         FW_TRY(
             solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
         joint_find_slips(ends, rows, list, count);
@@ -373,6 +391,7 @@ fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_
         if (!list) break;
         FW_TRY(solve_island(joint, ends, rows, list, count, outcome, error));
     }
+    joint_move_followers(joint, ends, end_count, rows, row_count);
     for (int e = 0; e < end_count; ++e) ends[e].force = (fw_vec2){0, 0};
     for (int n = 0; n < row_count; ++n)
         for (int k = 0; rows[n].lambda != 0 && k < fw_joint_end_count(&rows[n]); ++k) {

@@ -22,9 +22,18 @@
 
 #include <stdbool.h>
 
+/* An end of a solid whose colours move in turn follows others: r, what an end that leads is
+ * displaced more than `expected`, adds (x.r, y.r) to its free displacement. */
+enum { FW_JOINT_LEADS = 4 };
+typedef struct fw_joint_lead {
+    int end;
+    fw_vec2 x, y;
+    fw_vec2 expected;
+} fw_joint_lead;
+
 typedef struct fw_joint_end {
     fw_vec2 position;     /* at the start of the step */
-    fw_vec2 free;         /* displacement without any row */
+    fw_vec2 free;         /* displacement without any row; follows `unled` where there are leads */
     fw_sym2 mobility;     /* dw/dF, positive definite; zero: `free` is prescribed; a diagonal one
                              may be zero in one component, which is then prescribed */
     fw_vec2 displacement; /* in: where to begin, as near as is known; out: w */
@@ -32,6 +41,10 @@ typedef struct fw_joint_end {
     bool wide;            /* many rows share it, as those of all particles on a piston */
     fw_vec2 rubbed;       /* out: the part of w that friction makes */
     fw_vec2 force;        /* out: of all rows; w = free + mobility force */
+    fw_vec2 unled;        /* `free` where all that lead go as expected */
+    int lead_count, follower_count;
+    fw_joint_lead lead[FW_JOINT_LEADS];
+    int follower[FW_JOINT_LEADS]; /* ends that this one leads */
 } fw_joint_end;
 
 typedef enum fw_joint_kind {
@@ -101,7 +114,8 @@ typedef struct fw_joint fw_joint;
 fw_joint *fw_joint_create(void); /* NULL: no memory */
 void fw_joint_destroy(fw_joint *joint);
 
-/* Solves all islands that have a fresh row: rows that share an end that can move belong together.
+/* Solves all islands that have a fresh row: rows that share an end that can move, or have ends of
+ * which one follows the other, belong together. Ends that follow and have no row are moved along.
  * The displacements of the others' ends stay as they are. The result depends on the order of rows,
  * in its last bits, and on nothing else. FW_SYSTEM_FAILED without memory. */
 fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_joint_row *rows,

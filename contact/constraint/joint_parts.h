@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* joint_parts.h - the inside of the joint solver, shared by joint.c (normal contact),
- * joint_weights.c and joint_friction.c, and by nobody else. */
+ * joint_weights.c, joint_leads.c and joint_friction.c, and by nobody else. */
 #ifndef FW_JOINT_PARTS_H
 #define FW_JOINT_PARTS_H
 
@@ -57,6 +57,14 @@ bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_j
 fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, int end);
 /* Memory for the work of the solvers. */
 fw_status joint_reserve_room(fw_joint *joint, size_t size, fw_error *error);
+
+/* Does any end of the island follow another one? */
+bool joint_follows(const fw_joint *joint, const fw_joint_end *ends, int moving);
+/* What leads add to the free displacement of an end, for the present w. */
+fw_vec2 joint_led_by(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_end *end);
+/* Moves ends that follow and that no row holds. */
+void joint_move_followers(fw_joint *joint, fw_joint_end *ends, int end_count,
+                          const fw_joint_row *rows, int row_count);
 
 /* Does any row of the island rub? */
 bool joint_rubs(const fw_joint_row *rows, const int *list, int count);

@@ -2,6 +2,8 @@
 /* crossing.c - paths of points through segments. Keeps no state. */
 #include "contact/geometry/crossing.h"
 
+#include <math.h>
+
 /* Segments are longer than they are by this part, so that nothing slips between two that meet. */
 static const double END_TOLERANCE = 1e-9;
 
@@ -9,6 +11,10 @@ static fw_vec2 place_at(fw_moving_point point, double time)
 {
     return fw_vec2_add(point.at, fw_vec2_scale(time, point.motion));
 }
+
+/* Points never come nearer to each other than this part of the way that would take them there: from
+ * one place nobody could tell on which side each belongs. */
+static const double MEETING = 1e-9;
 
 /* Does the point lie beside the segment at that time, neither before its one end nor behind its
  * other? `tolerance`: as a part of the length, at either end. */
@@ -29,14 +35,16 @@ bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_movi
     const fw_vec2 turn = fw_vec2_subtract(to.motion, from.motion);
     const fw_vec2 apart = fw_vec2_subtract(point.at, from.at);
     const fw_vec2 motion = fw_vec2_subtract(point.motion, from.motion);
-    /* Twice the area of the triangle: a0 + a1 t + a2 t^2. */
-    const double a0 = fw_vec2_cross(edge, apart);
+    /* Twice the area of the triangle, less what is kept of it: a0 + a1 t + a2 t^2. */
+    const double squared = fw_vec2_dot(edge, edge), keep = fmax(-behind, 0) * squared;
+    const double a0 = fw_vec2_cross(edge, apart) - keep;
     const double a1 = fw_vec2_cross(edge, motion) + fw_vec2_cross(turn, apart);
     const double a2 = fw_vec2_cross(turn, motion);
     const double end = a0 + (a1 + a2);
     *when = 0;
     if (a0 < 0) {
-        if (a0 < -behind * fw_vec2_dot(edge, edge) || end >= a0) return false;
+        const bool elsewhere = keep > 0 ? a0 <= -keep : a0 < -behind * squared;
+        if (elsewhere || end >= a0) return false;
         return lies_beside(point, from, to, 0, 0);
     }
     if (a0 > 0) {
@@ -59,8 +67,8 @@ bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when)
     const double approach = -fw_vec2_dot(apart, motion), squared = fw_vec2_dot(motion, motion);
     const double miss = fw_vec2_cross(apart, motion), size = fw_vec2_dot(apart, apart);
     *when = 0;
-    if (!(size > 0) || !(approach > 0) || approach > squared) return false;
-    *when = approach / squared;
+    if (!(size > 0) || !(approach > 0) || approach > squared * (1 + MEETING)) return false;
+    *when = fmin(approach / squared, 1);
     /* |miss|/|motion| is how far apart they pass. */
     return miss * miss <= END_TOLERANCE * END_TOLERANCE * squared * size;
 }

@@ -16,13 +16,15 @@ typedef struct fw_moving_point {
 
 /* Does the point pass from the left of the segment from -> to to its right? Both ends belong to the
  * segment. A point behind it by no more than `behind` times its length, which rounding or an
- * iteration may have put there, passes where it would go deeper. *when is the part of the step
- * after which it passes, 0 to 1. */
+ * iteration may have put there, passes where it would go deeper; a negative `behind`: it passes
+ * where it comes nearer than that, and where it does not lie to the left it belongs to the other
+ * side. *when is the part of the step after which it passes, 0 to 1. */
 bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_moving_point to,
                             double behind, double *when);
 
 /* Do two points meet, as the ends of chains do that lie in one line? They pass each other no
- * further apart than rounding explains. Points that start at one place do not meet. */
+ * further apart than rounding explains, or nearly come to one place. Points that start at one place
+ * do not meet. */
 bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when);
 
 #endif

@@ -64,6 +64,13 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
     for (int w = 0; w < scene->wall_count; ++w) {
         if (!fw_wall_moves(scene->walls[w].wall)) continue;
         scene_follow_wall(scene, w, scene->ticks_per_step);
+        if (scene->joint && scene->ticks_per_step == 2) { /* both ticks are one problem */
+            const fw_vec2 place = scene->walls[w].place;
+            scene_follow_wall_later(scene, w);
+            scene->walls[w].motion =
+                fw_vec2_subtract(fw_vec2_add(scene->walls[w].place, scene->walls[w].motion), place);
+            scene->walls[w].place = place;
+        }
         fw_broadphase_move_wall(scene->broadphase, w, scene->walls[w].place,
                                 scene->walls[w].motion);
     }

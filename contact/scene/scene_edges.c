@@ -11,8 +11,7 @@ bool fw_scene_bodies_meet(const fw_scene *scene, int a, int b)
 {
     const fw_solid_model *first = scene->bodies[a].solid->model;
     const fw_solid_model *second = scene->bodies[b].solid->model;
-    return a != b && first->solid_between_links && second->solid_between_links &&
-           first->ticks_per_step == second->ticks_per_step;
+    return a != b && first->solid_between_links && second->solid_between_links;
 }
 
 static bool meets_any(const fw_scene *scene, int body)
@@ -160,7 +159,7 @@ void scene_predict_busy(fw_scene *scene)
             points[found++] = contour->segments[n].to;
         }
         for (int n = 0; n < found; ++n) particles[n] = contour->particles[points[n]];
-        fw_solid_predict(body->solid, particles, found, predictions);
+        scene_predict_points(body->solid, particles, found, predictions);
         for (int n = 0; n < found; ++n) {
             body->edge->predictions[points[n]] = predictions[n];
             if (body->edge->end[points[n]] < 0)
@@ -197,8 +196,8 @@ static double longest_prediction(const fw_scene *scene)
     for (int m = 0; m < scene->joint->member_count; ++m) {
         const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
         const scene_edge *edge = body->edge;
-        fw_solid_predict(body->solid, edge->contour.particles, edge->contour.point_count,
-                         edge->predictions);
+        scene_predict_points(body->solid, edge->contour.particles, edge->contour.point_count,
+                             edge->predictions);
         for (int point = 0; point < edge->contour.point_count; ++point) {
             const fw_vec2 w = edge->predictions[point].displacement;
             squared = fmax(squared, fw_vec2_dot(w, w));
@@ -209,11 +208,12 @@ static double longest_prediction(const fw_scene *scene)
 
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
 {
-    if (!scene->joint) return FW_OK;
+    if (!scene->joint || scene_is_second_tick(scene)) return FW_OK;
     bool changed = false;
     for (int m = 0; m < scene->joint->member_count; ++m) {
         const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
         if (body->edge->revision == body->solid->boundary_revision) continue;
+        fw_solid_place(body->solid); /* which lists the links that are left */
         FW_TRY(make_points(body->edge, body->solid, error));
         changed = true;
         forget_rubbing(scene, scene->joint->member_bodies[m]);

@@ -22,8 +22,8 @@ static fw_status reserve_end(scene_joint *joint, fw_error *error)
     return FW_OK;
 }
 
-/* What walls alone did to the particle, or -1. Contacts ascend by particle. */
-static int find_contact(const scene_body *body, int particle)
+/* Contacts ascend by particle. */
+int scene_find_contact(const scene_body *body, int particle)
 {
     int low = 0, high = body->contact_count;
     while (low < high) {
@@ -86,8 +86,7 @@ static fw_status add_known_walls(fw_scene *scene, int end, fw_error *error)
     return FW_OK;
 }
 
-/* The end of a point, which is made where there is none. */
-static fw_status find_end(fw_scene *scene, int body, int point, int *end, fw_error *error)
+fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error)
 {
     scene_joint *joint = scene->joint;
     scene_body *of = &scene->bodies[body];
@@ -101,12 +100,14 @@ static fw_status find_end(fw_scene *scene, int body, int point, int *end, fw_err
     scene_end *made = &joint->ends[*end];
     *made = (scene_end){.body = body,
                         .point = point,
-                        .contact = find_contact(of, particle),
+                        .contact = free->later ? -1 : scene_find_contact(of, particle),
                         .grip = find_grip(scene, body, particle),
-                        .row = -1};
+                        .row = -1,
+                        .later = free->later};
     fw_joint_end *joint_end = &joint->joint_ends[*end];
     *joint_end = (fw_joint_end){.position = fw_solid_position(of->solid, particle),
                                 .free = free->displacement,
+                                .unled = free->displacement,
                                 .inertial = free->inertial,
                                 .mobility = free->mobility,
                                 .displacement = of->edge->paths[point]};
@@ -114,7 +115,8 @@ static fw_status find_end(fw_scene *scene, int body, int point, int *end, fw_err
         joint_end->free = joint_end->inertial = of->edge->paths[point];
         joint_end->mobility = (fw_sym2){0, 0, 0};
     }
-    return add_known_walls(scene, *end, error);
+    FW_TRY(add_known_walls(scene, *end, error));
+    return scene_couple_end(scene, *end, error);
 }
 
 /* --- rows --- */
@@ -157,20 +159,20 @@ static fw_status append_row(scene_joint *joint, const scene_row *row, const fw_j
 static fw_status add_wall(fw_scene *scene, const scene_row *row, int end, fw_error *error)
 {
     scene_joint *joint = scene->joint;
-    const fw_candidate *candidate = &scene->candidates[row->facet];
-    const fw_facet *facet = candidate->facet;
-    const fw_vec2 at = fw_vec2_subtract(joint->joint_ends[end].position, candidate->place);
+    const fw_candidate candidate = scene_candidate_for(scene, row->facet, joint->ends[end].later);
+    const fw_facet *facet = candidate.facet;
+    const fw_vec2 at = fw_vec2_subtract(joint->joint_ends[end].position, candidate.place);
     const bool curved = fw_facet_is_curved(facet);
     fw_joint_row what = {.kind = curved ? FW_JOINT_ROUND : FW_JOINT_PLANE,
                          .end = {end},
                          .normal = fw_facet_normal(facet, fw_vec2_subtract(at, facet->a)),
-                         .centre = fw_vec2_add(facet->a, candidate->place),
+                         .centre = fw_vec2_add(facet->a, candidate.place),
                          .inside = curved && facet->side == FW_INSIDE,
-                         .motion = candidate->motion,
+                         .motion = candidate.motion,
                          .behind = fmax(0, -fw_facet_gap(facet, at))};
     FW_TRY(append_row(joint, row, &what, error));
     joint->ends[end].wall_rows += 1;
-    if (candidate->surface.law != FW_STICK) return FW_OK;
+    if (candidate.surface.law != FW_STICK) return FW_OK;
     what.kind = FW_JOINT_PLANE;
     what.behind = 0;
     what.normal = fw_vec2_turn(what.normal);
@@ -183,7 +185,7 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
 {
     scene_joint *joint = scene->joint;
     int end, from, to;
-    FW_TRY(find_end(scene, row->point_body, row->point, &end, error));
+    FW_TRY(scene_find_end(scene, row->point_body, row->point, &end, error));
     const int known = scene_find_row(joint, end, row);
     if (known >= 0) {
         fw_joint_row *open = &joint->joint_rows[known];
@@ -194,8 +196,8 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
         return FW_OK;
     }
     if (row->facet >= 0) return add_wall(scene, row, end, error);
-    FW_TRY(find_end(scene, row->body, row->from, &from, error));
-    FW_TRY(find_end(scene, row->body, row->to, &to, error));
+    FW_TRY(scene_find_end(scene, row->body, row->from, &from, error));
+    FW_TRY(scene_find_end(scene, row->body, row->to, &to, error));
     fw_joint_row what = {.kind = from == to ? FW_JOINT_POINT : FW_JOINT_SEGMENT,
                          .end = {end, from, to}};
     if (what.kind == FW_JOINT_SEGMENT) what.rub = scene_take_rub(scene, row, end);
@@ -211,6 +213,7 @@ static fw_status add_walls_of(fw_scene *scene, int number, fw_error *error)
     const int entry = body->edge->entry[end->point];
     if (end->grip >= 0 || !body->boundary || entry >= fw_boundary_count(body->boundary))
         return FW_OK;
+    const bool later = end->later;
     const fw_vec2 position = scene->joint->joint_ends[number].position;
     const fw_vec2 w = body->edge->paths[end->point];
     const int run = fw_boundary_run_of(body->boundary, entry);
@@ -218,13 +221,13 @@ static fw_status add_walls_of(fw_scene *scene, int number, fw_error *error)
                               error));
     scene_list_near(scene, fw_boundary_observe_run(body->boundary, run));
     for (int n = 0; n < scene->near_count; ++n) {
-        const fw_candidate *candidate = &scene->near[n];
-        const double away = fmax(fabs(candidate->place.x), fabs(candidate->place.y));
+        const fw_candidate candidate = scene_candidate_for(scene, scene->near[n].number, later);
+        const double away = fmax(fabs(candidate.place.x), fabs(candidate.place.y));
         if (scene->joint->ends[number].wall_rows == FW_WALL_CONTACTS) break;
-        if (!fw_facet_is_passed(candidate->facet, fw_vec2_subtract(position, candidate->place),
-                                fw_vec2_subtract(w, candidate->motion), away))
+        if (!fw_facet_is_passed(candidate.facet, fw_vec2_subtract(position, candidate.place),
+                                fw_vec2_subtract(w, candidate.motion), away))
             continue;
-        const scene_row row = {.facet = candidate->number,
+        const scene_row row = {.facet = candidate.number,
                                .point_body = scene->joint->ends[number].body,
                                .point = scene->joint->ends[number].point};
         FW_TRY(scene_add_row(scene, &row, error));
@@ -240,23 +243,6 @@ fw_status scene_add_passed_walls(fw_scene *scene, fw_error *error)
 }
 
 /* --- the solution --- */
-
-static fw_vec2 free_with_springs(void *context, int number, fw_vec2 displacement)
-{
-    fw_scene *scene = context;
-    scene_end *end = &scene->joint->ends[number];
-    const fw_prediction *alone = &scene->bodies[end->body].edge->predictions[end->point];
-    end->soft = scene_soft_force(scene, scene->joint->joint_ends[number].position, displacement);
-    end->soft_path = displacement;
-    return fw_vec2_add(alone->displacement, fw_sym2_apply(alone->mobility, end->soft));
-}
-
-static double softening_of(void *context, int number)
-{
-    const fw_scene *scene = context;
-    const fw_sym2 mobility = scene->joint->joint_ends[number].mobility;
-    return 0.5 * scene->soft_stiffness * fmax(mobility.xx, mobility.yy);
-}
 
 /* What rounding left along the normal of a wall is taken out, as for a particle that meets walls
  * alone: on a wall along an axis it stays where it is to the last bit. */
@@ -276,8 +262,7 @@ static void put_on_walls(fw_scene *scene)
 fw_status scene_solve_joint(fw_scene *scene, fw_error *error)
 {
     scene_joint *joint = scene->joint;
-    const fw_joint_springs springs = {
-        .free = free_with_springs, .softening = softening_of, .context = scene};
+    const fw_joint_springs springs = scene_springs(scene);
     fw_joint_outcome outcome;
     FW_TRY(fw_joint_solve(joint->solver, joint->joint_ends, joint->end_count, joint->joint_rows,
                           joint->row_count, scene->soft_count > 0 ? &springs : NULL, &outcome,
@@ -341,23 +326,31 @@ static fw_contact_solution solution_of(const fw_scene *scene, int number)
     return solution;
 }
 
+scene_contact *scene_hand_over_end(fw_scene *scene, int number)
+{
+    const scene_joint *joint = scene->joint;
+    const scene_end *end = &joint->ends[number];
+    scene_body *body = &scene->bodies[end->body];
+    const fw_sym2 mobility = joint->joint_ends[number].mobility;
+    scene_contact *contact =
+        &body->contacts[end->contact >= 0 ? end->contact : body->contact_count++];
+    *contact = (scene_contact){.particle = body->edge->contour.particles[end->point],
+                               .entry = body->edge->entry[end->point],
+                               .solution = solution_of(scene, number),
+                               .soft = end->soft,
+                               .soft_path = end->soft_path,
+                               .mobility = fmax(mobility.xx, mobility.yy)};
+    if (body->memory) body->memory[contact->particle] = (fw_contact_memory){0};
+    return contact;
+}
+
 void scene_hand_over_joint(fw_scene *scene)
 {
-    scene_joint *joint = scene->joint;
-    for (int e = 0; e < joint->end_count; ++e) {
-        const scene_end *end = &joint->ends[e];
-        scene_body *body = &scene->bodies[end->body];
-        const fw_sym2 mobility = joint->joint_ends[e].mobility;
-        if (end->grip >= 0 || mobility.xx == 0) continue;
-        const scene_contact contact = {.particle = body->edge->contour.particles[end->point],
-                                       .entry = body->edge->entry[end->point],
-                                       .solution = solution_of(scene, e),
-                                       .soft = end->soft,
-                                       .soft_path = end->soft_path,
-                                       .mobility = fmax(mobility.xx, mobility.yy)};
-        if (body->memory) body->memory[contact.particle] = (fw_contact_memory){0};
-        body->contacts[end->contact >= 0 ? end->contact : body->contact_count++] = contact;
-    }
+    const scene_joint *joint = scene->joint;
+    for (int e = 0; e < joint->end_count; ++e)
+        if (joint->ends[e].grip < 0 && !joint->ends[e].later &&
+            joint->joint_ends[e].mobility.xx != 0)
+            (void)scene_hand_over_end(scene, e);
     for (int e = 0; e < joint->end_count; ++e) {
         const int b = joint->ends[e].body;
         if (e > 0 && b == joint->ends[e - 1].body) continue;
@@ -365,19 +358,17 @@ void scene_hand_over_joint(fw_scene *scene)
     }
 }
 
-/* A force acts on its particle for `ticks`, from one move to the next. */
+/* A force on a particle that moves once in a step of two ticks acts for both. */
 static void book_row(fw_scene *scene, const fw_joint_row *row)
 {
     const scene_joint *joint = scene->joint;
     for (int k = 0; k < fw_joint_end_count(row); ++k) {
         const scene_end *end = &joint->ends[row->end[k]];
         fw_body_ledger *ledger = &joint->bodies[end->body];
-        const int ticks = scene->bodies[end->body].solid->model->ticks_per_step;
-        ledger->force =
-            fw_vec2_add(ledger->force, fw_vec2_scale(ticks * row->lambda, row->weight[k]));
+        ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(row->lambda, row->weight[k]));
         if (row->rub.traction != 0)
-            ledger->force = fw_vec2_add(
-                ledger->force, fw_vec2_scale(ticks * row->rub.traction, row->rub.weight[k]));
+            ledger->force =
+                fw_vec2_add(ledger->force, fw_vec2_scale(row->rub.traction, row->rub.weight[k]));
         if (k < 2 && row->lambda > 0) ledger->contacts += 1;
     }
 }
@@ -387,6 +378,11 @@ void scene_book_joint(fw_scene *scene)
     scene_joint *joint = scene->joint;
     if (!joint) return;
     bool touches = false;
+    for (int b = 0; b < scene->body_count && scene_is_second_tick(scene); ++b) {
+        fw_body_ledger *ledger = &joint->bodies[b];
+        ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
+    }
+    if (scene_is_second_tick(scene)) return;
     for (int b = 0; b < scene->body_count; ++b) {
         fw_body_ledger *ledger = &joint->bodies[b];
         ledger->reaction = fw_vec2_scale(0.5, ledger->force);

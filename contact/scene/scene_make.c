@@ -83,9 +83,17 @@ fw_status fw_scene_adopt_body(fw_scene *scene, const char *name, fw_solid *solid
         fw_solid_destroy(solid);
         return FW_BAD_INPUT;
     }
+    if (scene->body_count > 0 && solid->model->ticks_per_step != scene->ticks_per_step) {
+        fw_fail(error, FW_BAD_INPUT,
+                "body %s moves %s, expected all bodies of a scene to do so or none", name,
+                solid->model->ticks_per_step == 2 ? "in half-steps, one colour after the other"
+                                                  : "all at once, those before it in half-steps");
+        free(copy);
+        fw_solid_destroy(solid);
+        return FW_BAD_INPUT;
+    }
     scene->tick = solid->tick;
-    if (solid->model->ticks_per_step > scene->ticks_per_step)
-        scene->ticks_per_step = solid->model->ticks_per_step;
+    scene->ticks_per_step = solid->model->ticks_per_step;
     *body = scene->body_count;
     scene->bodies[scene->body_count++] = (scene_body){.name = copy, .solid = solid};
     return FW_OK;

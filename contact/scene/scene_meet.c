@@ -13,6 +13,9 @@ enum { ROUNDS = 60 };
 /* How far behind a segment a point may be, in units of its length, and count as on it: an iterate
  * that did not converge leaves such gaps. Nothing of another body lies there by right. */
 static const double BEHIND = 1e-6;
+/* How near a point may come to a segment that bars the way from both sides, in the same unit:
+ * rounding shall not put it on the other side. */
+static const double BESIDE = 1e-9;
 /* How far inside a gripped point may be carried by rounding, in units of the coordinates' size. */
 static const double GRIPPED_ROUNDING = 1e-9;
 
@@ -76,6 +79,7 @@ static void begin_paths(fw_scene *scene)
             edge->paths[segments[k].to] = edge->predictions[segments[k].to].displacement;
         }
     }
+    scene_lead_points(scene, 0);
     follow_walls_and_grips(scene);
 }
 
@@ -162,7 +166,7 @@ static fw_status look_at(fw_scene *scene, int body, int point, int other,
         FW_TRY(note_unknown(scene, &row, error));
     row.to = segment->to;
     if (row.from == row.to ||
-        !fw_crossing_of_segment(a, from, to, segment->two_sided ? 0 : BEHIND, &row.when))
+        !fw_crossing_of_segment(a, from, to, segment->two_sided ? -BESIDE : BEHIND, &row.when))
         return FW_OK;
     return note_unknown(scene, &row, error);
 }
@@ -327,9 +331,11 @@ static fw_status search_within_reach(fw_scene *scene, fw_error *error)
     for (;;) {
         const double longest = longest_path(scene);
         if (longest <= joint->reach) return FW_OK;
+        const int predicted = joint->predicted;
         joint->reach = 2 * longest;
         FW_TRY(fw_meeting_find(joint->search, joint->reach, error));
         scene_predict_busy(scene);
+        scene_lead_points(scene, predicted);
         follow_walls_and_grips(scene);
     }
 }
@@ -347,6 +353,10 @@ static void forget_ends(fw_scene *scene)
 fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
 {
     scene_joint *joint = scene->joint;
+    if (scene_is_second_tick(scene)) {
+        scene_hand_over_second(scene);
+        return FW_OK;
+    }
     forget_ends(scene);
     begin_paths(scene);
     FW_TRY(scene_add_rubbing(scene, error));

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
  * scene_soft.c, scene_carry.c, scene_room.c, scene_pistons.c and scene_jams.c (its contact phase),
- * scene_edges.c, scene_meet.c and scene_joint.c (bodies against bodies), scene_make.c (making,
- * restoring) and scene_observe.c, and by nobody else. */
+ * scene_edges.c, scene_meet.c, scene_turns.c and scene_joint.c (bodies against bodies),
+ * scene_make.c (making, restoring) and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -49,6 +49,7 @@ typedef struct scene_end {
     int grip;          /* that holds it; or -1 */
     int row;           /* its latest row as the point that passes, or -1 */
     int wall_rows;     /* facets that are rows */
+    bool later;        /* it moves in the second tick of the step */
     fw_vec2 soft;      /* force of penalty walls ... */
     fw_vec2 soft_path; /* ... for this displacement */
 } scene_end;
@@ -220,6 +221,28 @@ fw_status scene_predict_edges(fw_scene *scene, fw_error *error);
 void scene_predict_busy(fw_scene *scene);
 /* What keeps bodies out of each other, on top of what walls do. */
 fw_status scene_meet_bodies(fw_scene *scene, fw_error *error);
+/* Bodies in which two colours move in turn: scene_turns.c. Is this their second tick? */
+bool scene_is_second_tick(const fw_scene *scene);
+/* What the whole step brings, before its first tick. */
+void scene_predict_points(const fw_solid *solid, const int *particles, int count,
+                          fw_prediction *out);
+/* Of busy runs from that one on: takes into account what walls did to particles that lead others.
+ */
+void scene_lead_points(fw_scene *scene, int first_busy);
+/* Makes the ends that follow an end. */
+fw_status scene_couple_end(fw_scene *scene, int end, fw_error *error);
+/* In the second tick, the forces that were found before the first. */
+void scene_hand_over_second(fw_scene *scene);
+/* Walls as ends meet them that move in the second tick. */
+void scene_follow_wall_later(fw_scene *scene, int wall);
+fw_candidate scene_candidate_for(const fw_scene *scene, int facet, bool later);
+
+/* What walls alone did to the particle among the contacts of its body, or -1. */
+int scene_find_contact(const scene_body *body, int particle);
+/* The end of a point, which is made where there is none. */
+fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error);
+/* The force on an end becomes a contact of its body. */
+scene_contact *scene_hand_over_end(fw_scene *scene, int end);
 /* A row that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED without memory. */
 fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error);
 /* Its number, or -1. */
@@ -264,6 +287,8 @@ bool scene_is_clear_of_soft(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);
 /* FW_DIVERGED where a particle was taken through a wall in this tick; before pistons advance. */
 fw_status scene_check_room(fw_scene *scene, fw_error *error);
+/* Of all penalty walls, on ends of the joint contact. */
+fw_joint_springs scene_springs(fw_scene *scene);
 /* FW_BAD_INPUT for a penalty wall that is too stiff for the time step. */
 fw_status scene_check_soft(fw_scene *scene, fw_error *error);
 /* All constraints of the body in this tick: contacts and grips. */

@@ -112,3 +112,31 @@ fw_status scene_check_soft(fw_scene *scene, fw_error *error)
     }
     return FW_OK;
 }
+
+static fw_vec2 free_with_springs(void *context, int number, fw_vec2 displacement)
+{
+    fw_scene *scene = context;
+    scene_end *end = &scene->joint->ends[number];
+    const fw_prediction *alone = &scene->bodies[end->body].edge->predictions[end->point];
+    for (int w = 0; w < scene->wall_count && scene->ticks_per_step == 2; ++w)
+        if (end->later)
+            scene_follow_wall_later(scene, w);
+        else
+            scene_follow_wall(scene, w, scene->ticks_per_step);
+    end->soft = scene_soft_force(scene, scene->joint->joint_ends[number].position, displacement);
+    end->soft_path = displacement;
+    return fw_vec2_add(alone->displacement, fw_sym2_apply(alone->mobility, end->soft));
+}
+
+static double softening_of(void *context, int number)
+{
+    const fw_scene *scene = context;
+    const fw_sym2 mobility = scene->joint->joint_ends[number].mobility;
+    return 0.5 * scene->soft_stiffness * fmax(mobility.xx, mobility.yy);
+}
+
+fw_joint_springs scene_springs(fw_scene *scene)
+{
+    return (fw_joint_springs){
+        .free = free_with_springs, .softening = softening_of, .context = scene};
+}

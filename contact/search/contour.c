@@ -140,7 +140,8 @@ static void walk_all(fw_contour *contour, const halves *h, const fw_solid *solid
                      const fw_vec2 *home)
 {
     for (int p = 0; p < solid->count; ++p) {
-        if (h->begin[p] == h->begin[p + 1]) add_single(contour, p);
+        if (h->begin[p] == h->begin[p + 1] && !solid->model->bare_is_nothing)
+            add_single(contour, p);
         for (int half = h->begin[p]; half < h->begin[p + 1]; ++half)
             if (!h->seen[half] && !is_cell(h, home, p, half)) walk_around(contour, h, p, half);
     }

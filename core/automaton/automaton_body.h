@@ -165,6 +165,10 @@ void fw_automaton_place_boundary(fw_automaton *body);
 /* A half-step: automaton_sweep.c. */
 void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,
                           fw_prediction *out);
+/* A whole step ahead: automaton_ahead.c. */
+void fw_automaton_predict_step(const fw_solid *solid, const int *particles, int count,
+                               fw_prediction *out);
+int fw_automaton_partners(const fw_solid *solid, int particle, fw_partner partners[FW_PARTNERS]);
 fw_status fw_automaton_advance(fw_solid *solid, const fw_constraint *constraints,
                                int constraint_count, fw_error *error);
 /* Many of them in one sweep through memory: automaton_wave.c. */

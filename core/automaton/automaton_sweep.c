@@ -51,28 +51,36 @@ static fw_vec2 rim_displacement(const fw_half_step *step, const fw_automaton_rim
     return fw_automaton_rim_displacement(rim, s, step->share_of_pull, step->move.mirror);
 }
 
+fw_prediction fw_half_step_predict(const fw_half_step *step, int particle, fw_vec2 pull)
+{
+    const fw_automaton *body = step->body;
+    const fw_solid *head = &body->head;
+    const fw_automaton_colour *colour = &body->colour[step->colour];
+    const int cell = body->cell[particle];
+    fw_prediction out = {.displacement = {0, 0}};
+    out.mobility = mobility(step, fw_automaton_cell_inverse_mass(body, step->colour, cell));
+    /* The reflection is all momentum: no part of it is an elastic force. */
+    out.inertial = colour->place[cell] >= 0
+                       ? rim_displacement(step, &colour->rim[colour->place[cell]], pull)
+                       : fw_vec2_scale(step->share_of_pull, pull);
+    out.displacement = out.inertial;
+    if (!head->loaded) return out;
+    const fw_vec2 force = {head->external_x[particle], head->external_y[particle]};
+    out.displacement = fw_vec2_add(out.displacement, fw_sym2_apply(out.mobility, force));
+    return out;
+}
+
 void fw_automaton_predict(const fw_solid *solid, const int *particles, int count,
                           fw_prediction *out)
 {
     const fw_automaton *body = fw_automaton_of_const(solid);
     const fw_half_step step = fw_half_step_of(body, fw_automaton_moving(body));
     for (int n = 0; n < count; ++n) {
-        const int particle = particles[n];
-        out[n] = (fw_prediction){{0, 0}, {0, 0, 0}, {0, 0}};
-        if (body->white[particle] != step.colour) continue;
-        const int cell = body->cell[particle];
-        const fw_vec2 pull = fw_automaton_cell_pull(body, step.colour, cell);
-        out[n].mobility = mobility(&step, fw_automaton_cell_inverse_mass(body, step.colour, cell));
-        /* The reflection is all momentum: no part of it is an elastic force. */
-        const fw_automaton_colour *colour = &body->colour[step.colour];
-        out[n].inertial = colour->place[cell] >= 0
-                              ? rim_displacement(&step, &colour->rim[colour->place[cell]], pull)
-                              : fw_vec2_scale(step.share_of_pull, pull);
-        out[n].displacement = out[n].inertial;
-        if (!solid->loaded) continue;
-        const fw_vec2 force = {solid->external_x[particle], solid->external_y[particle]};
-        out[n].displacement =
-            fw_vec2_add(out[n].displacement, fw_sym2_apply(out[n].mobility, force));
+        out[n] = (fw_prediction){.displacement = {0, 0}};
+        if (body->white[particles[n]] != step.colour) continue;
+        const int cell = body->cell[particles[n]];
+        out[n] = fw_half_step_predict(&step, particles[n],
+                                      fw_automaton_cell_pull(body, step.colour, cell));
     }
 }
 

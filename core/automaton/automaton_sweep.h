@@ -32,6 +32,9 @@ static inline bool fw_half_step_passes(const fw_half_step *step)
     return step->body->head.loaded || step->loss > 0;
 }
 
+/* What the half-step brings a cell of its colour on which its neighbours pull so. */
+fw_prediction fw_half_step_predict(const fw_half_step *step, int particle, fw_vec2 pull);
+
 /* Moves the cells of a row. `share`: what they add to the ledger; all zero if nothing passes
  * and nothing tears. */
 void fw_half_step_move_row(const fw_half_step *step, int row, fw_automaton_share *share);

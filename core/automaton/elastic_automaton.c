@@ -180,6 +180,8 @@ const fw_solid_model fw_elastic_automaton_model = {
     .ticks_per_step = 2,
     .destroy = destroy,
     .predict = fw_automaton_predict,
+    .predict_step = fw_automaton_predict_step,
+    .partners = fw_automaton_partners,
     .advance = fw_automaton_advance,
     .advance_free = fw_automaton_advance_free,
     .place = fw_automaton_place,
@@ -193,4 +195,6 @@ const fw_solid_model fw_elastic_automaton_model = {
     .state = state,
     .restored = restored,
     .fields = fw_automaton_fields,
+    .solid_between_links = true,
+    .bare_is_nothing = true,
 };

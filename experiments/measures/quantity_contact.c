@@ -2,7 +2,7 @@
 /* quantity_contact.c - what can be measured of bodies that touch each other. Keeps no state. */
 #include "experiments/measures/quantity.h"
 
-#define LINKED "lattice-boltzmann linear-lattice"
+#define LINKED "lattice-boltzmann linear-lattice elastic-automaton"
 
 /* Of the bodies of these models each is a solid of its own. */
 static const fw_body_ledger *ledger_of(const fw_experiment *experiment, fw_subject subject)

@@ -143,6 +143,74 @@ def automata():
         expect(f'{rule}, c2 = {speeds[1]}: growth', found, growth, within, 'stability-map')
 
 
+class Sheets:
+    """x of two sheets of 10 x 10 cells of Chopard's automaton, of which the left one flies at the right
+    one, face to face. A step is solved as a whole: with d_b, d_w what black and white cells move in it,
+    d_w follows d_b, and where the free path of a pair of opposite cells would cross, it has a force
+    lambda >= 0 on either, with lambda (d_right - d_left) = 0."""
+
+    def __init__(self, velocity, gap):
+        grid = np.indices((10, 10))
+        self.white = np.array([grid.sum(axis=0) % 2 == 1] * 2)  # body, i, j
+        self.u = np.where(self.white, np.array([velocity, 0])[:, None, None] / 2, 0)
+        self.gap = gap
+        self.mass = self.pull(np.zeros_like(self.u), 1) / 2
+
+    @staticmethod
+    def pull(u, beside=None):
+        """sum B (neighbour - self) with B = 1/2; or, of 0 beside 1, the sum of B."""
+        other = u if beside is None else np.ones_like(u)
+        out = np.zeros_like(u)
+        out[:, 1:] += (other[:, :-1] - u[:, 1:]) / 2
+        out[:, :-1] += (other[:, 1:] - u[:, :-1]) / 2
+        out[:, :, 1:] += (other[:, :, :-1] - u[:, :, 1:]) / 2
+        out[:, :, :-1] += (other[:, :, 1:] - u[:, :, :-1]) / 2
+        return out
+
+    def moved(self, force):
+        u = self.u.copy()
+        for cells in ~self.white, self.white:
+            u += np.where(cells, (self.pull(u) + force) / self.mass, 0)
+        return u
+
+    def step(self):
+        """Forces of the pairs one by one, until each does what it must."""
+        force, rows = np.zeros_like(self.u), set()
+        while True:
+            u = self.moved(force)
+            gap = self.gap + u[1, 0] - u[0, 9]
+            missed = {j for j in range(10) if gap[j] < -1e-13} - rows
+            if not missed:
+                break
+            rows |= missed
+            for _ in range(2000):
+                most = 0
+                for j in rows:
+                    d = self.moved(force) - self.u
+                    more = -(d[1, 0, j] - d[0, 9, j]) / (1 / self.mass[1, 0, j] + 1 / self.mass[0, 9, j])
+                    more = max(more, -force[1, 0, j])
+                    force[1, 0, j] += more
+                    force[0, 9, j] -= more
+                    most = max(most, abs(more))
+                if most < 1e-14:
+                    break
+        self.u = u
+
+    def velocities(self):
+        """V = 2 p over the mass of one colour, p = sum m w - sum m b."""
+        signed = np.where(self.white, 1, -1) * self.mass * self.u
+        return [2 * signed[n].sum() / self.mass[n][self.white[n]].sum() for n in (0, 1)]
+
+
+def collision():
+    sheets = Sheets(0.1, 0.551)
+    for _ in range(40):
+        sheets.step()
+    left, right = sheets.velocities()
+    expect('automaton-collision: velocity of the right one', right, '0.095956', 1e-6, 'automaton-collision')
+    expect('automaton-collision: momentum', left + right, '0.1', 1e-12)
+
+
 def sheet_along(axis, origin, velocity):
     """One component of Chopard & Marconi's solid with M0 = 0, 20 x 20, in the box [0, 60]: w = M^-1 Psi
     with M = K/2, and w = 0 where that would pass a wall. `field` is by the link that it came along:
@@ -173,5 +241,6 @@ def sheet():
 
 
 automata()
+collision()
 sheet()
 sys.exit(failed > 0)

@@ -114,6 +114,29 @@ static void tips_meet_only_in_one_line(void **state)
     assert_false(fw_crossing_of_points(a, still(0.05, 1e-6), &when));
 }
 
+/* What bars the way from both sides must not let rounding choose the side: a point that is held on
+ * it is held a little before it, and stays on its side where rounding carries it in steps. */
+static void lines_keep_points_on_their_side(void **state)
+{
+    (void)state;
+    const fw_moving_point from = {{0, 0}, {0, 0}}, to = {{2, 0}, {0, 0}};
+    const double keep = 1e-9; /* of the length: 2e-9 */
+    double when;
+    fw_moving_point p = {{1, 0.1}, {0, -0.1}};
+    assert_true(fw_crossing_of_segment(p, from, to, -keep, &when));
+    assert_true(when < 1 && when > 0.999999);
+    assert_false(fw_crossing_of_segment(p, from, to, 0, &when)); /* it ends on the line */
+    p = (fw_moving_point){{1, 1e-10}, {0, -1e-17}};
+    assert_true(fw_crossing_of_segment(p, from, to, -keep, &when));
+    p.motion.y = 1e-17;
+    assert_false(fw_crossing_of_segment(p, from, to, -keep, &when));
+    p = (fw_moving_point){{1, -1e-10}, {0, -0.1}}; /* the other side's */
+    assert_false(fw_crossing_of_segment(p, from, to, -keep, &when));
+    assert_false(fw_crossing_of_segment(p, to, from, -keep, &when));
+    p.motion.y = 0.1;
+    assert_true(fw_crossing_of_segment(p, to, from, -keep, &when));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -121,6 +144,7 @@ int main(void)
         cmocka_unit_test(what_is_behind_does_not_pass_but_for_rounding),
         cmocka_unit_test(ends_belong_to_both_segments_that_meet_there),
         cmocka_unit_test(tips_meet_only_in_one_line),
+        cmocka_unit_test(lines_keep_points_on_their_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
  * nothing of what contact itself uses. */
 #include "tests/support/scenes.h"
 
+#include "core/automaton/elastic_automaton.h"
 #include "core/noise.h"
 
 #include <stdio.h>
@@ -36,22 +37,45 @@ static void make_sites(fw_sites *sites, uint64_t seed, int n)
     if (kind == 3) must(fw_sites_mask(sites, ell, &error));
 }
 
-static shaped_body add_shape(fw_scene *scene, uint64_t seed, int n, fw_vec2 middle, fw_vec2 v)
+/* One of the kinds of solid; `dice` between 0 and 1 chooses among its materials. */
+typedef void make_solid(shaped_body *body, fw_lattice lattice, const fw_vec2 *velocity,
+                        double dice);
+
+static void make_lb(shaped_body *body, fw_lattice lattice, const fw_vec2 *velocity, double dice)
+{
+    fw_lb_solid_def def = fw_lb_solid_def_default();
+    def.sites = &body->sites;
+    def.velocity = velocity;
+    def.lattice = lattice;
+    def.rest_mass = fw_sym2_scalar(dice < 0.5 ? 0 : 1);
+    must(fw_lb_solid_create(&body->solid, &def, &error));
+}
+
+static void make_automaton(shaped_body *body, fw_lattice lattice, const fw_vec2 *velocity,
+                           double dice)
+{
+    fw_elastic_automaton_def def = fw_elastic_automaton_def_default();
+    def.sites = &body->sites;
+    def.velocity = velocity;
+    def.lattice = lattice;
+    if (dice < 0.5) def.speeds = (fw_automaton_speeds){1.0, 0.6};
+    must(fw_elastic_automaton_create(&body->solid, &def, &error));
+}
+
+static shaped_body add_shape(fw_scene *scene, uint64_t seed, int n, fw_vec2 middle, fw_vec2 v,
+                             make_solid *make)
 {
     shaped_body made;
     make_sites(&made.sites, seed, n);
-    fw_lb_solid_def def = fw_lb_solid_def_default();
+    fw_lattice lattice = fw_lb_solid_def_default().lattice;
     fw_vec2 *velocity = malloc((size_t)made.sites.count * sizeof *velocity);
     for (int l = 0; l < made.sites.count; ++l) velocity[l] = v;
-    def.sites = &made.sites;
-    def.velocity = velocity;
-    def.lattice.angle = between(seed, n + 4, 0, 1) < 0.3 ? 0 : between(seed, n + 5, 0, FW_TWO_PI);
-    def.rest_mass = fw_sym2_scalar(between(seed, n + 6, 0, 1) < 0.5 ? 0 : 1);
+    lattice.angle = between(seed, n + 4, 0, 1) < 0.3 ? 0 : between(seed, n + 5, 0, FW_TWO_PI);
     fw_vec2 centre = {0, 0};
     for (int l = 0; l < made.sites.count; ++l)
-        centre = fw_vec2_add(centre, fw_lattice_vector(&def.lattice, made.sites.site[l]));
-    def.lattice.origin = fw_vec2_subtract(middle, fw_vec2_scale(1.0 / made.sites.count, centre));
-    must(fw_lb_solid_create(&made.solid, &def, &error));
+        centre = fw_vec2_add(centre, fw_lattice_vector(&lattice, made.sites.site[l]));
+    lattice.origin = fw_vec2_subtract(middle, fw_vec2_scale(1.0 / made.sites.count, centre));
+    make(&made, lattice, velocity, between(seed, n + 6, 0, 1));
     free(velocity);
     int body;
     must(fw_scene_adopt_body(scene, "shape", made.solid, &body, &error));
@@ -94,7 +118,7 @@ static double depth_between(const shaped_body *in, const shaped_body *of)
     return deepest;
 }
 
-static void collide(uint64_t seed, double fastest, outcome *all)
+static void collide(uint64_t seed, double fastest, make_solid *make, outcome *all)
 {
     fw_scene *scene = empty_scene(1e4);
     const double angle = between(seed, 90, 0, FW_TWO_PI),
@@ -102,8 +126,8 @@ static void collide(uint64_t seed, double fastest, outcome *all)
     const fw_vec2 towards = {cos(angle), sin(angle)};
     const fw_vec2 middle = fw_vec2_add(
         fw_vec2_scale(13, towards), fw_vec2_scale(between(seed, 92, -5, 5), fw_vec2_turn(towards)));
-    shaped_body a = add_shape(scene, seed, 0, (fw_vec2){0, 0}, fw_vec2_scale(speed, towards));
-    shaped_body b = add_shape(scene, seed, 20, middle, (fw_vec2){0, 0});
+    shaped_body a = add_shape(scene, seed, 0, (fw_vec2){0, 0}, fw_vec2_scale(speed, towards), make);
+    shaped_body b = add_shape(scene, seed, 20, middle, (fw_vec2){0, 0}, make);
     begin(scene);
     const double energy = energy_of(scene);
     const fw_vec2 momentum = fw_scene_momentum(scene);
@@ -129,14 +153,14 @@ static void collide(uint64_t seed, double fastest, outcome *all)
     fw_sites_clear(&b.sites);
 }
 
-static void collide_often(double fastest)
+static void collide_often(const char *what, double fastest, make_solid *make)
 {
     outcome all = {0};
-    for (int n = 0; n < 1000; ++n) collide((uint64_t)n, fastest, &all);
+    for (int n = 0; n < 1000; ++n) collide((uint64_t)n, fastest, make, &all);
     print_message(
-        "v <= %g: %d of 1000 touch, in %g ticks; dE/E %.1e, dP/P %.1e, depth %.1e, %d bodies "
+        "%s, v <= %g: %d of 1000 touch, in %g ticks; dE/E %.1e, dP/P %.1e, depth %.1e, %d bodies "
         "deeper than 1e-9, %g ticks not converged, %.1f iterations a tick\n",
-        fastest, all.touched, all.ticks, all.energy, all.momentum, all.depth, all.deep,
+        what, fastest, all.touched, all.ticks, all.energy, all.momentum, all.depth, all.deep,
         all.unconverged, all.iterations / all.ticks);
     assert_true(all.touched > 600);
     assert_true(all.energy < 1e-12);
@@ -150,18 +174,32 @@ static void collide_often(double fastest)
 static void slow_bodies_keep_everything_and_stay_out(void **state)
 {
     (void)state;
-    collide_often(0.1);
+    collide_often("LB solids", 0.1, make_lb);
 }
 
 static void fast_bodies_keep_everything_and_stay_out(void **state)
 {
     (void)state;
-    collide_often(0.5);
+    collide_often("LB solids", 0.5, make_lb);
+}
+
+static void slow_automata_keep_everything_and_stay_out(void **state)
+{
+    (void)state;
+    collide_often("automata", 0.1, make_automaton);
+}
+
+static void fast_automata_keep_everything_and_stay_out(void **state)
+{
+    (void)state;
+    collide_often("automata", 0.5, make_automaton);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(slow_automata_keep_everything_and_stay_out),
+        cmocka_unit_test(fast_automata_keep_everything_and_stay_out),
         cmocka_unit_test(slow_bodies_keep_everything_and_stay_out),
         cmocka_unit_test(fast_bodies_keep_everything_and_stay_out),
     };

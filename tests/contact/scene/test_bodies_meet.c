@@ -93,11 +93,28 @@ static void fast_bodies_start_anywhere(void **state)
     }
 }
 
+/* The step would end with both ends in one place, from which no one could tell them apart. */
+static void chains_that_would_meet_in_one_place_do_not_pass(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 20; ++n) {
+        fw_scene *scene = empty_scene(1e4);
+        add_body(scene, (body_options){.columns = 4, .rows = 1, .velocity = {0.1, 0}});
+        add_body(scene, (body_options){.columns = 4, .rows = 1, .origin = {3.1 + 0.1 * n, 0}});
+        begin(scene);
+        run(scene, 100);
+        const fw_solid *right = fw_scene_observe_body(scene, 1);
+        assert_close(fw_solid_momentum(right).x, 0.3, 1e-12);
+        fw_scene_destroy(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_that_start_in_each_other_are_refused),
         cmocka_unit_test(small_bodies_meet_after_free_flight),
+        cmocka_unit_test(chains_that_would_meet_in_one_place_do_not_pass),
         cmocka_unit_test(grips_do_not_carry_bodies_into_each_other),
         cmocka_unit_test(fast_bodies_start_anywhere),
     };
