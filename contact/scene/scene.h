@@ -12,6 +12,7 @@
 #include "core/solid.h"
 
 typedef struct fw_scene fw_scene;
+struct scene_rubbed;
 
 /* What has passed between the scene and one wall. Forces are those of the wall on the bodies. */
 typedef struct fw_wall_ledger {
@@ -86,6 +87,10 @@ fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, f
 /* Coulomb friction between bodies; 0, as it is without, is none. Before fw_scene_begin(). */
 void fw_scene_set_friction(fw_scene *scene, double coefficient);
 
+/* Forces of the step before are to be kept for fw_scene_add_contact_forces(). Before
+ * fw_scene_begin(). */
+void fw_scene_keep_forces(fw_scene *scene);
+
 /* Builds the broadphase and boundaries. FW_BAD_INPUT where a particle starts behind a wall, or a
  * body in another one, or where there are pistons and a body that moves in half-steps. */
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
@@ -151,9 +156,27 @@ int64_t fw_scene_unresolved(const fw_scene *scene);
 double fw_scene_penetration(const fw_scene *scene, int body);
 /* The same for bodies that keep out of each other: how deep any particle lies in another body. */
 double fw_scene_body_penetration(const fw_scene *scene);
-/* Adds the forces of walls, grips and other bodies in the last tick to x and y, one number per
- * particle of the body. */
+/* Adds the forces of walls, grips and other bodies to x and y, one number per particle of the body:
+ * the reactions [F(t) + F(t-1)]/2 where fw_scene_keep_forces() was called, else F of the last tick.
+ */
 void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y);
+
+/* What friction has done to each particle, for pictures and files. */
+#define FW_FIELD_HEAT    "friction-heat"
+#define FW_FIELD_RUBBING "rubbing"
+#define FW_FIELD_SLIDING "sliding"
+typedef struct fw_contact_field {
+    const char *name; /* NULL ends the table */
+    const char *meaning;
+    void (*fill)(const struct scene_rubbed *rubbed, int count, double *values);
+} fw_contact_field;
+extern const fw_contact_field fw_contact_fields[];
+/* NULL where nothing rubs the body, or there is no such field. */
+const fw_contact_field *fw_scene_find_field(const fw_scene *scene, int body, const char *name);
+/* A number per particle of the body. */
+void fw_scene_fill_field(const fw_scene *scene, int body, const fw_contact_field *field,
+                         double *values);
+
 /* Marks with 1, and leaves the others alone, the body's particles that a grip holds: they all move
  * as one, and have no temperature. */
 void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held);

@@ -188,8 +188,9 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
 }
 
 /* How well friction keeps to its law. */
-static void book_friction(fw_scene *scene, const scene_body *body, const scene_contact *contact)
+static void book_friction(fw_scene *scene, scene_body *body, const scene_contact *contact)
 {
+    scene_record_rub_on_walls(body, contact);
     for (int n = 0; n < contact->solution.wall_contact_count; ++n) {
         const fw_wall_contact *of = &contact->solution.wall_contact[n];
         scene_wall *wall = &scene->walls[of->wall];
@@ -203,7 +204,7 @@ static void book_friction(fw_scene *scene, const scene_body *body, const scene_c
 }
 
 /* A force acts on its particle for `ticks`, from one move to the next. */
-static void book(fw_scene *scene, const scene_body *body, const scene_contact *contact)
+static void book(fw_scene *scene, scene_body *body, const scene_contact *contact)
 {
     const fw_contact_solution *solution = &contact->solution;
     const int ticks = body->solid->model->ticks_per_step;
@@ -233,7 +234,7 @@ void scene_book_contacts(fw_scene *scene)
         scene->walls[w].cone = scene->walls[w].beyond = 0;
     }
     for (int b = 0; b < scene->body_count; ++b) {
-        const scene_body *body = &scene->bodies[b];
+        scene_body *body = &scene->bodies[b];
         for (int w = 0; w < scene->wall_count; ++w)
             scene_follow_wall(scene, w, body->solid->model->ticks_per_step);
         for (int n = 0; n < body->contact_count; ++n) book(scene, body, &body->contacts[n]);
@@ -291,15 +292,17 @@ void scene_collect_constraints(fw_scene *scene, int number)
         body->constraints[n] = (fw_constraint){contact->particle, contact->solution.displacement,
                                                fw_vec2_add(contact->solution.force, contact->soft)};
     }
-    if (!body->gripped) return;
-    for (int n = 0; n < scene->grip_count; ++n) {
+    for (int n = 0; body->gripped && n < scene->grip_count; ++n) {
         if (scene->grips[n].body != number) continue;
         fw_grip *grip = scene->grips[n].grip;
         fw_grip_constrain(grip, body->solid, fw_scene_time(scene),
                           body->constraints + body->constraint_count);
         body->constraint_count += fw_grip_particle_count(grip);
     }
-    scene_book_on_grips(scene, number);
-    qsort(body->constraints, (size_t)body->constraint_count, sizeof *body->constraints,
-          compare_constraints);
+    if (body->gripped) {
+        scene_book_on_grips(scene, number);
+        qsort(body->constraints, (size_t)body->constraint_count, sizeof *body->constraints,
+              compare_constraints);
+    }
+    scene_record_forces(scene, number);
 }

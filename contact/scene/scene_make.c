@@ -38,6 +38,7 @@ void fw_scene_destroy(fw_scene *scene)
         free(body->gripped);
         free(body->constraints);
         free(body->carries);
+        scene_destroy_records(body);
     }
     scene_destroy_edges(scene);
     fw_broadphase_destroy(scene->broadphase);
@@ -296,6 +297,7 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
         FW_TRY(scene_check_soft(scene, error));
     }
     FW_TRY(scene_make_edges(scene, error));
+    FW_TRY(scene_make_records(scene, error));
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
         if (body->edge && !body->contacts)
@@ -363,6 +365,7 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
     if (body->memory)
         fw_state_list_add(list, "contact-memory", FW_U8,
                           (size_t)body->solid->count * sizeof *body->memory, body->memory);
+    scene_list_records(body, list);
     return body->name;
 }
 
@@ -421,6 +424,7 @@ fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
         FW_TRY(status);
         FW_TRY(check_memory(scene, body, error));
         FW_TRY(check_rubs(scene, b, error));
+        scene_restore_records(body);
         if (!body->boundary) continue;
         fw_boundary_destroy(body->boundary);
         body->boundary = NULL;

@@ -143,15 +143,6 @@ double fw_scene_penetration(const fw_scene *scene, int body)
     return deepest;
 }
 
-void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, double *y)
-{
-    const scene_body *b = &scene->bodies[body];
-    for (int n = 0; n < b->constraint_count; ++n) {
-        x[b->constraints[n].particle] += b->constraints[n].force.x;
-        y[b->constraints[n].particle] += b->constraints[n].force.y;
-    }
-}
-
 void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held)
 {
     const uint8_t *gripped = scene->bodies[body].gripped;

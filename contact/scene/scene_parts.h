@@ -89,6 +89,19 @@ typedef struct scene_joint {
     fw_body_ledger *bodies; /* per body of the scene */
 } scene_joint;
 
+/* Forces of contacts and grips on the particles of a body, and which of them are not zero. */
+typedef struct scene_felt {
+    fw_vec2 *now, *before; /* in the last move, part of the state, and in the one before it */
+    int *now_list, *before_list;
+    int now_count, before_count;
+} scene_felt;
+
+/* What friction has done to a particle since the beginning. */
+typedef struct scene_rubbed {
+    double heat;
+    double steps, sliding; /* in which it rubbed, and slid */
+} scene_rubbed;
+
 typedef struct scene_body {
     char *name;
     fw_solid *solid;
@@ -102,8 +115,10 @@ typedef struct scene_body {
     uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
     fw_constraint *constraints;       /* of contacts and grips, ascending; room for all particles */
     int constraint_count;
-    fw_carry *carries; /* after the tick; room for all particles */
-    scene_edge *edge;  /* NULL where it meets no other body */
+    fw_carry *carries;    /* after the tick; room for all particles */
+    scene_edge *edge;     /* NULL where it meets no other body */
+    scene_felt *felt;     /* NULL where nobody asked for it */
+    scene_rubbed *rubbed; /* per particle, part of the state; NULL where nothing rubs it */
 } scene_body;
 
 /* A number lies between these. */
@@ -178,6 +193,7 @@ struct fw_scene {
     int near_count;
     int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
     int passable_count;
+    bool keeps_forces;  /* of contact, of two steps */
     double friction;    /* between bodies */
     scene_joint *joint; /* NULL where no bodies meet */
     int refused;        /* 1 + the body that starts in another one */
@@ -262,6 +278,16 @@ void scene_hand_over_joint(fw_scene *scene);
 /* Enters the tick in the ledgers of the bodies, and of grips that were pushed. */
 void scene_book_joint(fw_scene *scene);
 void scene_book_on_grips(fw_scene *scene, int body);
+
+/* What contact has done to each particle. */
+fw_status scene_make_records(fw_scene *scene, fw_error *error);
+void scene_destroy_records(scene_body *body);
+void scene_list_records(scene_body *body, fw_state_list *list);
+void scene_restore_records(scene_body *body);
+/* The constraints of this tick. */
+void scene_record_forces(fw_scene *scene, int body);
+void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub);
+void scene_record_rub_on_walls(scene_body *body, const scene_contact *contact);
 
 /* Ends the tick of the pistons. */
 void scene_advance_pistons(fw_scene *scene);

@@ -135,6 +135,7 @@ void scene_remember_rubbing(fw_scene *scene)
         const fw_joint_rub *rub = &solved->rub;
         if (!(rub->coefficient > 0)) continue;
         joint->ledger.heat -= rub->traction * rub->slip;
+        scene_record_rub(scene, row, rub);
         const double cone = 0.5 * rub->coefficient * (solved->lambda + rub->before);
         widest = fmax(widest, cone);
         beyond = fmax(beyond, fabs(rub->traction) - cone * (1 + 1e-9));

@@ -35,6 +35,25 @@ static bool is_wanted(const wanted *w, const char *name, const char *meaning, co
     return w->name ? strcmp(name, w->name) == 0 : fw_lookup_fits(w->arguments, texts, 3);
 }
 
+/* A field of one group: those of each model's solids, and at last those of contact. */
+typedef struct listed_field {
+    const char *name, *meaning; /* NULL: there are no more */
+    const char *of;
+    const char *model; /* NULL: any */
+} listed_field;
+enum { FIELD_GROUPS = FW_MATERIAL_KINDS + 1 };
+
+static listed_field field_at(int group, int n)
+{
+    if (group == FW_MATERIAL_KINDS) {
+        const fw_contact_field *field = &fw_contact_fields[n];
+        return (listed_field){field->name, field->meaning, "whatever body is rubbed", NULL};
+    }
+    const fw_solid_model *model = model_at(group);
+    const fw_field *field = &model->fields[n];
+    return (listed_field){field->name, field->meaning, model->name, model->name};
+}
+
 /* The quantities that the words look up; FW_BAD_INPUT where there are none. */
 static fw_status choose(wanted *w, const fw_arguments *arguments, fw_error *error)
 {
@@ -47,11 +66,12 @@ static fw_status choose(wanted *w, const fw_arguments *arguments, fw_error *erro
         found |= is_wanted(w, q->name, q->meaning, q->model);
         fw_suggestion_offer(&suggestion, q->name);
     }
-    for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
-        for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
-            named |= strcmp(field->name, word) == 0;
-            found |= is_wanted(w, field->name, field->meaning, model_at(m)->name);
-            fw_suggestion_offer(&suggestion, field->name);
+    listed_field field;
+    for (int g = 0; g < FIELD_GROUPS; ++g)
+        for (int n = 0; (field = field_at(g, n)).name; ++n) {
+            named |= strcmp(field.name, word) == 0;
+            found |= is_wanted(w, field.name, field.meaning, field.model);
+            fw_suggestion_offer(&suggestion, field.name);
         }
     if (named) w->name = word;
     if (named || found) return FW_OK;
@@ -67,7 +87,7 @@ static fw_status choose(wanted *w, const fw_arguments *arguments, fw_error *erro
 }
 
 /* {quantities: [{name, of, components: [...], unit, meaning, models}],
- *  fields: [{name, model, meaning}]}; models null: any; no components: a number. */
+ *  fields: [{name, model, meaning}]}; model(s) null: any; no components: a number. */
 static void write_json(const wanted *w)
 {
     fw_json json = {.out = stdout};
@@ -92,13 +112,14 @@ static void write_json(const wanted *w)
     }
     fw_json_end(&json, ']');
     fw_json_begin(&json, "fields", '[');
-    for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
-        for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
-            if (!is_wanted(w, field->name, field->meaning, model_at(m)->name)) continue;
+    listed_field field;
+    for (int g = 0; g < FIELD_GROUPS; ++g)
+        for (int n = 0; (field = field_at(g, n)).name; ++n) {
+            if (!is_wanted(w, field.name, field.meaning, field.model)) continue;
             fw_json_begin(&json, NULL, '{');
-            fw_json_text(&json, "name", field->name);
-            fw_json_text(&json, "model", model_at(m)->name);
-            fw_json_text(&json, "meaning", field->meaning);
+            fw_json_text(&json, "name", field.name);
+            fw_json_text(&json, "model", field.model);
+            fw_json_text(&json, "meaning", field.meaning);
             fw_json_end(&json, '}');
         }
     fw_json_end(&json, ']');
@@ -114,10 +135,12 @@ static void print_one(const char *word)
                "components", q->components[0] ? q->components : "-", "unit", q->unit);
         if (q->model) printf("  %-12s %s\n", "models", q->model);
     }
-    for (int m = 0; m < FW_MATERIAL_KINDS; ++m)
-        for (const fw_field *field = model_at(m)->fields; field->name; ++field)
-            if (strcmp(field->name, word) == 0)
-                printf("%s, a field of a %s solid: %s\n", word, model_at(m)->name, field->meaning);
+    listed_field field;
+    for (int g = 0; g < FIELD_GROUPS; ++g)
+        for (int n = 0; (field = field_at(g, n)).name; ++n)
+            if (strcmp(field.name, word) == 0)
+                printf("%s, a field of %s%s%s: %s\n", word, field.model ? "a " : "", field.of,
+                       field.model ? " solid" : "", field.meaning);
 }
 
 static void print_table(const wanted *w)
@@ -133,15 +156,16 @@ static void print_table(const wanted *w)
         printf("  %-20s %-14s %-12s %-16s %s\n", q->name, scopes[q->scope],
                q->components[0] ? q->components : "-", q->unit, q->meaning);
     }
-    for (int m = 0; m < FW_MATERIAL_KINDS; ++m) {
+    listed_field field;
+    for (int g = 0; g < FIELD_GROUPS; ++g) {
         bool named = false;
-        for (const fw_field *field = model_at(m)->fields; field->name; ++field) {
-            if (!is_wanted(w, field->name, field->meaning, model_at(m)->name)) continue;
+        for (int n = 0; (field = field_at(g, n)).name; ++n) {
+            if (!is_wanted(w, field.name, field.meaning, field.model)) continue;
             if (!named)
-                printf("%sFields of a %s solid (record.fields, plot --field):\n", begun ? "\n" : "",
-                       model_at(m)->name);
+                printf("%sFields of %s%s%s (record.fields, plot --field):\n", begun ? "\n" : "",
+                       field.model ? "a " : "", field.of, field.model ? " solid" : "");
             begun = named = true;
-            printf("  %-20s %s\n", field->name, field->meaning);
+            printf("  %-20s %s\n", field.name, field.meaning);
         }
     }
 }

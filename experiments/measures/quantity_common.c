@@ -367,7 +367,7 @@ const fw_quantity fw_common_quantities[] = {
     {"wall-work", FW_SCOPE_SCENE, "", "energy", "work of all moving walls since the start", NULL, wall_work, NULL, FW_NEEDS_NOTHING},
     {"wall-energy", FW_SCOPE_SCENE, "", "energy", "stored in the springs of penalty walls", NULL, wall_energy, NULL, FW_NEEDS_NOTHING},
     {"dissipated", FW_SCOPE_SCENE, "", "energy", "taken by damping and fracture since the start", NULL, dissipated, NULL, FW_NEEDS_NOTHING},
-    {"friction-heat", FW_SCOPE_SCENE, "", "energy", "turned into heat at walls since the start", NULL, friction_heat, NULL, FW_NEEDS_NOTHING},
+    {"friction-heat", FW_SCOPE_SCENE, "", "energy", "of friction since the start, at walls and between bodies", NULL, friction_heat, NULL, FW_NEEDS_NOTHING},
     {"thermostat-heat", FW_SCOPE_SCENE, "", "energy", "brought by the noise of the heat bath since the start; what its damping took is in `dissipated`", NULL, thermostat_heat, NULL, FW_NEEDS_NOTHING},
     {"fracture-energy", FW_SCOPE_BODY, "", "energy", "taken by breaking links since the start", NULL, fracture_energy, NULL, FW_NEEDS_NOTHING},
     {"centre-of-mass", FW_SCOPE_BODY, "x y", "length", "weighted by mass", NULL, centre_of_mass, NULL, FW_NEEDS_NOTHING},

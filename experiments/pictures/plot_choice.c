@@ -9,6 +9,7 @@
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
 
+#include "contact/scene/scene.h"
 #include "core/array.h"
 
 #include <stdlib.h>
@@ -293,14 +294,24 @@ static fw_status choose_kind(draft *d, fw_error *error)
     return check_wish(d, error);
 }
 
+/* Recorded for pictures of friction: shown as a field only where it is named. */
+static bool is_of_contact(const char *name)
+{
+    for (const fw_contact_field *field = fw_contact_fields; field->name; ++field)
+        if (strcmp(field->name, name) == 0) return true;
+    return false;
+}
+
 static fw_status choose_field(draft *d, fw_error *error)
 {
     const fw_playback *playback = d->result->playback;
     fw_scenario_picture *asked = &d->picture->asked;
     const char *name = d->wish->field ? d->wish->field : asked->field.text;
     if (name) return find_field(d, name, error);
-    if (playback->field_count > 0)
-        asked->field.text = playback->fields[0].name;
+    int first = 0;
+    while (first < playback->field_count && is_of_contact(playback->fields[first].name)) ++first;
+    if (first < playback->field_count)
+        asked->field.text = playback->fields[first].name;
     else if (asked->kind != FW_PICTURE_STRIP)
         return fw_fail(error, FW_BAD_INPUT,
                        "%s: no field was recorded; to have one, name it under record.fields and "

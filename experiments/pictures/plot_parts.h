@@ -118,9 +118,29 @@ fw_status fw_plot_series_find(fw_plot_series *series, const fw_plot_result *resu
 void fw_plot_profile_values(const fw_profile_table *table, fw_profile_column column, bool control,
                             double *x, double *values, double *errors);
 
+/* A number for each particle of a body that rubs, in the order of places, and for each time between
+ * two frames: by how much a field grew there, over the steps in which it rubbed, or over the time.
+ * NaN where it did not rub. */
+typedef struct fw_plot_rubbing {
+    const fw_plot_result *result;
+    const fw_plot_picture *picture;
+    int body, first, count; /* its particles among all */
+    int64_t from, until;    /* first and last frame of the span */
+    bool along_y;           /* the places of the particles that rub spread most along y */
+    int row_count;
+    int *particles;                                  /* one per row, ascending in place ... */
+    double *places;                                  /* ... at rest */
+    double *values;                                  /* row by row */
+    double *before, *now, *steps_before, *steps_now; /* fields of two frames, all particles */
+} fw_plot_rubbing;
+fw_status fw_plot_rubbing_find(fw_plot_rubbing *rubbing, const fw_plot_result *result,
+                               const fw_plot_picture *picture, const char *field, bool over_steps,
+                               fw_error *error);
+
 /* All may be cleared whether they were found or not. */
 void fw_plot_paths_clear(fw_plot_paths *paths);
 void fw_plot_forces_clear(fw_plot_forces *forces);
+void fw_plot_rubbing_clear(fw_plot_rubbing *rubbing);
 void fw_plot_series_clear(fw_plot_series *series);
 
 /* --- pictures --- */
@@ -139,6 +159,10 @@ fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_pictur
 fw_status fw_plot_draw_profile(const fw_plot_result *result, const fw_plot_picture *picture,
                                fw_error *error);
 fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture *picture,
+                            fw_error *error);
+fw_status fw_plot_draw_slip(const fw_plot_result *result, const fw_plot_picture *picture,
+                            fw_error *error);
+fw_status fw_plot_draw_heat(const fw_plot_result *result, const fw_plot_picture *picture,
                             fw_error *error);
 fw_status fw_plot_draw_analysis(const fw_plot_result *result, const fw_plot_picture *picture,
                                 fw_error *error);

@@ -18,7 +18,8 @@ typedef enum fw_picture_need {
     FW_PICTURE_NEEDS_PROFILE = 1 << 1,
     FW_PICTURE_NEEDS_TWO_GRIPS = 1 << 2,
     FW_PICTURE_NEEDS_ANALYSIS = 1 << 3,
-    FW_PICTURE_NEEDS_TWO_PARAMETERS = 1 << 4
+    FW_PICTURE_NEEDS_TWO_PARAMETERS = 1 << 4,
+    FW_PICTURE_NEEDS_FRICTION = 1 << 5 /* fields of which are recorded for it */
 } fw_picture_need;
 
 /* The solid's first field, where a row names none that is shown by default. */
@@ -45,6 +46,10 @@ typedef enum fw_picture_need {
         "field range", FW_PICTURE_NEEDS_PROFILE, 1, "return-force")                                \
     ROW(LOOP, loop, "loop", "force along the interface against slip", "",                          \
         FW_PICTURE_NEEDS_PROFILE | FW_PICTURE_NEEDS_TWO_GRIPS, 0, NULL)                            \
+    ROW(SLIP, slip, "slip", "where a contact sticks and where it slides, over place and time",     \
+        "body from until range", FW_PICTURE_NEEDS_FRICTION, 0, NULL)                               \
+    ROW(HEAT, heat, "heat", "where the heat of friction goes, over place and time",                \
+        "body from until range", FW_PICTURE_NEEDS_FRICTION, 0, NULL)                               \
     ROW(ANALYSIS, analysis, "analysis", "a map or curves of one of `analysis`", "analysis",        \
         FW_PICTURE_NEEDS_ANALYSIS, 0, NULL)                                                        \
     ROW(SWEEP, sweep, "sweep",                                                                     \

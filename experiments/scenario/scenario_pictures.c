@@ -26,11 +26,13 @@ static const fw_key picture_keys[] = {
          "curves of a series: a quantity, as `elongation`, of one body or wall, as "
          "`elongation.chain`, or one component, as `elongation.x`, `elongation.chain.x`; of a "
          "sweep: quantities of `expect`, or measures of the layer; of a map one of them"},
+    {"body", AT_NAME(fw_scenario_picture, body), .default_meaning = "the first that rubs",
+     .meaning = "body whose particles are shown where they rub"},
     {"from", AT_INTEGER(fw_scenario_picture, from), AT_LEAST(0), .default_value = "0",
-     .unit = "steps", .meaning = "first step of a series"},
+     .unit = "steps", .meaning = "first step of a series, or of a map over time"},
     {"until", AT_INTEGER(fw_scenario_picture, until), AT_LEAST(1),
      .default_value = "9223372036854775807", .default_meaning = "the end", .unit = "steps",
-     .meaning = "last step of a series"},
+     .meaning = "last step of it"},
     {"logarithmic", AT_FLAG(fw_scenario_picture, logarithmic), .default_value = "false",
      .meaning = "the values of a series, or of a map's colours, on logarithmic axes"},
     {"along", FW_FORM_NAME, NOT_STORED, .default_meaning = "that of the most values",
@@ -54,6 +56,13 @@ static fw_status check_keys(const fw_scenario *scenario, const fw_node *node,
                                     "draw",
                                     node->key, key->key, fw_picture_rows[picture->kind].name);
     return FW_OK;
+}
+
+static bool has_friction(const fw_scenario *scenario)
+{
+    for (int w = 0; w < scenario->wall_count; ++w)
+        if (scenario->walls[w].def.surface.law == FW_COULOMB) return true;
+    return scenario->contact.friction > 0;
 }
 
 static fw_status check_needs(const fw_scenario *scenario, const fw_node *node,
@@ -80,6 +89,11 @@ static fw_status check_needs(const fw_scenario *scenario, const fw_node *node,
                                 "pictures.%s is of kind '%s', %s, but the scenario has %d grips, "
                                 "expected two that rub",
                                 node->key, row->name, row->meaning, scenario->grip_count);
+    if (row->needs & FW_PICTURE_NEEDS_FRICTION && !has_friction(scenario))
+        return fw_scenario_fail(scenario, place, error,
+                                "pictures.%s is of kind '%s', but nothing rubs: no surface of a "
+                                "wall is 'coulomb', and there is no contact.friction",
+                                node->key, row->name);
     return FW_OK;
 }
 
@@ -117,6 +131,14 @@ static fw_status check_range(const fw_scenario *scenario, const fw_node *node,
                             "pictures.%s has colours from %g to %g, expected the lower value "
                             "first",
                             node->key, picture->range[0], picture->range[1]);
+}
+
+static fw_status check_body(const fw_scenario *scenario, const fw_node *node, fw_error *error)
+{
+    int count, index;
+    const fw_node *part = fw_scenario_part(scenario, "bodies", &count);
+    const fw_node *named = fw_node_find(node, "body");
+    return named ? fw_scenario_find(scenario, part, "body", named, &index, error) : FW_OK;
 }
 
 /* The one named, or the only one. */
@@ -190,6 +212,7 @@ fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
         FW_TRY(check_keys(scenario, node, picture, error));
         FW_TRY(check_needs(scenario, node, picture, error));
         FW_TRY(check_span(scenario, node, picture, error));
+        FW_TRY(check_body(scenario, node, error));
         FW_TRY(check_range(scenario, node, picture, error));
         FW_TRY(check_analysis(scenario, node, picture, error));
         FW_TRY(check_sweep(scenario, node, picture, error));

@@ -18,7 +18,7 @@ typedef struct fw_scenario_picture {
     int64_t from, until;         /* steps between which a series is drawn */
     bool logarithmic;            /* whether its values are drawn on logarithmic axes */
     double range[2];             /* ends of the colour scale; equal: those of all frames */
-    fw_schema_name analysis;
+    fw_schema_name analysis, body;
     int along; /* parameter of a sweep along x; -1: chosen */
 } fw_scenario_picture;
 

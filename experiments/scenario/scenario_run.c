@@ -70,7 +70,7 @@ static const fw_key record_keys[] = {
     {"velocity", AT_FLAG(fw_scenario_record, velocity), .default_value = "true",
      .meaning = "velocities"},
     {"force", AT_FLAG(fw_scenario_record, force), .default_value = "false",
-     .meaning = "external and contact forces"},
+     .meaning = "external forces and reactions of contacts, [F(t) + F(t-1)]/2"},
     {"fields", AT_NAMES(FW_FORM_NAME, fw_scenario_record, fields), .most = 64,
      .default_meaning = "none", .meaning = "fields of the solids, by name"},
     {.name = NULL}};

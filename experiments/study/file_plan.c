@@ -4,6 +4,7 @@
 #include "file_plan.h"
 
 #include "experiments/measures/profile_table.h"
+#include "experiments/setup/body_field.h"
 #include "experiments/text/spelling.h"
 
 #include <math.h>
@@ -66,8 +67,9 @@ static fw_status refuse_field(const fw_file_plan *plan, fw_schema_name name, fw_
 {
     fw_suggestion suggestion = fw_suggestion_begin(name.text);
     for (int b = 0; b < plan->experiment->body_count; ++b) {
-        const fw_field *field = fw_experiment_solid(plan->experiment, b)->model->fields;
-        for (; field && field->name; ++field) fw_suggestion_offer(&suggestion, field->name);
+        fw_body_field field;
+        for (int n = 0; (field = fw_body_field_at(plan->experiment, b, n)).name; ++n)
+            fw_suggestion_offer(&suggestion, field.name);
     }
     if (suggestion.best)
         return fw_scenario_fail(plan->experiment->scenario, name.place, error,
@@ -85,10 +87,9 @@ static fw_status add_field(fw_file_plan *plan, fw_trajectory_field *fields, fw_s
     for (int n = 0; n < plan->def.field_count; ++n)
         if (strcmp(fields[n].name, name.text) == 0) return FW_OK;
     for (int b = 0; b < plan->experiment->body_count; ++b) {
-        const fw_field *field =
-            fw_solid_find_field(fw_experiment_solid(plan->experiment, b), name.text);
-        if (!field) continue;
-        fields[plan->def.field_count++] = (fw_trajectory_field){field->name, field->meaning};
+        const fw_body_field field = fw_body_field_find(plan->experiment, b, name.text);
+        if (!field.name) continue;
+        fields[plan->def.field_count++] = (fw_trajectory_field){field.name, field.meaning};
         return FW_OK;
     }
     return refuse_field(plan, name, error);
@@ -101,13 +102,19 @@ static fw_schema_name standard_field(const fw_file_plan *plan, const fw_scenario
     const char *wanted = fw_picture_rows[picture->kind].field;
     if (plan->def.field_count > 0 || !wanted) return (fw_schema_name){0};
     for (int b = 0; b < plan->experiment->body_count; ++b) {
-        const fw_solid *solid = fw_experiment_solid(plan->experiment, b);
-        if (wanted[0] && fw_solid_find_field(solid, wanted))
-            return (fw_schema_name){.text = wanted};
-        if (!wanted[0] && solid->model->fields && solid->model->fields[0].name)
-            return (fw_schema_name){.text = solid->model->fields[0].name};
+        const fw_body_field field = wanted[0] ? fw_body_field_find(plan->experiment, b, wanted)
+                                              : fw_body_field_at(plan->experiment, b, 0);
+        if (field.name) return (fw_schema_name){.text = field.name};
     }
     return (fw_schema_name){0};
+}
+
+static fw_status add_fields_of_friction(fw_file_plan *plan, fw_trajectory_field *fields,
+                                        fw_place place, fw_error *error)
+{
+    for (const fw_contact_field *field = fw_contact_fields; field->name; ++field)
+        FW_TRY(add_field(plan, fields, (fw_schema_name){field->name, place}, error));
+    return FW_OK;
 }
 
 /* Those of `record`, and those that pictures show. */
@@ -115,7 +122,7 @@ static fw_status describe_fields(fw_file_plan *plan, fw_error *error)
 {
     const fw_scenario *scenario = plan->experiment->scenario;
     const fw_schema_names *wanted = &scenario->record.fields;
-    size_t most = (size_t)wanted->count + (size_t)scenario->picture_count;
+    size_t most = (size_t)wanted->count + (size_t)scenario->picture_count + 3;
     fw_trajectory_field *fields = calloc(most + 1, sizeof *fields);
     plan->def.fields = plan->fields = fields;
     if (!fields) return fw_fail_memory(error, "the fields of a results file");
@@ -128,6 +135,9 @@ static fw_status describe_fields(fw_file_plan *plan, fw_error *error)
         if (!scenario->pictures[p].field.text && standard.text)
             FW_TRY(add_field(plan, fields, standard, error));
     }
+    for (int p = 0; p < scenario->picture_count; ++p)
+        if (fw_picture_rows[scenario->pictures[p].kind].needs & FW_PICTURE_NEEDS_FRICTION)
+            FW_TRY(add_fields_of_friction(plan, fields, scenario->pictures[p].place, error));
     return FW_OK;
 }
 

@@ -4,6 +4,7 @@
 #include "frame.h"
 
 #include "core/array.h"
+#include "experiments/setup/body_field.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -39,7 +40,6 @@ fw_status fw_frame_make(fw_frame *f, const fw_experiment *experiment, const fw_t
     if (!f->bodies || !f->content) return fw_fail_memory(error, "a frame");
     for (int b = 0; b < count; ++b) {
         fw_body_arrays *body = &f->bodies[b];
-        const fw_solid *solid = fw_experiment_solid(f->experiment, b);
         size_t particles = (size_t)f->experiment->bodies[b].count;
         body->velocity_x = fw_array_of_doubles(particles);
         body->velocity_y = fw_array_of_doubles(particles);
@@ -50,7 +50,7 @@ fw_status fw_frame_make(fw_frame *f, const fw_experiment *experiment, const fw_t
             !body->fields)
             return fw_fail_memory(error, "a frame");
         for (int n = 0; n < f->def->field_count; ++n) {
-            if (!fw_solid_find_field(solid, f->def->fields[n].name)) continue;
+            if (!fw_body_field_find(experiment, b, f->def->fields[n].name).name) continue;
             body->fields[n] = fw_array_of_doubles(particles);
             if (!body->fields[n]) return fw_fail_memory(error, "a frame");
         }
@@ -77,7 +77,7 @@ static void fill_velocities(fw_frame *f)
     }
 }
 
-/* External and contact forces together. */
+/* External forces and reactions of contacts together. */
 static void fill_forces(fw_frame *f)
 {
     const fw_experiment *experiment = f->experiment;
@@ -101,10 +101,9 @@ static void fill_fields(fw_frame *f)
     for (int n = 0; n < f->def->field_count; ++n)
         for (int b = 0; b < experiment->body_count; ++b) {
             const fw_body_range *range = &experiment->bodies[b];
-            const fw_solid *solid = fw_experiment_solid(experiment, b);
-            const fw_field *field = fw_solid_find_field(solid, f->def->fields[n].name);
-            if (!field) continue;
-            field->fill(solid, f->solid_x[range->solid]);
+            const fw_body_field field = fw_body_field_find(experiment, b, f->def->fields[n].name);
+            if (!field.name) continue;
+            fw_body_field_fill(experiment, b, &field, f->solid_x[range->solid]);
             copy_part(f->bodies[b].fields[n], f->solid_x[range->solid], range);
         }
 }

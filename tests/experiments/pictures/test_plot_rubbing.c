@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_plot_rubbing.c - maps of where a contact sticks, slides and heats. */
+#include "experiments/pictures/plot.h"
+#include "experiments/pictures/plot_parts.h"
+
+#include "contact/scene/scene.h"
+#include "tests/support/plotted_run.h"
+
+#define SCENE                                                                                      \
+    "title: A block slides until it sticks\n"                                                      \
+    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.5, damping: 0.01}}}\n"                    \
+    "bodies:\n"                                                                                    \
+    "  block: {material: felt, shape: {rectangle: [6, 3]}, velocity: [0.05, 0]}\n"                 \
+    "  far: {material: felt, shape: {rectangle: [2, 2]}, origin: [20, 9]}\n"                       \
+    "walls: {floor: {chain: [[-100, 0], [100, 0]], surface: {coulomb: 0.3}}}\n"                    \
+    "forces: {weight: {body: block, acceleration: [0, -0.002]}}\n"                                 \
+    "run: {steps: 300, record-every: 20}\n"                                                        \
+    "measure: [friction-heat]\n"
+
+static const char with_maps[] = SCENE "pictures:\n"
+                                      "  where: {kind: slip, body: block}\n"
+                                      "  warm: {kind: heat, range: [0, 0.1]}\n";
+
+static fw_plot_result result;
+
+static double heat_of(const fw_plot_result *of)
+{
+    const int64_t last = of->playback->sample_count - 1;
+    double values[64];
+    const int number = fw_playback_find_observable(of->playback, "friction-heat");
+    assert_true(last < 64);
+    assert_fine(fw_playback_read_observable(of->playback, number, values, &error));
+    return values[last];
+}
+
+static void heat_over_place_and_time_adds_up(void **state)
+{
+    (void)state;
+    fw_plot_rubbing r;
+    const fw_plot_picture picture = {.asked = {.until = INT64_MAX}};
+    assert_fine(fw_plot_result_open(&result, folder, &error));
+    assert_fine(fw_plot_rubbing_find(&r, &result, &picture, FW_FIELD_HEAT, false, &error));
+    assert_int_equal(r.body, 0);
+    assert_int_equal(r.row_count, 6);
+    double sum = 0;
+    const int64_t columns = r.until - r.from;
+    for (int64_t n = 0; n < columns * r.row_count; ++n)
+        if (isfinite(r.values[n])) sum += 20 * r.values[n];
+    assert_true(sum > 0.003);
+    assert_close(sum, heat_of(&result), 1e-12);
+    for (int row = 0; row < 6; ++row) assert_close(r.places[row], row, 0);
+    fw_plot_rubbing_clear(&r);
+    fw_plot_result_close(&result);
+}
+
+static void what_slid_sticks_in_the_end(void **state)
+{
+    (void)state;
+    fw_plot_rubbing r;
+    const fw_plot_picture picture = {.asked = {.until = INT64_MAX}};
+    assert_fine(fw_plot_result_open(&result, folder, &error));
+    assert_fine(fw_plot_rubbing_find(&r, &result, &picture, FW_FIELD_SLIDING, true, &error));
+    const int64_t columns = r.until - r.from;
+    double first = 0, last = 0;
+    for (int row = 0; row < r.row_count; ++row) {
+        first += r.values[row * columns] / r.row_count;
+        last += r.values[row * columns + columns - 1] / r.row_count;
+    }
+    assert_true(first > .8 && first <= 1);
+    assert_true(last < .1 && last >= 0);
+    fw_plot_rubbing_clear(&r);
+    fw_plot_result_close(&result);
+}
+
+static void maps_are_drawn_and_refused(void **state)
+{
+    (void)state;
+    FILE *out = tmpfile();
+    assert_fine(fw_plot_one(folder, &(fw_plot_wish){.picture = "where"}, out, &error));
+    assert_fine(fw_plot_one(folder, &(fw_plot_wish){.picture = "warm"}, out, &error));
+    assert_fine(fw_plot_one(folder, &(fw_plot_wish){.kind = "heat"}, out, &error));
+    fclose(out);
+    char other[64];
+    make_folder(other, sizeof other);
+    run_scenario(SCENE, other);
+    assert_refused(fw_plot_one(other, &(fw_plot_wish){.kind = "slip"}, stdout, &error),
+                   FW_BAD_INPUT, "friction was not recorded particle by particle");
+    remove_folder(other);
+}
+
+static void maps_need_friction(void **state)
+{
+    (void)state;
+    fw_scenario *scenario;
+    const char text[] = "title: smooth\n"
+                        "materials: {m: {lattice-boltzmann: {}}}\n"
+                        "bodies: {b: {material: m, shape: {rectangle: [2, 2]}}}\n"
+                        "walls: {floor: {chain: [[-9, -1], [9, -1]]}}\n"
+                        "run: {steps: 1}\n"
+                        "pictures: {p: {kind: slip}}\n";
+    assert_refused(fw_scenario_read(&scenario, "s.yaml", text, strlen(text), NULL, 0, &error),
+                   FW_BAD_INPUT, "s.yaml:6:22: pictures.p is of kind 'slip', but nothing rubs");
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    make_folder(folder, sizeof folder);
+    run_scenario(with_maps, folder);
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    remove_folder(folder);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(heat_over_place_and_time_adds_up),
+        cmocka_unit_test(what_slid_sticks_in_the_end),
+        cmocka_unit_test(maps_are_drawn_and_refused),
+        cmocka_unit_test(maps_need_friction),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}
