@@ -26,9 +26,9 @@ static fw_plot_result result;
 static double heat_of(const fw_plot_result *of)
 {
     const int64_t last = of->playback->sample_count - 1;
-    double values[64];
+    double values[512];
     const int number = fw_playback_find_observable(of->playback, "friction-heat");
-    assert_true(last < 64);
+    assert_true(last < 512);
     assert_fine(fw_playback_read_observable(of->playback, number, values, &error));
     return values[last];
 }
