@@ -48,26 +48,38 @@ static fw_status read_range(const char *text, double range[2], fw_error *error)
     return FW_OK;
 }
 
+static fw_status read_level(const char *text, double *level, fw_plot_wish *wish, fw_error *error)
+{
+    if (!text) return FW_OK;
+    if (fw_number_read(text, strlen(text), level) != FW_NUMBER_FINE)
+        return fw_fail(error, FW_BAD_INPUT, "--level %s, expected a number", text);
+    wish->level = level;
+    return FW_OK;
+}
+
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
 {
     const fw_arguments *a = arguments;
     const char *directory = a->words[0];
     if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
-        !a->range && !a->logarithmic)
+        !a->range && !a->along && !a->level && !a->logarithmic)
         return fw_plot_all(directory, stdout, error);
     plot_lists *lists = calloc(1, sizeof *lists);
     if (!lists) return fw_fail_memory(error, "what to draw");
+    double level;
     fw_plot_wish wish = {.file = a->output,
                          .picture = a->picture,
                          .kind = a->kind,
                          .field = a->field,
                          .logarithmic = a->logarithmic,
+                         .along = a->along,
                          .steps = lists->steps};
     fw_status status = fw_column_names_read(a->observable, &lists->text, &lists->names,
                                             &wish.observable_count, error);
     wish.observables = lists->names;
     if (status == FW_OK) status = read_steps(a->at, lists, &wish.step_count, error);
     if (status == FW_OK) status = read_range(a->range, wish.range, error);
+    if (status == FW_OK) status = read_level(a->level, &level, &wish, error);
     if (status == FW_OK) status = fw_plot_one(directory, &wish, stdout, error);
     free(lists->names);
     free(lists->text);

@@ -69,6 +69,12 @@ const fw_option fw_option_range = {
     "--range", NULL, "LOW,HIGH",
     "ends of the colours of a field (the least and greatest value of the whole result)",
     FW_INTO(range)};
+const fw_option fw_option_along = {"--along", NULL, "NAME",
+                                   "of a sweep: the parameter, or the number, along the x axis",
+                                   FW_INTO(along)};
+const fw_option fw_option_level = {"--level", NULL, "VALUE",
+                                   "of a map of a sweep: a line where its number has this value",
+                                   FW_INTO(level)};
 const fw_option fw_option_picture = {"--picture", NULL, "NAME",
                                      "one of the scenario's own pictures", FW_INTO(picture)};
 const fw_option fw_option_verdicts = {"--json",

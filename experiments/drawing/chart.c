@@ -8,7 +8,12 @@
 void fw_chart_include_x(fw_range *range, const fw_chart *chart, bool positive_only)
 {
     for (int k = 0; k < chart->curve_count; ++k) {
-        fw_range_include(range, chart->curves[k].x, chart->curves[k].count, positive_only);
+        const fw_curve *curve = &chart->curves[k];
+        fw_range_include(range, curve->x, curve->count, positive_only);
+        for (int i = 0; curve->spread && i < curve->count; ++i) {
+            double ends[2] = {curve->x[i] - curve->spread[i], curve->x[i] + curve->spread[i]};
+            fw_range_include(range, ends, 2, positive_only);
+        }
     }
 }
 
@@ -74,6 +79,9 @@ static void draw_markers(const fw_curve *curve, const fw_panel *panel, fw_colour
     if (!has_markers(curve)) return;
     if (curve->error) {
         fw_panel_bars(panel, curve->x, curve->y, curve->error, curve->open, curve->count, colour);
+    }
+    if (curve->spread) {
+        fw_panel_bars_across(panel, curve->x, curve->y, curve->spread, curve->count, colour);
     }
     fw_panel_markers(panel, curve->x, curve->y, curve->count, radius, colour);
 }

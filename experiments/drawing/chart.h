@@ -24,6 +24,7 @@ typedef struct fw_curve {
     const double *open;  /* not 0: that error is a lower bound, its bar dotted; NULL: none is */
     fw_curve_look look;
     int colour;
+    const double *spread; /* standard error of x: bars on markers; may be NULL */
 } fw_curve;
 
 /* A panel of curves. */

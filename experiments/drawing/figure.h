@@ -142,7 +142,8 @@ typedef struct fw_figure_map_plan {
     int p_name_count, q_name_count;
     bool equal_aspect; /* p and q are of one kind */
     fw_colouring colouring;
-    const fw_curve *curves; /* drawn over the map */
+    const char *const *texts; /* [rows * columns] in the cells, where all fit; NULL: none */
+    const fw_curve *curves;   /* drawn over the map; a NaN ends a piece of a line */
     int curve_count;
 } fw_figure_map_plan;
 fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_error *error);

@@ -23,12 +23,52 @@ static void draw_cells(const fw_figure_map_plan *plan, const fw_panel *panel,
     }
 }
 
+/* A size of letters at which each text is within its cell; 0: they would be too small. */
+static double size_of_texts(const fw_figure_map_plan *plan, const fw_panel *panel)
+{
+    const double width = .86 * panel->box.width / plan->columns;
+    const double height = .45 * panel->box.height / plan->rows;
+    double size = FW_SMALL_SIZE;
+    for (long n = 0; n < (long)plan->rows * plan->columns; ++n) {
+        if (!plan->texts[n]) continue;
+        const double own = fw_canvas_text_width(plan->texts[n], FW_SMALL_SIZE, false);
+        size = fmin(size, FW_SMALL_SIZE * width / own);
+    }
+    size = fmin(size, FW_SMALL_SIZE * height / fw_canvas_line_height(FW_SMALL_SIZE));
+    return size < .55 * FW_SMALL_SIZE ? 0 : size;
+}
+
+/* Black on what is light, white on what is dark; low in the cell, whose middle curves pass. */
+static void draw_texts(const fw_figure_map_plan *plan, const fw_panel *panel,
+                       const fw_colour_scale *scale)
+{
+    const double size = plan->texts ? size_of_texts(plan, panel) : 0;
+    for (long n = 0; size > 0 && n < (long)plan->rows * plan->columns; ++n) {
+        if (!plan->texts[n]) continue;
+        const fw_colour below = fw_colour_scale_at(scale, plan->values[n]);
+        const double light = .3 * below.red + .59 * below.green + .11 * below.blue;
+        const double p = plan->p_first + (double)(n % plan->columns) * plan->p_step;
+        const double q = plan->q_first + ((double)(n / plan->columns) - .36) * plan->q_step;
+        const fw_text_look look = {.size = size,
+                                   .colour = fw_colour_grey(light > .5 ? 0 : 1),
+                                   .across = FW_TEXT_CENTRE,
+                                   .along = FW_TEXT_MIDDLE};
+        fw_canvas_text(panel->canvas, fw_panel_place(panel, p, q), plan->texts[n], look);
+    }
+}
+
 /* White below black: to be seen on any colour. */
 static void draw_curves(const fw_figure_map_plan *plan, const fw_panel *panel)
 {
     for (int k = 0; k < plan->curve_count; ++k) {
         const fw_curve *curve = &plan->curves[k];
         if (curve->look == FW_CURVE_MARKERS) {
+            if (curve->error)
+                fw_panel_bars(panel, curve->x, curve->y, curve->error, curve->open, curve->count,
+                              fw_colour_grey(0));
+            if (curve->spread)
+                fw_panel_bars_across(panel, curve->x, curve->y, curve->spread, curve->count,
+                                     fw_colour_grey(0));
             fw_panel_markers(panel, curve->x, curve->y, curve->count, 1.1, fw_colour_grey(1));
             fw_panel_markers(panel, curve->x, curve->y, curve->count, .75, fw_colour_grey(0));
             continue;
@@ -85,6 +125,7 @@ fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_
     draw_cells(plan, &panel, &scale);
     fw_canvas_raster_end(panel.canvas);
     fw_canvas_clip(panel.canvas, panel.box);
+    draw_texts(plan, &panel, &scale);
     draw_curves(plan, &panel);
     fw_canvas_unclip(panel.canvas);
     fw_panel_draw_axes(&panel, 0);

@@ -273,6 +273,29 @@ void fw_panel_bars(const fw_panel *panel, const double *x, const double *y, cons
     }
 }
 
+void fw_panel_bars_across(const fw_panel *panel, const double *x, const double *y,
+                          const double *error, int count, fw_colour colour)
+{
+    const double half_cap = .7;
+    const fw_rect box = panel->box;
+    for (int k = 0; k < count; ++k) {
+        const double low = x[k] - error[k], place = fw_panel_y(panel, y[k]);
+        const bool cut = panel->x.logarithmic && !(low > 0);
+        double left = fw_panel_x(panel, cut ? panel->x.range.low : low);
+        double right = fw_panel_x(panel, x[k] + error[k]);
+        if (!isfinite(left) || !isfinite(right) || !is_inside(panel, x[k], y[k])) continue;
+        left = fmax(left, box.left);
+        right = fmin(right, box.left + box.width);
+        fw_vec2 strokes[6] = {{left, place},
+                              {right, place},
+                              {left, place - half_cap},
+                              {left, place + half_cap},
+                              {right, place - half_cap},
+                              {right, place + half_cap}};
+        fw_canvas_segments(panel->canvas, strokes, 3, (fw_stroke){colour, .22, FW_DASH_NONE});
+    }
+}
+
 void fw_panel_markers(const fw_panel *panel, const double *x, const double *y, int count,
                       double radius, fw_colour colour)
 {

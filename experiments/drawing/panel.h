@@ -38,6 +38,9 @@ void fw_panel_band(const fw_panel *panel, const double *x, const double *y, cons
  * the frame stays whole. */
 void fw_panel_bars(const fw_panel *panel, const double *x, const double *y, const double *error,
                    const double *open, int count, fw_colour colour);
+/* The same along x. */
+void fw_panel_bars_across(const fw_panel *panel, const double *x, const double *y,
+                          const double *error, int count, fw_colour colour);
 /* Small discs. */
 void fw_panel_markers(const fw_panel *panel, const double *x, const double *y, int count,
                       double radius, fw_colour colour);

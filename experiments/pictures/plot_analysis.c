@@ -130,13 +130,15 @@ static fw_status draw_dispersion(const fw_plot_result *result, const fw_plot_pic
         const int count = t[0].extent[0];
         const double turn = M_PI, back = 2 * M_PI, end = closed.path[CLOSED_POINTS - 1];
         const fw_axis_name places[] = {{0, "Γ"}, {turn, "X"}, {back, "M"}, {end, "Γ"}};
-        const fw_curve curves[] = {
-            {"fast, closed form", CLOSED_POINTS, closed.path, closed.frequency[FW_FAST], NULL, NULL,
-             FW_CURVE_LINE, 1},
-            {"slow, closed form", CLOSED_POINTS, closed.path, closed.frequency[FW_SLOW], NULL, NULL,
-             FW_CURVE_DASHES, 2},
-            {"fast, simulated", count, t[0].values, t[2].values, NULL, NULL, FW_CURVE_MARKERS, 1},
-            {"slow, simulated", count, t[0].values, t[1].values, NULL, NULL, FW_CURVE_MARKERS, 2}};
+        const fw_curve curves[] = {{"fast, closed form", CLOSED_POINTS, closed.path,
+                                    closed.frequency[FW_FAST], NULL, NULL, FW_CURVE_LINE, 1, NULL},
+                                   {"slow, closed form", CLOSED_POINTS, closed.path,
+                                    closed.frequency[FW_SLOW], NULL, NULL, FW_CURVE_DASHES, 2,
+                                    NULL},
+                                   {"fast, simulated", count, t[0].values, t[2].values, NULL, NULL,
+                                    FW_CURVE_MARKERS, 1, NULL},
+                                   {"slow, simulated", count, t[0].values, t[1].values, NULL, NULL,
+                                    FW_CURVE_MARKERS, 2, NULL}};
         const fw_chart chart = {.label = "frequency (radians/step)",
                                 .curves = curves,
                                 .curve_count = 4,
@@ -155,8 +157,8 @@ static fw_status draw_reference(const fw_plot_result *result, const fw_plot_pict
     fw_table t[TABLES] = {{.rank = 0}};
     fw_status status = read_columns(result, picture->analysis->name, names, 2, t, error);
     if (status == FW_OK) {
-        const fw_curve curve = {NULL, t[0].extent[0], t[0].values,   t[1].values,
-                                NULL, NULL,           FW_CURVE_LINE, 1};
+        const fw_curve curve = {NULL, t[0].extent[0], t[0].values, t[1].values, NULL,
+                                NULL, FW_CURVE_LINE,  1,           NULL};
         const fw_chart chart = {.label = "largest difference (length)",
                                 .curves = &curve,
                                 .curve_count = 1,

@@ -247,6 +247,9 @@ static fw_status check_wish(const draft *d, fw_error *error)
     if (wish->field && !fw_picture_reads(kind, "field")) return refuse_stray(d, "a field", error);
     if (wish->range[0] < wish->range[1] && !fw_picture_reads(kind, "range"))
         return refuse_stray(d, "a range of colours", error);
+    if (wish->along && !fw_picture_reads(kind, "along"))
+        return refuse_stray(d, "along anything of a sweep", error);
+    if (wish->level && !fw_picture_reads(kind, "level")) return refuse_stray(d, "a level", error);
     if (wish->observable_count > 0 && !fw_picture_reads(kind, "observables"))
         return refuse_stray(d, "observables", error);
     if (wish->logarithmic && !fw_picture_reads(kind, "logarithmic"))

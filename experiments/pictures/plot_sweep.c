@@ -104,6 +104,23 @@ fw_status fw_plot_sweep_choose(fw_sweep_choice *choice, const fw_plot_sweep *swe
     return FW_OK;
 }
 
+fw_status fw_plot_sweep_along(fw_sweep_along *along, const fw_plot_sweep *sweep,
+                              const fw_plot_wish *wish, const fw_scenario_picture *own,
+                              fw_error *error)
+{
+    const fw_sweep_table *table = &sweep->table;
+    const char *name = wish->along ? wish->along : own ? own->along_quantity : NULL;
+    *along = (fw_sweep_along){-1, -1};
+    if (!name && own) along->axis = own->along;
+    if (!name) return FW_OK;
+    for (int a = 0; a < table->axis_count; ++a)
+        if (strcmp(table->axes[a].name, name) == 0) along->axis = a;
+    if (along->axis >= 0) return FW_OK;
+    for (int c = table->column_count - 1; c >= 0; --c)
+        if (is_of(&table->columns[c], name)) along->column = c;
+    return along->column >= 0 ? FW_OK : refuse_quantity(sweep, name, error);
+}
+
 /* --- words --- */
 
 const char *fw_plot_sweep_label(const fw_sweep_column *column, bool whole, char *label, size_t size)
@@ -124,6 +141,16 @@ void fw_plot_sweep_explain(const fw_sweep_column *column, char *caption, size_t 
     if (!quantity || strncmp(quantity->meaning, "the ", 4) == 0) return;
     if (strstr(caption, quantity->meaning)) return;
     fw_text_append(caption, size, "%s: %s. ", quantity->name, quantity->meaning);
+}
+
+void fw_plot_sweep_say_seeds(int64_t seeds, char *caption, size_t size)
+{
+    if (seeds > 1)
+        fw_text_append(caption, size, "Means over %lld seeds, with their standard errors. ",
+                       (long long)seeds);
+    else
+        fw_text_append(caption, size,
+                       "One seed: an error, where there is one, is that of a mean over time. ");
 }
 
 /* --- the picture --- */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* plot_sweep_curves.c - the table of a sweep as panels above the axis of one parameter: a line for
- * every value of the others. Keeps no state. Start reading at fw_plot_sweep_curves(). */
+/* plot_sweep_curves.c - the table of a sweep as panels above the axis of one parameter, or of one
+ * of its numbers: a line for every value of the other parameters. Keeps no state. Start reading at
+ * fw_plot_sweep_curves(). */
 #include "plot_sweep_parts.h"
 
 #include "experiments/drawing/figure.h"
@@ -25,7 +26,9 @@ typedef struct sweep_line {
     double *x;
 } sweep_line;
 
-/* Numbers of one panel: for each line five parts, in one piece of memory. */
+enum { PARTS = 7 };
+
+/* Numbers of one panel: for each line its parts, in one piece of memory. */
 typedef struct panel_data {
     char label[FW_SWEEP_NAME + 120];
     double *numbers;
@@ -34,8 +37,9 @@ typedef struct panel_data {
 
 typedef struct drawing {
     const fw_plot_sweep *sweep;
-    int along;
-    int line_count, found; /* lines that are drawn, and that there are */
+    int along;                     /* parameter that changes along each line */
+    const fw_sweep_column *across; /* number on the x axis in its place, or NULL */
+    int line_count, found;         /* lines that are drawn, and that there are */
     sweep_line lines[LINES_MAX];
     int *rows;
     double *x; /* memory of all lines */
@@ -180,9 +184,12 @@ static bool fill_curves(drawing *d, const fw_sweep_column *column, const sweep_l
 {
     double *mean = numbers, *error = mean + line->count, *open = error + line->count;
     double *wanted = open + line->count, *within = wanted + line->count;
+    double *x = within + line->count, *spread = x + line->count;
     bool any = false;
     for (int k = 0; k < line->count; ++k) {
         const int row = line->rows[k];
+        x[k] = d->across ? d->across->mean[row] : line->x[k];
+        spread[k] = d->across && isfinite(d->across->error[row]) ? d->across->error[row] : 0;
         mean[k] = column->mean[row];
         error[k] = isfinite(column->error[row]) ? column->error[row] : 0;
         open[k] = column->at_least[row];
@@ -192,13 +199,14 @@ static bool fill_curves(drawing *d, const fw_sweep_column *column, const sweep_l
         any = any || isfinite(wanted[k]);
     }
     *measured = (fw_curve){.count = line->count,
-                           .x = line->x,
+                           .x = x,
                            .y = mean,
                            .error = error,
+                           .spread = d->across ? spread : NULL,
                            .open = open,
                            .look = FW_CURVE_LINE_AND_MARKERS};
     *expected = (fw_curve){
-        .count = line->count, .x = line->x, .y = wanted, .error = within, .look = FW_CURVE_MARKERS};
+        .count = line->count, .x = x, .y = wanted, .error = within, .look = FW_CURVE_MARKERS};
     d->expected = d->expected || any;
     return any;
 }
@@ -229,12 +237,12 @@ static fw_status fill_panel(drawing *d, int number, const fw_sweep_column *colum
     panel_data *panel = &d->panels[number];
     bool expected = false;
     size_t used = 0;
-    panel->numbers = fw_array_of_doubles(5 * (size_t)d->sweep->table.row_count);
+    panel->numbers = fw_array_of_doubles(PARTS * (size_t)d->sweep->table.row_count);
     if (!panel->numbers) return fw_fail_memory(error, "a picture of a sweep");
     for (int n = 0; n < d->line_count; ++n) {
         expected |= fill_curves(d, column, &d->lines[n], panel->numbers + used, &panel->curves[n],
                                 &panel->curves[d->line_count + n]);
-        used += 5 * (size_t)d->lines[n].count;
+        used += PARTS * (size_t)d->lines[n].count;
     }
     const char *part =
         fw_plot_sweep_label(column, d->line_count > 1, panel->label, sizeof panel->label);
@@ -268,9 +276,11 @@ static void write_caption(const drawing *d, const fw_sweep_choice *choice, char 
                        table->columns[choice->columns[p]].name, p + 1 == d->count ? ". " : "");
     if (d->line_count < d->found)
         fw_text_append(caption, size, "%d of %d lines. ", d->line_count, d->found);
-    if (seeds > 1)
-        fw_text_append(caption, size, "Means over the %lld seeds, with standard errors as bars. ",
-                       (long long)seeds);
+    if (d->across)
+        fw_text_append(caption, size, "Along x: %s. Along each line %s grows from %g to %g. ",
+                       d->across->name, table->axes[d->along].name, d->lines[0].x[0],
+                       d->lines[0].x[d->lines[0].count - 1]);
+    fw_plot_sweep_say_seeds(seeds, caption, size);
     if (d->open)
         fw_text_append(caption, size,
                        "Dotted bars: the series is too short for its correlation, the error is a "
@@ -285,14 +295,15 @@ static void write_caption(const drawing *d, const fw_sweep_choice *choice, char 
 static fw_status draw(drawing *d, const fw_sweep_choice *choice, fw_page *page, fw_error *error)
 {
     const fw_sweep_axis *axis = &d->sweep->table.axes[d->along];
-    char label[FW_NAME_BYTES + 80], caption[3072] = "";
+    char label[FW_SWEEP_NAME + 80], caption[3072] = "";
     fw_label_print(label, sizeof label, axis->name, axis->unit);
+    if (d->across) fw_plot_sweep_label(d->across, true, label, sizeof label);
     write_caption(d, choice, caption, sizeof caption);
     page->caption = caption;
     const fw_figure_stack_plan plan = {.charts = d->charts,
                                        .chart_count = d->count,
                                        .label = label,
-                                       .logarithmic = grows_by_factors(&d->lines[0])};
+                                       .logarithmic = !d->across && grows_by_factors(&d->lines[0])};
     return fw_figure_stack(page, &plan, error);
 }
 
@@ -300,11 +311,14 @@ fw_status fw_plot_sweep_curves(const fw_plot_sweep *sweep, const fw_plot_wish *w
                                const fw_scenario_picture *own, fw_page *page, fw_error *error)
 {
     fw_sweep_choice choice;
+    fw_sweep_along along;
     FW_TRY(fw_plot_sweep_choose(&choice, sweep, wish, own, error));
+    FW_TRY(fw_plot_sweep_along(&along, sweep, wish, own, error));
     drawing *d = calloc(1, sizeof *d);
     if (!d) return fw_fail_memory(error, "a picture of a sweep");
     d->sweep = sweep;
-    d->along = own && own->along >= 0 ? own->along : choose_axis(&sweep->table);
+    d->along = along.axis >= 0 ? along.axis : choose_axis(&sweep->table);
+    d->across = along.column >= 0 ? &sweep->table.columns[along.column] : NULL;
     const bool logarithmic = wish->logarithmic || (own && own->logarithmic);
     fw_status status = make_lines(d, error);
     for (; status == FW_OK && d->count < choice.count; ++d->count)

@@ -36,6 +36,41 @@ const char *fw_plot_sweep_label(const fw_sweep_column *column, bool whole, char 
 /* Adds to a caption what the column's quantity means, where it says so by itself. */
 void fw_plot_sweep_explain(const fw_sweep_column *column, char *caption, size_t size);
 
+/* Adds to a caption over how many seeds the numbers are means, and what their bars are. */
+void fw_plot_sweep_say_seeds(int64_t seeds, char *caption, size_t size);
+
+/* What a picture is drawn along: one of the sweep's parameters, or one of its numbers. Negative:
+ * that is not it. */
+typedef struct fw_sweep_along {
+    int axis, column;
+} fw_sweep_along;
+/* As wished for, else as the picture has it; both negative where neither says so. */
+fw_status fw_plot_sweep_along(fw_sweep_along *along, const fw_plot_sweep *sweep,
+                              const fw_plot_wish *wish, const fw_scenario_picture *own,
+                              fw_error *error);
+
+/* Where the number on a map has a level, in places of its cells. */
+typedef struct fw_sweep_level {
+    double level;
+    int count;
+    double *x, *y; /* pieces of a line, a NaN between each two */
+    int mark_count;
+    /* Where it passes from one case to the next, and the standard error along y or x; NaN: none. */
+    double *mark_x, *mark_y, *mark_error, *mark_spread;
+} fw_sweep_level;
+
+/* Of values[rows][columns] with their standard errors, NaN where not known: straight lines between
+ * neighbours. To be cleared also after a failure. */
+fw_status fw_plot_sweep_level_of_grid(fw_sweep_level *line, double level, int columns, int rows,
+                                      const double *values, const double *errors, fw_error *error);
+/* As thresholds.csv has it: x counts the values of the other parameter, y is that of the bisected
+ * one, its logarithm to base 10 where it is bisected so. */
+fw_status fw_plot_sweep_level_of_bisection(fw_sweep_level *line, double level,
+                                           const fw_plot_sweep *sweep,
+                                           const fw_sweep_column *column, const double *others,
+                                           int other_count, fw_error *error);
+void fw_plot_sweep_level_clear(fw_sweep_level *line);
+
 /* Panels above the axis of one parameter, a line for every value of the others. */
 fw_status fw_plot_sweep_curves(const fw_plot_sweep *sweep, const fw_plot_wish *wish,
                                const fw_scenario_picture *own, fw_page *page, fw_error *error);

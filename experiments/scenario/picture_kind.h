@@ -53,10 +53,11 @@ typedef enum fw_picture_need {
     ROW(ANALYSIS, analysis, "analysis", "a map or curves of one of `analysis`", "analysis",        \
         FW_PICTURE_NEEDS_ANALYSIS, 0, NULL)                                                        \
     ROW(SWEEP, sweep, "sweep",                                                                     \
-        "quantities against a parameter of a sweep, a line for every value of the others",         \
+        "quantities of a sweep against a parameter, a line for every value of the others, or "     \
+        "against another quantity",                                                                \
         "observables logarithmic along", FW_PICTURE_NEEDS_SWEEP, 0, NULL)                          \
     ROW(MAP, map, "map", "a quantity as colour over the two parameters of a sweep",                \
-        "observables logarithmic along range",                                                     \
+        "observables logarithmic along range level",                                               \
         FW_PICTURE_NEEDS_SWEEP | FW_PICTURE_NEEDS_TWO_PARAMETERS, 0, NULL)
 
 #define FW_PICTURE_ENUM(id, draw, name, meaning, keys, needs, frames, field) FW_PICTURE_##id,

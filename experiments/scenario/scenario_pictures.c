@@ -3,6 +3,8 @@
  * fw_scenario_read_pictures(). */
 #include "scenario_parts.h"
 
+#include <string.h>
+
 #define PICTURE_WORD(id, draw, name, meaning, keys, needs, frames, field) {name, FW_PICTURE_##id},
 static const fw_key picture_keys[] = {
     {"kind", AT_WORD(fw_scenario_picture, kind), REQUIRED,
@@ -36,7 +38,14 @@ static const fw_key picture_keys[] = {
     {"logarithmic", AT_FLAG(fw_scenario_picture, logarithmic), .default_value = "false",
      .meaning = "the values of a series, or of a map's colours, on logarithmic axes"},
     {"along", FW_FORM_NAME, NOT_STORED, .default_meaning = "that of the most values",
-     .meaning = "parameter of a sweep along the x axis"},
+     .meaning = "parameter of a sweep along the x axis, or of a picture of kind sweep a quantity "
+                "that the sweep compares, against which the others are drawn"},
+    {"level", AT_NUMBER(fw_scenario_picture, level), .default_value = "0",
+     .default_meaning = "that which the number `crosses` in `expect`, else no line",
+     .meaning =
+         "of a map: a line where its number has this value, with the standard errors of "
+         "where it passes: found by bisection where the sweep has one, else between cases by "
+         "straight lines"},
     {"analysis", AT_NAME(fw_scenario_picture, analysis), .default_meaning = "the only one",
      .meaning = "which analysis is drawn"},
     {.name = NULL}};
@@ -159,13 +168,29 @@ static fw_status check_analysis(const fw_scenario *scenario, const fw_node *node
     return FW_OK;
 }
 
-/* Which parameter of a sweep is drawn along x; a map shows one quantity. */
+/* Is it the name of a number in the table of the sweep, and none of a parameter? */
+static bool is_compared(const fw_scenario *scenario, const char *name)
+{
+    static const char layer[] = "layer-";
+    const fw_scenario_sweep *sweep = &scenario->study.sweep;
+    for (int p = 0; p < sweep->parameter_count; ++p)
+        if (strcmp(sweep->parameters[p].name, name) == 0) return false;
+    for (int n = 0; n < scenario->expectation_count; ++n)
+        if (strcmp(scenario->expectations[n].quantity.text, name) == 0) return true;
+    return scenario->profile.every != 0 && strncmp(name, layer, strlen(layer)) == 0;
+}
+
+/* What of a sweep is drawn along x; a map shows one quantity. */
 static fw_status check_sweep(const fw_scenario *scenario, const fw_node *node,
                              fw_scenario_picture *picture, fw_error *error)
 {
     const fw_node *along = fw_node_find(node, "along");
     picture->along = -1;
-    if (along) FW_TRY(fw_scenario_find_parameter(scenario, along, &picture->along, error));
+    picture->has_level = fw_node_find(node, "level") != NULL;
+    if (along && picture->kind == FW_PICTURE_SWEEP && is_compared(scenario, along->text))
+        picture->along_quantity = along->text;
+    else if (along)
+        FW_TRY(fw_scenario_find_parameter(scenario, along, &picture->along, error));
     if (picture->kind != FW_PICTURE_MAP || picture->observables.count < 2) return FW_OK;
     return fw_scenario_fail(scenario, picture->observables.item[1].place, error,
                             "pictures.%s shows %d observables, expected one, which is all that the "

@@ -19,7 +19,10 @@ typedef struct fw_scenario_picture {
     bool logarithmic;            /* whether its values are drawn on logarithmic axes */
     double range[2];             /* ends of the colour scale; equal: those of all frames */
     fw_schema_name analysis, body;
-    int along; /* parameter of a sweep along x; -1: chosen */
+    int along;                  /* parameter of a sweep along x; -1: chosen */
+    const char *along_quantity; /* that is drawn along x in its place, or NULL */
+    bool has_level;
+    double level; /* where a map has a line */
 } fw_scenario_picture;
 
 #endif

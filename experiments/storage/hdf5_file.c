@@ -125,11 +125,15 @@ fw_status fw_hdf5_create(fw_hdf5 **file, const char *path, size_t structure, fw_
     hid_t access = access_properties(structure);
     /* Not what a link of that name points to. */
     unlink(path);
-    fresh->id = H5Fcreate(path, H5F_ACC_EXCL, H5P_DEFAULT, access);
+    /* No object says when it was made: the same numbers are the same file. */
+    hid_t creation = H5Pcreate(H5P_FILE_CREATE);
+    H5Pset_obj_track_times(creation, false);
+    fresh->id = H5Fcreate(path, H5F_ACC_EXCL, creation, access);
     /* At once: the next call to HDF5, whichever it is, clears the reason. */
     fw_status status =
         fresh->id < 0 ? explain(error, path, "create", FW_SYSTEM_FAILED, "HDF5 refuses") : FW_OK;
     H5Pclose(access);
+    H5Pclose(creation);
     if (status != FW_OK) {
         free(fresh);
         return status;

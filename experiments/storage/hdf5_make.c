@@ -36,6 +36,7 @@ void fw_hdf5_make_group(fw_hdf5 *file, const char *path)
     FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     hid_t properties = H5Pcreate(H5P_GROUP_CREATE);
+    H5Pset_obj_track_times(properties, false);
     H5Pset_link_creation_order(properties, H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED);
     hid_t group = H5Gcreate2(file->id, path, H5P_DEFAULT, properties, H5P_DEFAULT);
     if (group < 0 || H5Gclose(group) < 0) fw_hdf5_fail_writing(file, path);
@@ -60,6 +61,7 @@ static fw_dataset make_dataset(fw_hdf5 *file, const char *path, hid_t type, hid_
                                int chunk_rank, const hsize_t *chunk)
 {
     hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
+    H5Pset_obj_track_times(properties, false);
     H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
     H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
     if (chunk_rank > 0) H5Pset_chunk(properties, chunk_rank, chunk);

@@ -11,6 +11,7 @@
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
 #include "summary.h"
+#include "sweep_seeds.h"
 #include "sweep_threshold.h"
 
 #include <stdio.h>
@@ -93,8 +94,8 @@ typedef fw_status visitor(void *object, const char *directory, const char *name,
 static fw_status visit_files(const fw_scenario *scenario, const char *directory, visitor *visit,
                              void *object, fw_error *error)
 {
-    static const char *const tables[] = {FW_SUMMARY_FILE, FW_PROFILE_FILE, FW_LAYER_FILE,
-                                         FW_THRESHOLDS_FILE};
+    static const char *const tables[] = {FW_SUMMARY_FILE,    FW_PROFILE_FILE, FW_LAYER_FILE,
+                                         FW_THRESHOLDS_FILE, FW_SEEDS_FILE,   FW_SWEEP_HDF5};
     char name[FW_NAME_BYTES + 8];
     for (size_t n = 0; n < sizeof tables / sizeof tables[0]; ++n)
         FW_TRY(visit(object, directory, tables[n], error));

@@ -54,9 +54,11 @@ fw_status fw_summary_write(const char *directory, const fw_scenario *scenario,
 
 /* --- read again --- */
 
+/* Cells of a row before those of the seeds. */
+enum { QUANTITY, EXPECTED, MEAN, ERROR, VERDICT, AT_LEAST, WHY, CELLS };
+
 static bool read_row(char *line, fw_verdict *verdict)
 {
-    enum { QUANTITY, EXPECTED, MEAN, ERROR, VERDICT, AT_LEAST, WHY, CELLS };
     char *cell[CELLS];
     for (int n = 0; n < CELLS; ++n) {
         if (!line) return false;
@@ -85,6 +87,39 @@ static bool read_rows(char *text, const fw_scenario *scenario, fw_verdicts *verd
     return whole;
 }
 
+static fw_status refuse(const char *directory, const fw_scenario *scenario, fw_error *error)
+{
+    return fw_fail(error, FW_BAD_INPUT,
+                   "%s/" FW_SUMMARY_FILE " does not hold the %d rows of what was expected",
+                   directory, scenario->expectation_count);
+}
+
+static bool read_seeds(char *line, int count, double *values)
+{
+    char *cell;
+    for (int n = 0; n < CELLS + count; ++n) {
+        if (!line) return false;
+        line = fw_csv_cut(line, &cell);
+        if (n >= CELLS) values[n - CELLS] = fw_csv_read_number(cell);
+    }
+    return true;
+}
+
+fw_status fw_summary_read_seeds(const char *directory, const fw_scenario *scenario, double *values,
+                                fw_error *error)
+{
+    const int seeds = (int)scenario->study.seeds;
+    char *text, *rest;
+    size_t size;
+    FW_TRY(fw_manifest_read(&text, &size, directory, FW_SUMMARY_FILE, error));
+    rest = text;
+    bool whole = fw_text_line(&rest) != NULL;
+    for (int n = 0; n < scenario->expectation_count && whole; ++n)
+        whole = read_seeds(fw_text_line(&rest), seeds, values + n * seeds);
+    free(text);
+    return whole ? FW_OK : refuse(directory, scenario, error);
+}
+
 fw_status fw_summary_read(const char *directory, const fw_scenario *scenario, fw_verdicts *verdicts,
                           fw_error *error)
 {
@@ -97,9 +132,7 @@ fw_status fw_summary_read(const char *directory, const fw_scenario *scenario, fw
     if (!verdicts->item)
         status = fw_fail_memory(error, "a summary");
     else if (!read_rows(text, scenario, verdicts))
-        status = fw_fail(error, FW_BAD_INPUT,
-                         "%s/" FW_SUMMARY_FILE " does not hold the %d rows of what was expected",
-                         directory, scenario->expectation_count);
+        status = refuse(directory, scenario, error);
     free(text);
     if (status != FW_OK) fw_verdicts_clear(verdicts);
     return status;

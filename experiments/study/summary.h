@@ -16,4 +16,8 @@ fw_status fw_summary_write(const char *directory, const fw_scenario *scenario,
 fw_status fw_summary_read(const char *directory, const fw_scenario *scenario, fw_verdicts *verdicts,
                           fw_error *error);
 
+/* What each seed showed: values[expectation_count][seeds], NaN where it has no number. As above. */
+fw_status fw_summary_read_seeds(const char *directory, const fw_scenario *scenario, double *values,
+                                fw_error *error);
+
 #endif

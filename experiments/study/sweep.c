@@ -11,6 +11,7 @@
 #include "experiments/study/study.h"
 #include "sweep_case.h"
 #include "sweep_outcome.h"
+#include "sweep_seeds.h"
 #include "sweep_threshold.h"
 
 #include <omp.h>
@@ -283,6 +284,18 @@ static fw_status complete_all(fw_sweep *sweep, int begin, fw_error *error)
 
 /* --- the outcome --- */
 
+static fw_status write_seeds(const fw_sweep *sweep, const fw_sweep_table *table, fw_error *error)
+{
+    const char *directory = sweep->options.directory, *title = sweep->scenario->title;
+    fw_sweep_seeds seeds;
+    fw_status status =
+        fw_sweep_seeds_collect(&seeds, table, sweep->scenario, sweep->cases, directory, error);
+    if (status == FW_OK) status = fw_sweep_seeds_write(&seeds, title, directory, error);
+    if (status == FW_OK) status = fw_sweep_seeds_write_hdf5(&seeds, title, directory, error);
+    fw_sweep_seeds_clear(&seeds);
+    return status;
+}
+
 static fw_status write_table(const fw_sweep *sweep, fw_error *error)
 {
     const char *directory = sweep->options.directory;
@@ -291,6 +304,7 @@ static fw_status write_table(const fw_sweep *sweep, fw_error *error)
     /* The table comes last: with it the sweep is finished. */
     FW_TRY(fw_sweep_thresholds_write(directory, sweep->scenario, sweep->cases, error));
     fw_status status = fw_sweep_outcome_table(&table, sweep->scenario, sweep->cases, error);
+    if (status == FW_OK) status = write_seeds(sweep, &table, error);
     if (status == FW_OK)
         status = fw_sweep_table_write(&table, sweep->scenario->title, directory, error);
     fw_sweep_table_clear(&table);

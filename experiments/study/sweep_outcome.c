@@ -11,7 +11,7 @@
 /* --- the table --- */
 
 /* Over which steps, where that is not the whole run: else two numbers could have one name. */
-static void name_column(const fw_verdict *verdict, char name[FW_SWEEP_NAME])
+void fw_sweep_outcome_name(const fw_verdict *verdict, char name[FW_SWEEP_NAME])
 {
     const size_t size = FW_SWEEP_NAME;
     const fw_expectation *e = verdict->expectation;
@@ -43,7 +43,7 @@ static bool add_verdict(fw_sweep_table *table, int row, const fw_verdict *verdic
 {
     const fw_expectation *e = verdict->expectation;
     char name[FW_SWEEP_NAME], unit[64];
-    name_column(verdict, name);
+    fw_sweep_outcome_name(verdict, name);
     name_unit(e, unit);
     fw_sweep_column *column = fw_sweep_table_column(table, name, unit);
     if (!column) return false;
@@ -76,7 +76,7 @@ fw_status fw_sweep_outcome_table(fw_sweep_table *table, const fw_scenario *sweep
                                  const fw_sweep_case *cases, fw_error *error)
 {
     const fw_scenario_sweep *plan = &sweep->study.sweep;
-    FW_TRY(fw_sweep_table_create(table, plan, error));
+    FW_TRY(fw_sweep_table_create(table, plan, (int)sweep->study.seeds, error));
     for (int n = 0; n < plan->case_count; ++n)
         if (!add_case(table, n, &cases[n])) return fw_fail_memory(error, "the table of a sweep");
     return FW_OK;

@@ -14,4 +14,7 @@ fw_status fw_sweep_outcome_table(fw_sweep_table *table, const fw_scenario *sweep
 fw_status fw_sweep_outcome_verdicts(fw_verdicts *verdicts, const fw_scenario *sweep,
                                     const fw_sweep_case *cases, fw_error *error);
 
+/* What the number of a verdict is called in the table. */
+void fw_sweep_outcome_name(const fw_verdict *verdict, char name[FW_SWEEP_NAME]);
+
 #endif

@@ -27,9 +27,11 @@ static size_t value_count(const fw_sweep_table *table)
 }
 
 fw_status fw_sweep_table_create(fw_sweep_table *table, const fw_scenario_sweep *sweep,
-                                fw_error *error)
+                                int seed_count, fw_error *error)
 {
-    *table = (fw_sweep_table){.axis_count = sweep->parameter_count, .row_count = sweep->case_count};
+    *table = (fw_sweep_table){.axis_count = sweep->parameter_count,
+                              .row_count = sweep->case_count,
+                              .seed_count = seed_count};
     for (int a = 0; a < table->axis_count; ++a) {
         const fw_scenario_parameter *parameter = &sweep->parameters[a];
         fw_sweep_axis *axis = &table->axes[a];
@@ -103,6 +105,7 @@ static bool has_failures(const fw_sweep_table *table)
 
 /* --- writing --- */
 
+#define SEEDS   "seeds"
 #define FAILURE "failure"
 
 typedef struct titled {
@@ -136,6 +139,7 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
             fputc(',', out);
             fw_csv_write_text(out, table->columns[c].unit);
         }
+    fputc(',', out);
     if (has_failures(table)) fputc(',', out);
     for (int a = 0; a < table->axis_count; ++a)
         fprintf(out, "%c%s", a > 0 ? ',' : '\n', table->axes[a].name);
@@ -146,6 +150,7 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
             fputc(',', out);
             fw_csv_write_text(out, name);
         }
+    fputs("," SEEDS, out);
     if (has_failures(table)) fputs("," FAILURE, out);
     fputc('\n', out);
 }
@@ -167,6 +172,7 @@ static void write(FILE *out, const void *object)
                 fputc(',', out);
                 fw_csv_write_number(out, part_of(table, c, p)[v]);
             }
+        fprintf(out, ",%d", table->seed_count);
         if (has_failures(table)) fputc(',', out);
         if (table->failures[v]) fw_csv_write_text(out, table->failures[v]);
         fputc('\n', out);
@@ -187,7 +193,8 @@ enum { CELLS_MAX = 4096 };
 typedef struct layout {
     int count;
     int column[CELLS_MAX], part[CELLS_MAX];
-    bool failures; /* behind them a reason */
+    bool seeds;    /* behind them how many there are */
+    bool failures; /* and a reason */
 } layout;
 
 /* "energy, mean error" is part 1 of the column "energy, mean", which comes before it. */
@@ -216,6 +223,10 @@ static fw_status read_names(fw_sweep_table *table, layout *cells, char *units, c
     while (names && units && cells->count < CELLS_MAX) {
         units = fw_csv_cut(units, &unit);
         names = fw_csv_cut(names, &name);
+        if (strcmp(name, SEEDS) == 0) {
+            cells->seeds = true;
+            continue;
+        }
         if (!names && strcmp(name, FAILURE) == 0) {
             cells->failures = true;
             break;
@@ -225,7 +236,7 @@ static fw_status read_names(fw_sweep_table *table, layout *cells, char *units, c
         cells->column[cells->count] = table->column_count - 1;
         cells->part[cells->count++] = part;
     }
-    return !names && !units && (cells->count > 0 || cells->failures) ? FW_OK : FW_BAD_INPUT;
+    return !names && !units && cells->seeds ? FW_OK : FW_BAD_INPUT;
 }
 
 static fw_status read_values(fw_sweep_table *table, const layout *cells, char *line, int row)
@@ -241,6 +252,9 @@ static fw_status read_values(fw_sweep_table *table, const layout *cells, char *l
         line = fw_csv_cut(line, &cell);
         part_of(table, cells->column[n], cells->part[n])[row] = fw_csv_read_number(cell);
     }
+    if (!line) return FW_BAD_INPUT;
+    line = fw_csv_cut(line, &cell);
+    table->seed_count = (int)fw_csv_read_number(cell);
     if (!cells->failures) return line ? FW_BAD_INPUT : FW_OK;
     if (!line) return FW_BAD_INPUT;
     line = fw_csv_cut(line, &cell);

@@ -25,6 +25,7 @@ typedef struct fw_sweep_table {
     int axis_count;
     fw_sweep_axis axes[FW_PARAMETERS_MAX];
     int row_count;  /* one per case */
+    int seed_count; /* of each case; 0: not known */
     double *values; /* [row_count][axis_count] of the parameters */
     int column_count, column_room;
     fw_sweep_column *columns;
@@ -34,7 +35,7 @@ typedef struct fw_sweep_table {
 /* Parameters with their values in all cases, and no columns yet. A table that is all zero may be
  * cleared. */
 fw_status fw_sweep_table_create(fw_sweep_table *table, const fw_scenario_sweep *sweep,
-                                fw_error *error);
+                                int seed_count, fw_error *error);
 void fw_sweep_table_clear(fw_sweep_table *table);
 
 /* A column by its name, made where there is none yet; NULL without memory. Adding another one may

@@ -24,10 +24,11 @@ static void observables_over_time_are_drawn(void **state)
         drift[k] = k == 0 ? 0 : 1e-16 * pow(10, 4 * k / (double)SAMPLES);
     }
     kinetic[150] = kinetic[151] = NAN;
-    const fw_curve parts[2] = {{"kinetic", SAMPLES, time, kinetic, error, NULL, FW_CURVE_LINE, 0},
-                               {"elastic", SAMPLES, time, elastic, NULL, NULL, FW_CURVE_LINE, 0}};
-    const fw_curve total = {NULL, SAMPLES, time, energy, NULL, NULL, FW_CURVE_LINE, 0};
-    const fw_curve change = {NULL, SAMPLES, time, drift, NULL, NULL, FW_CURVE_LINE, 0};
+    const fw_curve parts[2] = {
+        {"kinetic", SAMPLES, time, kinetic, error, NULL, FW_CURVE_LINE, 0, NULL},
+        {"elastic", SAMPLES, time, elastic, NULL, NULL, FW_CURVE_LINE, 0, NULL}};
+    const fw_curve total = {NULL, SAMPLES, time, energy, NULL, NULL, FW_CURVE_LINE, 0, NULL};
+    const fw_curve change = {NULL, SAMPLES, time, drift, NULL, NULL, FW_CURVE_LINE, 0, NULL};
     const fw_chart charts[3] = {
         {.label = "energy / m v^{2}", .curves = parts, .curve_count = 2},
         {.label = "total energy", .curves = &total, .curve_count = 1},
@@ -57,9 +58,10 @@ static void a_dispersion_is_drawn(void **state)
         error[i] = .05;
     }
     const fw_curve curves[3] = {
-        {"longitudinal, closed form", POINTS, k, fast, NULL, NULL, FW_CURVE_LINE, 0},
-        {"transverse, closed form", POINTS, k, slow, NULL, NULL, FW_CURVE_DASHES, 0},
-        {"simulated", MEASURED, at, seen, error, NULL, FW_CURVE_MARKERS, FW_PALETTE_KINDS - 1}};
+        {"longitudinal, closed form", POINTS, k, fast, NULL, NULL, FW_CURVE_LINE, 0, NULL},
+        {"transverse, closed form", POINTS, k, slow, NULL, NULL, FW_CURVE_DASHES, 0, NULL},
+        {"simulated", MEASURED, at, seen, error, NULL, FW_CURVE_MARKERS, FW_PALETTE_KINDS - 1,
+         NULL}};
     const fw_axis_name names[4] = {{0, "Γ"}, {1, "X"}, {2, "M"}, {3, "Γ"}};
     const fw_chart chart = {.label = "frequency ω τ", .curves = curves, .curve_count = 3};
     fw_figure_stack_plan plan = {.charts = &chart,
@@ -116,9 +118,10 @@ static void a_profile_is_drawn_under_its_configuration(void **state)
     const fw_view view = {.name = "configuration at t = 323", .bodies = bodies, .body_count = 2};
     const fw_curve returns[2] = {
         {"driven, A = 2.5 (mean of 4 seeds ± standard error)", BINS, place, value, error, NULL,
-         FW_CURVE_LINE, 0},
-        {"control, A = 0", BINS, place, control, NULL, NULL, FW_CURVE_LINE, FW_CURVE_GREY}};
-    const fw_curve bond_order = {NULL, BINS, place, order, order_error, NULL, FW_CURVE_LINE, 2};
+         FW_CURVE_LINE, 0, NULL},
+        {"control, A = 0", BINS, place, control, NULL, NULL, FW_CURVE_LINE, FW_CURVE_GREY, NULL}};
+    const fw_curve bond_order = {NULL, BINS,          place, order, order_error,
+                                 NULL, FW_CURVE_LINE, 2,     NULL};
     const fw_chart charts[2] = {
         {.label = "⟨|F_{return}|⟩ / ε r_{0}^{−1}", .curves = returns, .curve_count = 2},
         {.label = "bond order ψ_{6}", .curves = &bond_order, .curve_count = 1}};
@@ -179,7 +182,7 @@ static void a_map_is_drawn_with_a_curve_over_it(void **state)
         arc_y[k] = M_SQRT2 * sin(M_PI_2 * k / (ARC - 1));
     }
     const fw_curve arc = {
-        "c_{1}^{2} + c_{2}^{2} = 2", ARC, arc_x, arc_y, NULL, NULL, FW_CURVE_LINE, 0};
+        "c_{1}^{2} + c_{2}^{2} = 2", ARC, arc_x, arc_y, NULL, NULL, FW_CURVE_LINE, 0, NULL};
     fw_figure_map_plan plan = {.columns = SIZE,
                                .rows = SIZE,
                                .values = growth,

@@ -71,8 +71,8 @@ static void nothing_has_a_picture_that_says_so(void **state)
     fw_figure_motion_plan motion = {.view_count = 0};
     draw_everywhere(draw_motion, &motion, page_with(NULL, NULL), "no-motion");
     const double gap[3] = {NAN, INFINITY, -INFINITY}, time[3] = {0, 1, 2};
-    const fw_curve curves[2] = {{"none", 0, NULL, NULL, NULL, NULL, FW_CURVE_LINE, 0},
-                                {"undefined", 3, time, gap, gap, NULL, FW_CURVE_LINE, 0}};
+    const fw_curve curves[2] = {{"none", 0, NULL, NULL, NULL, NULL, FW_CURVE_LINE, 0, NULL},
+                                {"undefined", 3, time, gap, gap, NULL, FW_CURVE_LINE, 0, NULL}};
     const fw_chart charts[2] = {{.label = "a", .curves = curves, .curve_count = 1},
                                 {.label = "b", .curves = curves + 1, .curve_count = 1}};
     fw_figure_stack_plan stack = {.charts = charts, .chart_count = 2, .label = "time"};
@@ -120,7 +120,7 @@ static void long_noisy_series_stay_small(void **state)
         error[k] = 2e21;
     }
     value[LONG / 2] = 6e22; /* a single spike is seen */
-    const fw_curve curve = {"force", LONG, time, value, error, NULL, FW_CURVE_LINE, 0};
+    const fw_curve curve = {"force", LONG, time, value, error, NULL, FW_CURVE_LINE, 0, NULL};
     const fw_chart charts[2] = {
         {.label = "force", .curves = &curve, .curve_count = 1},
         {.label = "force", .curves = &curve, .curve_count = 1, .logarithmic = true}};

@@ -281,9 +281,9 @@ static void cases_are_asked_and_compared(void **state)
     /* Asked of v = 0.2 alone; measured of all. */
     shell(folder, "test $(grep -c 'not asked$\\|not asked,' it/v=0.1/summary.csv) = 2");
     shell(folder, "grep -q '\"energy, at the end\",0.6 +- 1e-09,.*,holds' it/v=0.2/summary.csv");
-    shell(folder,
-          "test \"$(ls it)\" = \"$(printf 'manifest\\nspeeds.png\\nsweep-as-run.yaml\\nsweep.csv\\n"
-          "v=0.05\\nv=0.1\\nv=0.2')\"");
+    shell(folder, "test \"$(ls it)\" = \"$(printf 'manifest\\nspeeds.png\\nsweep-as-run.yaml\\n"
+                  "sweep-seeds.csv\\nsweep.csv\\nsweep.h5\\n"
+                  "v=0.05\\nv=0.1\\nv=0.2')\"");
     shell(folder, "head -c 4 it/speeds.png | grep -q PNG");
     /* The pictures of single runs are drawn in each case. */
     shell(folder,
