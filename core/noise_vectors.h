@@ -10,20 +10,22 @@
 /* philox4x32-10 (Salmon et al. 2011), a 32-bit word in each lane of 64 bits. */
 FW_INLINE void fw_noise_philox(fw_naturals word[4], uint64_t seed)
 {
+    /* Products take the lower 32 bits of each lane; what stands above them is dropped at the end.
+     */
     const fw_naturals none = {0}, low = none + 0xffffffff;
     fw_naturals a = word[0], b = word[1], c = word[2], d = word[3];
     uint32_t key_a = (uint32_t)seed, key_b = (uint32_t)(seed >> 32);
     for (int round = 0; round < 10; ++round) {
         const fw_naturals first = fw_multiply_low(a, none + 0xd2511f53);
         const fw_naturals second = fw_multiply_low(c, none + 0xcd9e8d57);
-        a = (second >> 32) ^ b ^ (none + key_a);
-        b = second & low;
-        c = (first >> 32) ^ d ^ (none + key_b);
-        d = first & low;
+        a = (second >> 32) ^ (b ^ (none + key_a));
+        b = second;
+        c = (first >> 32) ^ (d ^ (none + key_b));
+        d = first;
         key_a += 0x9e3779b9;
         key_b += 0xbb67ae85;
     }
-    word[0] = a, word[1] = b, word[2] = c, word[3] = d;
+    word[0] = a & low, word[1] = b & low, word[2] = c & low, word[3] = d & low;
 }
 
 /* The upper 53 of 64 bits: uniform in [0, 1). */
@@ -88,20 +90,51 @@ FW_INLINE fw_vector_pair fw_noise_unit_vector(fw_vector u)
                             (fw_vector)(((s & ~odd) | (c & odd)) ^ half)};
 }
 
-/* Two Gaussians for each of these particles. Box and Muller: sqrt(-2 ln(1 - u)) (cos, sin)(2 pi w);
- * 1 - u lies in (0, 1]. */
-FW_INLINE fw_vector_pair fw_noise_gaussians_of(uint64_t seed, fw_naturals particle, uint64_t step,
-                                               uint32_t stream)
+/* Box and Muller: sqrt(-2 ln(1 - u)) (cos, sin)(2 pi w), with 1 - u in (0, 1]. */
+FW_INLINE fw_vector_pair fw_noise_uniforms_of(uint64_t seed, fw_naturals particle, uint64_t step,
+                                              uint32_t stream)
 {
     const fw_naturals none = {0};
     fw_naturals word[4] = {particle, none + (step & 0xffffffff), none + (step >> 32),
                            none + stream};
     fw_noise_philox(word, seed);
-    const fw_vector u = fw_noise_unit_interval(word[0], word[1]);
-    const fw_vector w = fw_noise_unit_interval(word[2], word[3]);
-    const fw_vector length = fw_root(-2 * fw_noise_logarithm(1 - u));
-    const fw_vector_pair direction = fw_noise_unit_vector(w);
+    return (fw_vector_pair){fw_noise_unit_interval(word[0], word[1]),
+                            fw_noise_unit_interval(word[2], word[3])};
+}
+
+FW_INLINE fw_vector fw_noise_length(fw_vector u)
+{
+    return fw_root(-2 * fw_noise_logarithm(1 - u));
+}
+
+/* Two Gaussians for each of these particles. */
+FW_INLINE fw_vector_pair fw_noise_gaussians_of(uint64_t seed, fw_naturals particle, uint64_t step,
+                                               uint32_t stream)
+{
+    const fw_vector_pair uniform = fw_noise_uniforms_of(seed, particle, step, stream);
+    const fw_vector length = fw_noise_length(uniform.x);
+    const fw_vector_pair direction = fw_noise_unit_vector(uniform.y);
     return (fw_vector_pair){length * direction.x, length * direction.y};
+}
+
+/* The same for FW_NOISE_RUN particles from `first` on, stage by stage: the steps of one register
+ * wait for each other, those of neighbouring registers do not. */
+enum { FW_NOISE_RUN = 64 };
+
+FW_INLINE void fw_noise_gaussians_run(uint64_t seed, uint64_t first, uint64_t step, uint32_t stream,
+                                      double *restrict x, double *restrict y)
+{
+    fw_naturals lane;
+    for (int k = 0; k < FW_WIDTH; ++k) lane[k] = first + (uint64_t)k;
+    for (int at = 0; at < FW_NOISE_RUN; at += FW_WIDTH)
+        fw_store_pair(x, y, at, fw_noise_uniforms_of(seed, lane + (uint64_t)at, step, stream));
+    for (int at = 0; at < FW_NOISE_RUN; at += FW_WIDTH)
+        fw_store(x + at, fw_noise_length(fw_load(x + at)));
+    for (int at = 0; at < FW_NOISE_RUN; at += FW_WIDTH) {
+        const fw_vector length = fw_load(x + at);
+        const fw_vector_pair direction = fw_noise_unit_vector(fw_load(y + at));
+        fw_store_pair(x, y, at, (fw_vector_pair){length * direction.x, length * direction.y});
+    }
 }
 
 #endif

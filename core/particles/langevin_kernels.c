@@ -44,29 +44,29 @@ FW_INLINE fw_vector_pair kicked_at(const fw_move_task *task, bool loaded, int at
                             fw_load(task->velocity_y + at) + push * force.y};
 }
 
+/* The noise xi of FW_NOISE_RUN particles. */
+typedef struct fw_noise_run {
+    double x[FW_NOISE_RUN], y[FW_NOISE_RUN];
+} fw_noise_run;
+
 /* v2 = c v1 + s xi */
 FW_INLINE fw_vector_pair mixed_of(const fw_move_task *task, fw_vector_pair kicked, int at,
-                                  fw_naturals lane)
+                                  fw_vector_pair noise)
 {
     const fw_baoab *baoab = &task->baoab;
-    fw_vector_pair mixed = {baoab->keep * kicked.x, baoab->keep * kicked.y};
-    if (!(baoab->shake > 0)) return mixed;
-    const fw_naturals particle = lane + (uint64_t)at;
-    const fw_vector_pair noise =
-        fw_noise_gaussians_of(task->seed, particle, task->ticks, FW_NOISE_THERMOSTAT);
+    const fw_vector_pair kept = {baoab->keep * kicked.x, baoab->keep * kicked.y};
+    if (!(baoab->shake > 0)) return kept;
     const fw_vector shake = baoab->shake * fw_load(task->root_inverse_mass + at);
-    mixed.x += shake * noise.x;
-    mixed.y += shake * noise.y;
-    return mixed;
+    return (fw_vector_pair){kept.x + shake * noise.x, kept.y + shake * noise.y};
 }
 
 FW_INLINE void move_lanes(const fw_move_task *task, bool thermostat, bool loaded, int at, int part,
-                          fw_mask held, fw_naturals lane, fw_lane_ledger *ledger)
+                          fw_mask held, fw_vector_pair noise, fw_lane_ledger *ledger)
 {
     const fw_vector_pair kicked = kicked_at(task, loaded, at);
     fw_vector_pair mixed = kicked;
     if (thermostat) {
-        mixed = mixed_of(task, kicked, at, lane);
+        mixed = mixed_of(task, kicked, at, noise);
         const fw_vector mass = fw_load(task->mass + at);
         const fw_vector drag = 0.5 * mass * task->baoab.lose * square_of(kicked);
         const fw_vector change = 0.5 * mass * (square_of(mixed) - square_of(kicked));
@@ -96,18 +96,21 @@ FW_INLINE void move_lanes(const fw_move_task *task, bool thermostat, bool loaded
 FW_INLINE void move_all(const fw_move_task *task, bool thermostat, bool loaded, int begin, int end,
                         fw_lane_ledger *ledger)
 {
-    fw_naturals lane;
-    for (int k = 0; k < FW_WIDTH; ++k) lane[k] = (uint64_t)k;
-    int at = begin;
-    for (; at + FW_BLOCK <= end; at += FW_BLOCK)
-        for (int part = 0; part < FW_PARTS; ++part)
-            move_lanes(task, thermostat, loaded, at + part * FW_WIDTH, part, fw_mask_of(0xff, part),
-                       lane, ledger);
-    if (at == end) return;
-    const uint8_t rest = fw_first_lanes(end - at);
-    for (int part = 0; part < FW_PARTS; ++part)
-        move_lanes(task, thermostat, loaded, at + part * FW_WIDTH, part, fw_mask_of(rest, part),
-                   lane, ledger);
+    fw_noise_run noise = {{0}, {0}};
+    for (int run = begin; run < end; run += FW_NOISE_RUN) {
+        if (thermostat && task->baoab.shake > 0)
+            fw_noise_gaussians_run(task->seed, (uint64_t)run, task->ticks, FW_NOISE_THERMOSTAT,
+                                   noise.x, noise.y);
+        const int run_end = run + FW_NOISE_RUN < end ? run + FW_NOISE_RUN : end;
+        for (int at = run; at < run_end; at += FW_BLOCK) {
+            const uint8_t held = fw_first_lanes(end - at);
+            for (int part = 0; part < FW_PARTS; ++part) {
+                const int lane = part * FW_WIDTH;
+                move_lanes(task, thermostat, loaded, at + lane, part, fw_mask_of(held, part),
+                           fw_load_pair(noise.x, noise.y, at - run + lane), ledger);
+            }
+        }
+    }
 }
 
 static double largest(const fw_vector *parts)
