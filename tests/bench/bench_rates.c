@@ -34,7 +34,8 @@ typedef struct fw_case {
 #define SHORT_CUT 1.5
 
 typedef struct fw_crystals {
-    double cut, temperature, amplitude;
+    double cut, fading; /* where the potential ends, and over which range it fades before */
+    double temperature, amplitude;
     int bodies;
     bool shuffled;
 } fw_crystals;
@@ -77,7 +78,7 @@ static fw_solid *crystals_of(int side, fw_crystals what)
     fw_particles_def def = fw_particles_def_default();
     def.groups = groups;
     def.group_count = what.bodies;
-    def.potential.cut = fw_smooth_cut_over(what.cut - 0.3, what.cut);
+    def.potential.cut = fw_smooth_cut_over(what.cut - what.fading, what.cut);
     def.controls.time_step = 0.005 / 1.122462048309373;
     if (what.temperature > 0) {
         def.controls.damping = 1;
@@ -102,15 +103,27 @@ static fw_solid *crystals_of(int side, fw_crystals what)
     {                                                                                              \
         return crystals_of(side, (fw_crystals){__VA_ARGS__});                                      \
     }
-CRYSTALS(long_verlet, LONG_CUT, 0, 0, 1, false)
-CRYSTALS(long_langevin, LONG_CUT, 0.1, 0, 1, false)
-CRYSTALS(short_verlet, SHORT_CUT, 0, 0, 1, false)
-CRYSTALS(short_langevin, SHORT_CUT, 0.1, 0, 1, false)
-CRYSTALS(long_return, LONG_CUT, 0.1, 1, 1, false)
-CRYSTALS(short_return, SHORT_CUT, 0.1, 1, 1, false)
-CRYSTALS(long_rubbing, LONG_CUT, 0.1, 0, 2, false)
-CRYSTALS(short_rubbing, SHORT_CUT, 0.1, 0, 2, false)
-CRYSTALS(melt, LONG_CUT, 0.1, 0, 1, true)
+/* LAMMPS' potential ends without fading. */
+CRYSTALS(long_verlet, LONG_CUT, 0, 0, 0, 1, false)
+CRYSTALS(long_langevin, LONG_CUT, 0, 0.1, 0, 1, false)
+CRYSTALS(short_verlet, SHORT_CUT, 0, 0, 0, 1, false)
+CRYSTALS(short_langevin, SHORT_CUT, 0, 0.1, 0, 1, false)
+CRYSTALS(long_return, LONG_CUT, 0, 0.1, 1, 1, false)
+CRYSTALS(short_return, SHORT_CUT, 0, 0.1, 1, 1, false)
+CRYSTALS(long_rubbing, LONG_CUT, 0, 0.1, 0, 2, false)
+CRYSTALS(short_rubbing, SHORT_CUT, 0, 0.1, 0, 2, false)
+CRYSTALS(melt, LONG_CUT, 0, 0.1, 0, 1, true)
+
+#define FADING 0.3
+CRYSTALS(fading_long_verlet, LONG_CUT, FADING, 0, 0, 1, false)
+CRYSTALS(fading_long_langevin, LONG_CUT, FADING, 0.1, 0, 1, false)
+CRYSTALS(fading_short_verlet, SHORT_CUT, FADING, 0, 0, 1, false)
+CRYSTALS(fading_short_langevin, SHORT_CUT, FADING, 0.1, 0, 1, false)
+CRYSTALS(fading_long_return, LONG_CUT, FADING, 0.1, 1, 1, false)
+CRYSTALS(fading_short_return, SHORT_CUT, FADING, 0.1, 1, 1, false)
+CRYSTALS(fading_long_rubbing, LONG_CUT, FADING, 0.1, 0, 2, false)
+CRYSTALS(fading_short_rubbing, SHORT_CUT, FADING, 0.1, 0, 2, false)
+CRYSTALS(fading_melt, LONG_CUT, FADING, 0.1, 0, 1, true)
 
 static fw_sites square_of(int side)
 {
@@ -204,6 +217,15 @@ static const fw_case cases[] = {
     {"rubbing-long", 320, long_rubbing, 0, NULL, 0},
     {"rubbing-short", 320, short_rubbing, 0, NULL, 0},
     {"melt", 320, melt, 0, NULL, 0},
+    {"fading-long-verlet", 320, fading_long_verlet, 0, NULL, 0},
+    {"fading-long-langevin", 320, fading_long_langevin, 0, NULL, 0},
+    {"fading-short-verlet", 320, fading_short_verlet, 0, NULL, 0},
+    {"fading-short-langevin", 320, fading_short_langevin, 0, NULL, 0},
+    {"fading-returning-long", 320, fading_long_return, 0, NULL, 0},
+    {"fading-returning-short", 320, fading_short_return, 0, NULL, 0},
+    {"fading-rubbing-long", 320, fading_long_rubbing, 0, NULL, 0},
+    {"fading-rubbing-short", 320, fading_short_rubbing, 0, NULL, 0},
+    {"fading-melt", 320, fading_melt, 0, NULL, 0},
     {"lb-populations", 2048, populations, 192, NULL, 0},
     {"lb-stream", 2048, lb, 48, NULL, 1},
     {"lb-sweep", 2048, lb, 48, NULL, 16},
