@@ -13,7 +13,7 @@
 #include <stdint.h>
 #include <string.h>
 
-#if defined(__AVX2__)
+#if defined(__SSE2__)
 #include <immintrin.h>
 #endif
 
@@ -108,8 +108,56 @@ FW_INLINE fw_vector fw_floor(fw_vector v)
 #endif
 }
 
-/* a b + c, rounded once. Slow where the instruction set has none: only for what is rare, or where
- * accuracy needs it. */
+#if !defined(__AVX2__) && defined(__SSE2__)
+/* a + b = sum + rest exactly (Knuth, The Art of Computer Programming 2, 4.2.2). */
+typedef struct fw_exact {
+    fw_vector value, rest;
+} fw_exact;
+
+FW_INLINE fw_exact fw_exact_sum(fw_vector a, fw_vector b)
+{
+    const fw_vector sum = a + b, part = sum - a;
+    return (fw_exact){sum, (a - (sum - part)) + (b - part)};
+}
+
+/* a b = product + rest exactly: both are cut into halves of 26 digits (Dekker 1971). */
+FW_INLINE fw_exact fw_exact_product(fw_vector a, fw_vector b)
+{
+    const fw_vector wide_a = a * 0x8000001p0, wide_b = b * 0x8000001p0;
+    const fw_vector high_a = wide_a - (wide_a - a), low_a = a - high_a;
+    const fw_vector high_b = wide_b - (wide_b - b), low_b = b - high_b;
+    const fw_vector product = a * b;
+    const fw_vector rest =
+        ((high_a * high_b - product) + high_a * low_b + low_a * high_b) + low_a * low_b;
+    return (fw_exact){product, rest};
+}
+
+/* a + b, rounded to the neighbour whose last digit is odd where it is not exact. */
+FW_INLINE fw_vector fw_odd_sum(fw_vector a, fw_vector b)
+{
+    const fw_exact sum = fw_exact_sum(a, b);
+    const fw_integers bits = (fw_integers)sum.value;
+    const fw_integers away = ((bits ^ (fw_integers)sum.rest) >> 63) | 1; /* 1 or -1 */
+    const fw_integers even = (bits & 1) - 1, inexact = (fw_integers)(sum.rest != 0);
+    return (fw_vector)(bits + (away & even & inexact));
+}
+
+/* Neither products nor their rests overflow or underflow. */
+FW_INLINE bool fw_is_moderate(fw_vector a, fw_vector b, fw_vector c)
+{
+    const fw_integers sign = (fw_integers){0} + INT64_MIN;
+    const fw_vector size_a = (fw_vector)((fw_integers)a & ~sign),
+                    size_b = (fw_vector)((fw_integers)b & ~sign),
+                    size_c = (fw_vector)((fw_integers)c & ~sign);
+    const fw_integers bounded = (size_a < 0x1p400) & (size_b < 0x1p400) & (size_c < 0x1p400);
+    const fw_integers normal = (size_a > 0x1p-400) & (size_b > 0x1p-400);
+    return _mm_movemask_pd((__m128d)(bounded & normal)) == 3;
+}
+#endif
+
+/* a b + c, rounded once. Where the instruction set has none, it is put together from sums that are
+ * rounded often (Boldo and Melquiond 2008, Emulation of FMA and correctly rounded sums): some fifty
+ * operations. */
 FW_INLINE fw_vector fw_fma(fw_vector a, fw_vector b, fw_vector c)
 {
 #if defined(__AVX512F__)
@@ -117,6 +165,13 @@ FW_INLINE fw_vector fw_fma(fw_vector a, fw_vector b, fw_vector c)
 #elif defined(__AVX2__)
     return (fw_vector)_mm256_fmadd_pd((__m256d)a, (__m256d)b, (__m256d)c);
 #else
+#if defined(__SSE2__)
+    if (fw_is_moderate(a, b, c)) {
+        const fw_exact product = fw_exact_product(a, b), low = fw_exact_sum(c, product.rest);
+        const fw_exact high = fw_exact_sum(product.value, low.value);
+        return high.value + fw_odd_sum(low.rest, high.rest);
+    }
+#endif
     for (int lane = 0; lane < FW_WIDTH; ++lane) c[lane] = fma(a[lane], b[lane], c[lane]);
     return c;
 #endif
@@ -149,6 +204,15 @@ FW_INLINE fw_mask fw_mask_of(uint8_t bits, int part)
     fw_integers bit;
     for (int lane = 0; lane < FW_WIDTH; ++lane) bit[lane] = 1 << lane;
     return (((bits >> part * FW_WIDTH) - (fw_integers){0}) & bit) == bit;
+#endif
+}
+
+FW_INLINE fw_mask fw_everywhere(void)
+{
+#if defined(__AVX512F__)
+    return 0xff;
+#else
+    return (fw_mask){0} == 0;
 #endif
 }
 
@@ -236,6 +300,19 @@ FW_INLINE fw_vector fw_keep(fw_mask mask, fw_vector v)
     return (fw_vector)_mm512_maskz_mov_pd(mask, (__m512d)v);
 #else
     return (fw_vector)(mask & (fw_integers)v);
+#endif
+}
+
+/* c + a b, rounded once, where the mask is true; c elsewhere. */
+FW_INLINE fw_vector fw_add_product(fw_mask mask, fw_vector a, fw_vector b, fw_vector c)
+{
+#if defined(__AVX512F__)
+    return (fw_vector)_mm512_mask3_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c, mask);
+#elif defined(__AVX2__)
+    return (fw_vector)_mm256_blendv_pd((__m256d)c, (__m256d)fw_fma(a, b, c), (__m256d)mask);
+#else
+    const fw_integers sum = (fw_integers)fw_fma(a, b, c);
+    return (fw_vector)((mask & sum) | (~mask & (fw_integers)c));
 #endif
 }
 

@@ -354,6 +354,13 @@ FW_INLINE void renew_rows(const fw_slots *far, uint32_t begin, uint32_t count, f
     add_row_slots(near, &fill);
 }
 
+/* Offsets ascend. */
+static bool is_whole(const fw_chunk *chunk, const fw_slots *slots, int first, uint32_t begin)
+{
+    return slots->count > begin && first + slots->offset[begin] >= chunk->body_first &&
+           first + slots->offset[slots->count - 1] + FW_LANES <= chunk->body_end;
+}
+
 static void renew(fw_chunk *chunk, const double *x, const double *y, double reach)
 {
     const fw_slots *far = &chunk->far;
@@ -372,6 +379,8 @@ static void renew(fw_chunk *chunk, const double *x, const double *y, double reac
                 renew_rows(far, from, old->count[run], near, &lanes, x, y, reach * reach);
             else
                 renew_offsets(far, from, old->count[run], near, &lanes, x, y, reach * reach);
+            if (run == FW_RUN_OWN)
+                head->whole = !old->gathered[run] && is_whole(chunk, near, lanes.first, begin);
             head->count[run] = near->count - begin;
             from += old->count[run];
         }

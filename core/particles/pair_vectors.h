@@ -18,7 +18,7 @@ typedef struct fw_pair_lanes {
 
 FW_INLINE fw_pair_lanes fw_pair_lanes_at(fw_vector dx, fw_vector dy, fw_mask held)
 {
-    const fw_vector r2 = dx * dx + dy * dy;
+    const fw_vector r2 = fw_fma(dx, dx, dy * dy);
     return (fw_pair_lanes){dx, dy, r2, 1 / r2, held};
 }
 
@@ -35,12 +35,16 @@ FW_INLINE fw_part fw_part_at(const fw_pair_task *task, int first, int part)
                      fw_load(task->y + first)};
 }
 
+/* How the slots of a run are read, see slots.h. */
+typedef enum fw_slot_kind { FW_OFFSETS, FW_WHOLE, FW_GATHERED } fw_slot_kind;
+
 FW_INLINE fw_pair_lanes fw_pair_in_slot(const fw_pair_task *task, const fw_slots *slots,
-                                        uint32_t slot, bool gathered, const fw_part *lanes)
+                                        uint32_t slot, fw_slot_kind kind, const fw_part *lanes)
 {
-    const fw_mask held = fw_mask_of(slots->mask[slot], lanes->part);
+    const fw_mask held =
+        kind == FW_WHOLE ? fw_everywhere() : fw_mask_of(slots->mask[slot], lanes->part);
     const int32_t offset = slots->offset[slot];
-    if (!gathered)
+    if (kind != FW_GATHERED)
         return fw_pair_lanes_at(lanes->x - fw_load(lanes->at_x + offset),
                                 lanes->y - fw_load(lanes->at_y + offset), held);
     const int32_t *row = slots->row[offset] + lanes->part * FW_WIDTH;
@@ -89,21 +93,22 @@ FW_INLINE fw_weights fw_weights_at(const fw_smooth_cut *cut, fw_vector r)
 /* S by y^2. */
 FW_INLINE fw_vector fw_weight_value(fw_weights weights)
 {
-    return weights.y * (1 + weights.x * (3 + 6 * weights.x));
+    const fw_vector one = fw_splat(1), slope = fw_fma(fw_splat(6), weights.x, fw_splat(3));
+    return weights.y * fw_fma(weights.x, slope, one);
 }
 
 /* --- the potential --- */
 
 /* -U'/r and U without the cut, each in its own unit. With c = r^-6 and q = d^-6
- *     Lennard-Jones  -U'/r = c (c - q)/r^2, in 12 depth d^12;   U = c (c - 2 q), in depth d^12
+ *     Lennard-Jones  -U'/r = (c - q)/r^8, in 12 depth d^12;   U = c (c - 2 q), in depth d^12
  *     Morse          -U'/r = e (e - 1)/r, in 2 a depth;         U = e (e - 2), in depth,
  * e = e^{-a (r - d)}. */
 FW_INLINE fw_vector fw_pair_push(const fw_pair_rule *rule, fw_pair_kind kind,
                                  const fw_pair_lanes *pair)
 {
     if (kind == FW_LENNARD_JONES) {
-        const fw_vector c = pair->inverse * pair->inverse * pair->inverse;
-        return c * (c - rule->q) * pair->inverse;
+        const fw_vector square = pair->inverse * pair->inverse, c = square * pair->inverse;
+        return (c - rule->q) * (square * square);
     }
     const fw_vector r = fw_root(pair->r2);
     const fw_vector e = fw_exponential(-rule->steepness * (r - rule->distance));
@@ -145,7 +150,7 @@ FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_kind kind, 
         const fw_vector energy = fw_pair_energy(rule, kind, pair);
         /* (-U'/r) S - U S'/r, S' = -30/(b - a) x^2 y^2 */
         const fw_vector slope = rule->fade * energy * (at.x * at.x) * (pair->inverse * r);
-        terms.push = fw_select(fading, (terms.push * value + slope) * square, terms.push);
+        terms.push = fw_select(fading, fw_fma(terms.push, value, slope) * square, terms.push);
         if (energies)
             terms.energy =
                 fw_select(fading, rule->energy * energy * (value * square), terms.energy);

@@ -51,8 +51,8 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, const fw_pair
                         fw_lane_sums *sums)
 {
     const fw_pair_terms terms = fw_pair_of(&task->pair, use.kind, false, pair);
-    sums->push_x += fw_keep(terms.inside, terms.push * pair->dx);
-    sums->push_y += fw_keep(terms.inside, terms.push * pair->dy);
+    sums->push_x = fw_add_product(terms.inside, terms.push, pair->dx, sums->push_x);
+    sums->push_y = fw_add_product(terms.inside, terms.push, pair->dy, sums->push_y);
     if (use.bond == FW_NO_RETURN) return;
     const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond.outer_2)));
     if (!fw_any(inside)) return;
@@ -68,24 +68,26 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, const fw_pair
 }
 
 FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
-                       uint32_t begin, uint32_t count, bool gathered, const fw_part *lanes,
+                       uint32_t begin, uint32_t count, fw_slot_kind kind, const fw_part *lanes,
                        fw_lane_sums *sums)
 {
     for (uint32_t s = begin; s < begin + count; ++s) {
-        const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, gathered, lanes);
+        const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, kind, lanes);
         add_pair(task, use, &pair, sums);
     }
 }
 
 FW_INLINE void add_either(const fw_pair_task *task, fw_pair_use use, double unit,
-                          const fw_slots *slots, uint32_t begin, uint32_t count, bool gathered,
+                          const fw_slots *slots, uint32_t begin, uint32_t count, fw_slot_kind kind,
                           const fw_part *lanes, fw_lane_sums *sums)
 {
     sums->push_x = sums->push_y = fw_splat(0);
-    if (gathered)
-        add_run(task, use, slots, begin, count, true, lanes, sums);
+    if (kind == FW_WHOLE)
+        add_run(task, use, slots, begin, count, FW_WHOLE, lanes, sums);
+    else if (kind == FW_OFFSETS)
+        add_run(task, use, slots, begin, count, FW_OFFSETS, lanes, sums);
     else
-        add_run(task, use, slots, begin, count, false, lanes, sums);
+        add_run(task, use, slots, begin, count, FW_GATHERED, lanes, sums);
     sums->force_x += unit * sums->push_x;
     sums->force_y += unit * sums->push_y;
 }
@@ -99,12 +101,12 @@ FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_pair_use use, cons
     uint32_t begin = head->begin;
     for (int run = 0; run < FW_SLOT_RUNS; ++run) {
         const uint32_t count = head->count[run];
-        const bool gathered = head->gathered[run];
+        const bool whole = run == FW_RUN_OWN && head->whole;
+        const fw_slot_kind kind = head->gathered[run] ? FW_GATHERED : whole ? FW_WHOLE : FW_OFFSETS;
         if (run == FW_RUN_OWN && (use.bond != FW_NO_RETURN || task->pair.inside > 0))
-            add_either(task, use, task->pair.inside, slots, begin, count, gathered, lanes, &sums);
+            add_either(task, use, task->pair.inside, slots, begin, count, kind, lanes, &sums);
         if (run != FW_RUN_OWN && task->pair.across > 0)
-            add_either(task, across, task->pair.across, slots, begin, count, gathered, lanes,
-                       &sums);
+            add_either(task, across, task->pair.across, slots, begin, count, kind, lanes, &sums);
         begin += count;
     }
     return sums;

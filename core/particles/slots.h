@@ -28,6 +28,9 @@ typedef struct fw_slot_head {
     uint32_t begin;               /* first slot of the block */
     uint32_t count[FW_SLOT_RUNS]; /* slots of each run */
     bool gathered[FW_SLOT_RUNS];
+    /* Of near slots: along its own run every lane of every slot finds some particle of its body.
+     * Then masks may be left alone: whoever is not in them is out of reach. */
+    bool whole;
 } fw_slot_head;
 
 /* The slots of some blocks. */

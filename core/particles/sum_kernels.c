@@ -104,8 +104,9 @@ FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_pair_kind kind, fw
     uint32_t s = head->begin;
     for (int run = 0; run < FW_SLOT_RUNS; ++run) {
         const uint32_t end = s + head->count[run];
+        const fw_slot_kind slot_kind = head->gathered[run] ? FW_GATHERED : FW_OFFSETS;
         for (; s < end; ++s) {
-            const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, head->gathered[run], lanes);
+            const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, slot_kind, lanes);
             if (run == FW_RUN_OWN)
                 add_pair(task, kind, wanted, true, &pair, &sums);
             else
