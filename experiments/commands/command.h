@@ -55,6 +55,7 @@ fw_status fw_command_collect(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_table(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_export(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_profile(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_quantities(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_reference(const fw_arguments *arguments, fw_error *error);

@@ -4,6 +4,7 @@
 #include "option.h"
 
 #include "experiments/commands/command.h"
+#include "experiments/exchange/export.h"
 #include "experiments/scenario/picture_kind.h"
 #include "experiments/schema/schema.h"
 #include "experiments/text/number.h"
@@ -23,6 +24,19 @@ const fw_option fw_option_picture_file = {
 const fw_option fw_option_table_file = {"--output",      "-o",
                                         "FILE",          "file of the table (standard output)",
                                         FW_INTO(output), .complete = FW_COMPLETE_FILE};
+const fw_option fw_option_export_file = {
+    "--output",      "-o",
+    "FILE",          "file that is made (DIR with the ending of the format)",
+    FW_INTO(output), .complete = FW_COMPLETE_FILE};
+const fw_option fw_option_to = {
+    "--to", NULL, "FORMAT", FW_EXPORT_FORMATS, FW_INTO(to), .choices = FW_EXPORT_FORMATS};
+const fw_option fw_option_every = {"--every",
+                                   NULL,
+                                   "N",
+                                   "only every Nth frame, from the first on",
+                                   FW_INTO(every),
+                                   .least = 1,
+                                   .most = INT64_MAX};
 const fw_option fw_option_set = {
     "--set",
     NULL,

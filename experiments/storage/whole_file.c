@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* whole_file.c - write, bring to disk, rename.
  * Keeps no state. Invariant: at every moment the name shows either what was there before or all of
- * the new bytes. Start reading at fw_whole_file_write(). */
+ * the new bytes. Start reading at fw_whole_file_write(), or at fw_whole_file_begin(). */
 #include "experiments/storage/whole_file.h"
 
 #include <dirent.h>
@@ -31,14 +31,17 @@ static int write_all(int file, const char *bytes, size_t count)
     return 0;
 }
 
-/* Writes and closes; 0 or the errno of what went wrong first. Pipes cannot be synchronised, which
- * is no failure. */
+/* Pipes cannot be synchronised, which is no failure. */
+static bool synchronised(int file)
+{
+    return fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS;
+}
+
+/* Writes and closes; 0 or the errno of what went wrong first. */
 static int fill(int file, const void *bytes, size_t count)
 {
     int reason = write_all(file, bytes, count);
-    if (!reason && fsync(file) != 0 && errno != EINVAL && errno != ENOTSUP && errno != EROFS) {
-        reason = errno;
-    }
+    if (!reason && !synchronised(file)) reason = errno;
     if (close(file) != 0 && !reason) reason = errno;
     return reason;
 }
@@ -102,13 +105,48 @@ static void remove_abandoned(const char *name)
     closedir(listing);
 }
 
+/* A new temporary file, locked; -1 and errno. */
+static int open_temporary(const char *name, const char *temporary)
+{
+    remove_abandoned(name);
+    const int file = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (file >= 0) flock(file, LOCK_EX | LOCK_NB); /* without locks numbers must do */
+    return file;
+}
+
+/* A pipe or a device is written to directly. One that nobody reads is refused, not waited for. */
+static int open_directly(const char *name)
+{
+    const int file = open(name, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file >= 0) fcntl(file, F_SETFL, O_WRONLY);
+    return file;
+}
+
+static bool is_regular_or_new(const char *name)
+{
+    struct stat present;
+    return stat(name, &present) != 0 || S_ISREG(present.st_mode);
+}
+
+/* To be freed; NULL without memory. */
+static char *temporary_of(const char *name)
+{
+    const size_t size = strlen(name) + 32;
+    char *temporary = malloc(size);
+    if (temporary) snprintf(temporary, size, "%s" PART "%ld", name, (long)getpid());
+    return temporary;
+}
+
+static fw_status fail_memory(fw_error *error)
+{
+    return fw_fail_memory(error, "the name of a temporary file");
+}
+
 static int write_and_rename(const char *name, const char *temporary, const void *bytes,
                             size_t count)
 {
-    remove_abandoned(name);
-    int file = open(temporary, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int file = open_temporary(name, temporary);
     if (file < 0) return errno;
-    flock(file, LOCK_EX | LOCK_NB); /* where the file system has no locks, numbers must do */
     int reason = fill(file, bytes, count);
     if (!reason && rename(temporary, name) != 0) reason = errno;
     if (reason) unlink(temporary);
@@ -117,23 +155,99 @@ static int write_and_rename(const char *name, const char *temporary, const void 
 
 fw_status fw_whole_file_write(const char *name, const void *bytes, size_t count, fw_error *error)
 {
-    struct stat present;
     int reason;
-    if (stat(name, &present) == 0 && !S_ISREG(present.st_mode)) {
-        /* A pipe that nobody reads is refused, not waited for. */
-        int file = open(name, O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-        if (file >= 0) fcntl(file, F_SETFL, O_WRONLY);
-        reason = file < 0 ? errno : fill(file, bytes, count);
-    } else {
-        size_t size = strlen(name) + 32;
-        char *temporary = malloc(size);
-        if (!temporary) return fw_fail_memory(error, "the name of a temporary file");
-        snprintf(temporary, size, "%s" PART "%ld", name, (long)getpid());
+    if (is_regular_or_new(name)) {
+        char *temporary = temporary_of(name);
+        if (!temporary) return fail_memory(error);
         reason = write_and_rename(name, temporary, bytes, count);
         free(temporary);
         if (!reason) synchronise_folder(name);
+    } else {
+        const int file = open_directly(name);
+        reason = file < 0 ? errno : fill(file, bytes, count);
     }
     if (!reason) return FW_OK;
     return fw_fail(error, FW_SYSTEM_FAILED, "cannot write '%s' (%zu bytes): %s", name, count,
                    strerror(reason));
+}
+
+/* --- little by little --- */
+
+struct fw_whole_file {
+    FILE *stream;
+    char *temporary; /* NULL: it is written to directly */
+    char name[];
+};
+
+static void release(fw_whole_file *file)
+{
+    if (file->stream) fclose(file->stream);
+    if (file->temporary) unlink(file->temporary);
+    free(file->temporary);
+    free(file);
+}
+
+static fw_status fail_writing(const char *name, int reason, fw_error *error)
+{
+    return fw_fail(error, FW_SYSTEM_FAILED, "cannot write '%s': %s", name, strerror(reason));
+}
+
+fw_status fw_whole_file_begin(fw_whole_file **file, const char *name, fw_error *error)
+{
+    fw_whole_file *begun = calloc(1, sizeof *begun + strlen(name) + 1);
+    *file = NULL;
+    if (!begun) return fail_memory(error);
+    strcpy(begun->name, name);
+    const bool direct = !is_regular_or_new(name);
+    if (!direct) begun->temporary = temporary_of(name);
+    if (!direct && !begun->temporary) {
+        free(begun);
+        return fail_memory(error);
+    }
+    const int handle = direct ? open_directly(name) : open_temporary(name, begun->temporary);
+    const int reason = errno;
+    if (handle >= 0) begun->stream = fdopen(handle, "w");
+    if (!begun->stream) {
+        if (handle < 0) {
+            free(begun->temporary); /* it is not ours */
+            begun->temporary = NULL;
+        } else {
+            close(handle);
+        }
+        release(begun);
+        return fail_writing(name, handle < 0 ? reason : ENOMEM, error);
+    }
+    *file = begun;
+    return FW_OK;
+}
+
+FILE *fw_whole_file_stream(const fw_whole_file *file)
+{
+    return file->stream;
+}
+
+fw_status fw_whole_file_commit(fw_whole_file *file, fw_error *error)
+{
+    int reason = 0;
+    if (fflush(file->stream) != 0) reason = errno;
+    if (!reason && ferror(file->stream)) reason = EIO;
+    if (!reason && !synchronised(fileno(file->stream))) reason = errno;
+    if (fclose(file->stream) != 0 && !reason) reason = errno;
+    file->stream = NULL;
+    if (!reason && file->temporary && rename(file->temporary, file->name) != 0) reason = errno;
+    fw_status status = FW_OK;
+    if (reason) {
+        status = fail_writing(file->name, reason, error);
+    } else if (file->temporary) {
+        synchronise_folder(file->name);
+        free(file->temporary);
+        file->temporary = NULL;
+    }
+    release(file);
+    return status;
+}
+
+void fw_whole_file_abandon(fw_whole_file *file)
+{
+    if (file) release(file);
 }

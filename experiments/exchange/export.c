@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* export.c - which format, which file. Keeps no state. Start reading at fw_export(). */
+#include "experiments/exchange/export.h"
+
+#include "experiments/storage/regular_file.h"
+#include "exported.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+typedef struct format {
+    const char *name, *ending;
+    fw_status (*write)(fw_exported *exported, const char *name, fw_error *error);
+} format;
+
+static const format formats[] = {
+    {"xdmf", ".xdmf", fw_export_xdmf},
+    {"extxyz", ".extxyz", fw_export_extxyz},
+    {"vtp", ".pvd", fw_export_vtp},
+    {"csv", ".csv", fw_export_csv},
+};
+enum { FORMATS = sizeof formats / sizeof *formats };
+
+static const format *find_format(const char *name)
+{
+    for (int n = 0; n < FORMATS; ++n)
+        if (strcmp(formats[n].name, name) == 0) return &formats[n];
+    return NULL;
+}
+
+/* "results/bounce/" and "results/bounce/trajectory.h5" become "results/bounce" and the ending. To
+ * be freed; NULL without memory. */
+static char *standard_name(const char *directory, const char *ending)
+{
+    static const char file[] = "/" FW_TRAJECTORY_FILE;
+    size_t length = strlen(directory);
+    if (length > strlen(file) && strcmp(directory + length - strlen(file), file) == 0)
+        length -= strlen(file);
+    while (length > 1 && directory[length - 1] == '/') --length;
+    char *name = malloc(length + strlen(ending) + 1);
+    if (!name) return NULL;
+    memcpy(name, directory, length);
+    strcpy(name + length, ending);
+    return name;
+}
+
+static fw_status results_file(char path[FW_PATH_SIZE], const char *directory, fw_error *error)
+{
+    struct stat facts;
+    if (stat(directory, &facts) == 0 && S_ISDIR(facts.st_mode))
+        return fw_path_join(path, directory, FW_TRAJECTORY_FILE, error);
+    if (strlen(directory) >= FW_PATH_SIZE)
+        return fw_fail(error, FW_BAD_INPUT, "the name of the results is too long");
+    strcpy(path, directory);
+    return FW_OK;
+}
+
+fw_status fw_export(const fw_export_wish *wish, char **name, fw_error *error)
+{
+    const format *chosen = find_format(wish->format);
+    char path[FW_PATH_SIZE];
+    fw_exported exported;
+    *name = NULL;
+    if (!chosen)
+        return fw_fail(error, FW_BAD_INPUT, "there is no format '%s', expected one of %s",
+                       wish->format, FW_EXPORT_FORMATS);
+    FW_TRY(results_file(path, wish->directory, error));
+    char *made = wish->name ? strdup(wish->name) : standard_name(wish->directory, chosen->ending);
+    if (!made) return fw_fail_memory(error, "the name of a file");
+    fw_status status = fw_exported_open(&exported, path, wish->every, error);
+    if (status == FW_OK) status = chosen->write(&exported, made, error);
+    fw_exported_close(&exported);
+    if (status == FW_OK)
+        *name = made;
+    else
+        free(made);
+    return status;
+}

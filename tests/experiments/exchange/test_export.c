@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_export.c - what is exported are the numbers of the results file, in files that others read:
+ * see exported.py. */
+#include "tests/support/laws.h"
+
+#include "tests/support/program.h"
+
+/* Two solids, one without links; forces, masses that differ, a field that one of them lacks. */
+static const char scenario[] = "title: \"<b> & \\\"two\\\" solids\"\n"
+                               "materials: {soft: {lattice-boltzmann: {rest-mass: 0}}}\n"
+                               "bodies:\n"
+                               "  falling: {material: soft, shape: {rectangle: [4, 3]}, origin: "
+                               "[.3, 3.05], velocity: [.01, -.1]}\n"
+                               "  lying: {material: soft, shape: {mask: \"#.#\\n###\"}}\n"
+                               "run: {steps: 25, record-every: 5}\n"
+                               "record: {force: true, fields: [strain-yy]}\n"
+                               "measure: [energy]\n";
+
+static const char gas[] =
+    "title: a gas\n"
+    "materials: {gas: {movable-particles: {strength: 0}}}\n"
+    "bodies: {cloud: {material: gas, shape: {rectangle: [5, 5]}, temperature: 1}}\n"
+    "dynamics: {time-step: 0.01, damping: 1, temperature: 0.5}\n"
+    "run: {steps: 30, record-every: 10}\n"
+    "record: {velocity: false}\n"
+    "measure: [energy]\n";
+
+static void export_everything(const char *folder, const char *options)
+{
+    static const char *const formats[] = {"csv", "extxyz", "vtp", "xdmf"};
+    for (int n = 0; n < 4; ++n) {
+        char line[128];
+        snprintf(line, sizeof line, "export out --to %s%s", formats[n], options);
+        const outcome seen = run_program(folder, line);
+        expect_end(&seen, 0, "");
+        assert_non_null(strstr(seen.out, "exported: out."));
+    }
+}
+
+static void check_exported(const char *folder, const char *more)
+{
+    char arguments[128];
+    snprintf(arguments, sizeof arguments, "%s out%s", folder, more);
+    const int status = run_python("exported.py", arguments);
+    if (status > 0) fail_msg("what was exported is not what the results say");
+}
+
+static void check_scenario(const char *text)
+{
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", text);
+    const outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    export_everything(folder, "");
+    check_exported(folder, "");
+    export_everything(folder, " --every 2");
+    check_exported(folder, " 2");
+    remove_folder(folder);
+    skip_unseen();
+}
+
+static void solids_with_links_are_exported_bit_by_bit(void **state)
+{
+    (void)state;
+    check_scenario(scenario);
+}
+
+static void particles_without_velocities_are_exported_bit_by_bit(void **state)
+{
+    (void)state;
+    check_scenario(gas);
+}
+
+static void export_refuses_what_it_cannot_do(void **state)
+{
+    (void)state;
+    static const char *const refused[][2] = {
+        {"export out", "expected --to and one of xdmf, extxyz, vtp, csv"},
+        {"export out --to mp4", "mp4"},
+        {"export nothing --to csv", "nothing"},
+        {"export out --to vtp -o out.vtp", "expected a name that ends in .pvd"},
+        {"export out --to csv --every 0", "--every"},
+        {"export file.yaml --to csv", "file.yaml"},
+    };
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", gas);
+    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    for (size_t n = 0; n < sizeof refused / sizeof *refused; ++n) {
+        seen = run_program(folder, refused[n][0]);
+        expect_end(&seen, 2, refused[n][1]);
+    }
+    seen = run_program(folder, "export out --to csv -o missing/out.csv");
+    expect_end(&seen, 4, "missing/out.csv");
+    remove_folder(folder);
+}
+
+/* Neither half a file nor a temporary one. */
+static void export_that_fails_leaves_nothing(void **state)
+{
+    (void)state;
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", gas);
+    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    shell(folder, "truncate -s -3000 out/trajectory.h5; mkdir lists; ls >lists/before");
+    for (int n = 0; n < 2; ++n) {
+        seen = run_program(folder, n ? "export out --to csv" : "export out --to extxyz");
+        assert_int_not_equal(seen.code, 0);
+    }
+    shell(folder, "ls >lists/after; cmp lists/before lists/after");
+    remove_folder(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(solids_with_links_are_exported_bit_by_bit),
+        cmocka_unit_test(particles_without_velocities_are_exported_bit_by_bit),
+        cmocka_unit_test(export_refuses_what_it_cannot_do),
+        cmocka_unit_test(export_that_fails_leaves_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
