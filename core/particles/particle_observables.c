@@ -3,6 +3,7 @@
 #include "core/particles/particle_observables.h"
 
 #include "core/particles/neighbours.h"
+#include "core/particles/structure.h"
 #include "core/particles/surroundings.h"
 
 #include <math.h>
@@ -111,36 +112,8 @@ fw_status fw_particle_structure_map(const fw_solid *solid, int group, double fir
                                     int points, double *values, fw_error *error)
 {
     const fw_stretch of = stretch_of(solid, group);
-    const size_t size = (size_t)points;
-    /* e^{i q . r} = e^{i qx x} e^{i qy y}: the second factor is kept for all particles in turn. */
-    fw_phase *sum = calloc(size * size, sizeof *sum), *along = calloc(size, sizeof *along);
-    if (!sum || !along) {
-        free(sum);
-        free(along);
-        return fw_fail_memory(error, "a map of the structure factor");
-    }
-    for (int i = of.first; i < of.end; ++i) {
-        for (int a = 0; a < points; ++a) {
-            const double phase = (first + a * step) * solid->x[i];
-            along[a] = (fw_phase){cos(phase), sin(phase)};
-        }
-        for (int b = 0; b < points; ++b) {
-            const double phase = (first + b * step) * solid->y[i];
-            const fw_phase across = {cos(phase), sin(phase)};
-            fw_phase *row = sum + (size_t)b * size;
-            for (int a = 0; a < points; ++a) {
-                const fw_phase term = fw_phase_product(along[a], across);
-                row[a].cosine += term.cosine;
-                row[a].sine += term.sine;
-            }
-        }
-    }
-    const double count = of.end - of.first;
-    for (size_t k = 0; k < size * size; ++k)
-        values[k] = (sum[k].cosine * sum[k].cosine + sum[k].sine * sum[k].sine) / (count * count);
-    free(sum);
-    free(along);
-    return FW_OK;
+    return fw_structure_map(solid->x + of.first, solid->y + of.first, of.end - of.first, first,
+                            step, points, values, error);
 }
 
 /* A square window of wave vectors: middle + a along + b across. */

@@ -148,4 +148,26 @@ typedef struct fw_figure_map_plan {
 } fw_figure_map_plan;
 fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_error *error);
 
+/* --- bodies and what follows from them --- */
+
+/* Bodies at one instant, and a map (both of its axes of one kind) or else a chart of them. */
+typedef struct fw_figure_pair {
+    const fw_view *view;
+    const fw_figure_map_plan *map; /* NULL: the chart */
+    const fw_chart *chart;
+} fw_figure_pair;
+
+/* One pair beside each other, or several: the views in a row at one scale, what follows from them
+ * below. Either all have maps, at the scale of colours of the first, or all have charts, at one
+ * scale. */
+typedef struct fw_figure_pairs_plan {
+    const fw_figure_pair *pairs;
+    int pair_count;
+    fw_view_look look;
+    fw_colouring colouring; /* of the views */
+    bool spots;             /* the particles are seen as white spots */
+    const char *x_label;    /* of the charts */
+} fw_figure_pairs_plan;
+fw_status fw_figure_pairs(const fw_page *page, const fw_figure_pairs_plan *plan, fw_error *error);
+
 #endif

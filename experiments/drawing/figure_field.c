@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* figure_field.c - a quantity as colour on the particles: one view, or a strip of them.
  * Keeps no state. Start reading at fw_figure_field() and fw_figure_strip(). */
-#include "experiments/drawing/figure.h"
+#include "figure_parts.h"
 #include "view_key.h"
 
 #include <math.h>
 #include <stdio.h>
 
-static fw_status draw_view(const fw_view *view, const fw_panel *panel, fw_view_look look,
-                           const fw_colour_scale *scale, fw_error *error)
+fw_status fw_figure_draw_view(const fw_view *view, const fw_panel *panel, fw_view_look look,
+                              const fw_colour_scale *scale, fw_error *error)
 {
     fw_canvas_clip(panel->canvas, panel->box);
     fw_view_draw_walls(view, panel, true, 1);
@@ -20,10 +20,10 @@ static fw_status draw_view(const fw_view *view, const fw_panel *panel, fw_view_l
     return status;
 }
 
-static const double strip_gap = 3, name_height = 4.2; /* mm */
+static const double strip_gap = 3, name_height = FW_FIGURE_NAME; /* mm */
 
 /* Its name, or else its step, `above` mm over the box. */
-static void name_view(const fw_view *view, const fw_panel *panel, double above)
+void fw_figure_name_view(const fw_view *view, const fw_panel *panel, double above)
 {
     char name[64];
     fw_view_print_name(view, name, sizeof name);
@@ -59,9 +59,10 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
         top + fw_legend_height(key.entries, key.entry_count, width) + name_height + notes;
     double bottom = panel.box.top + panel.box.height + fw_axis_depth(&panel.x, true);
     FW_TRY(fw_page_open(page, bottom, &panel.canvas, error));
-    fw_status status = draw_view(plan->view, &panel, plan->look, fw_view_key_scale(&key), error);
+    fw_status status =
+        fw_figure_draw_view(plan->view, &panel, plan->look, fw_view_key_scale(&key), error);
     fw_panel_draw_axes(&panel, 0);
-    name_view(plan->view, &panel, notes);
+    fw_figure_name_view(plan->view, &panel, notes);
     fw_legend_draw(key.entries, key.entry_count, panel.canvas, (fw_vec2){FW_PAGE_MARGIN, top},
                    width);
     if (key.by_field) {
@@ -162,10 +163,10 @@ fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan,
                           .box = strip_box(&layout, k),
                           .x = {.range = layout.bounds.x},
                           .y = {.range = layout.bounds.y}};
-        status =
-            draw_view(&plan->views[k], &panel, plan->look, fw_view_key_scale(&layout.key), error);
+        status = fw_figure_draw_view(&plan->views[k], &panel, plan->look,
+                                     fw_view_key_scale(&layout.key), error);
         fw_canvas_frame(canvas, panel.box, (fw_stroke){fw_colour_grey(.55), .18, FW_DASH_NONE});
-        name_view(&plan->views[k], &panel, 0);
+        fw_figure_name_view(&plan->views[k], &panel, 0);
     }
     fw_legend_draw(layout.key.entries, layout.key.entry_count, canvas,
                    (fw_vec2){FW_PAGE_MARGIN, layout.top}, layout.legend_width);

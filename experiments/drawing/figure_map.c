@@ -2,13 +2,15 @@
 /* figure_map.c - a number at every place of a grid as colour, with curves over it.
  * Keeps no state. Start reading at fw_figure_map(). */
 #include "colour_bar.h"
-#include "experiments/drawing/figure.h"
+#include "figure_parts.h"
 
 #include <math.h>
 #include <stddef.h>
 
-static void draw_cells(const fw_figure_map_plan *plan, const fw_panel *panel,
-                       const fw_colour_scale *scale)
+static const double hair = 1e-4; /* mm */
+
+void fw_figure_draw_cells(const fw_figure_map_plan *plan, const fw_panel *panel,
+                          const fw_colour_scale *scale)
 {
     for (int row = 0; row < plan->rows; ++row) {
         for (int column = 0; column < plan->columns; ++column) {
@@ -17,7 +19,9 @@ static void draw_cells(const fw_figure_map_plan *plan, const fw_panel *panel,
             fw_vec2 corner = fw_panel_place(panel, p, q);
             fw_vec2 opposite = fw_panel_place(panel, p + plan->p_step, q - plan->q_step);
             double value = plan->values[(long)row * plan->columns + column];
-            fw_rect cell = {corner.x, corner.y, opposite.x - corner.x, opposite.y - corner.y};
+            /* A hair over its neighbours: rounding leaves no gap between them. */
+            fw_rect cell = {corner.x, corner.y, opposite.x - corner.x + hair,
+                            opposite.y - corner.y + hair};
             fw_canvas_rectangle(panel->canvas, cell, fw_colour_scale_at(scale, value));
         }
     }
@@ -122,7 +126,7 @@ fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_
     double bottom = panel.box.top + panel.box.height + fw_axis_depth(&panel.x, true);
     FW_TRY(fw_page_open(page, bottom, &panel.canvas, error));
     fw_canvas_raster_begin(panel.canvas, panel.box);
-    draw_cells(plan, &panel, &scale);
+    fw_figure_draw_cells(plan, &panel, &scale);
     fw_canvas_raster_end(panel.canvas);
     fw_canvas_clip(panel.canvas, panel.box);
     draw_texts(plan, &panel, &scale);

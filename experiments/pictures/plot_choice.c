@@ -379,6 +379,8 @@ static fw_status choose_page(draft *d, fw_error *error)
     if (d->wish->file) return FW_OK;
     char name[FW_NAME_BYTES + 8];
     snprintf(name, sizeof name, "%s.png", choice->name);
+    snprintf(choice->data, sizeof choice->data, "%s-data.csv", choice->name);
+    d->picture->data = choice->data;
     return fw_path_join(choice->file, d->result->directory, name, error);
 }
 

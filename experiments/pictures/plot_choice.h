@@ -11,6 +11,7 @@ typedef struct fw_plot_choice {
     fw_plot_picture picture;
     const char *name;        /* of the file, without folder and ending */
     char file[FW_PATH_SIZE]; /* in the folder of the result; unused where the wish names one */
+    char data[FW_NAME_BYTES + 16];
     char caption[1024];
     char notes[640]; /* what the output has to say of steps that were not recorded */
 } fw_plot_choice;

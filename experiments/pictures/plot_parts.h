@@ -63,6 +63,7 @@ typedef struct fw_plot_picture {
     const char **observables;
     char field_label[FW_NAME_SIZE];
     const fw_scenario_analysis *analysis;
+    const char *data; /* name of the table of its numbers in the result's folder; NULL: no table */
 } fw_plot_picture;
 
 /* --- what is found before anything is drawn --- */
@@ -154,6 +155,12 @@ fw_status fw_plot_draw_strip(const fw_plot_result *result, const fw_plot_picture
                              fw_error *error);
 fw_status fw_plot_draw_forces(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error);
+fw_status fw_plot_draw_structure(const fw_plot_result *result, const fw_plot_picture *picture,
+                                 fw_error *error);
+fw_status fw_plot_draw_stages(const fw_plot_result *result, const fw_plot_picture *picture,
+                              fw_error *error);
+fw_status fw_plot_draw_histogram(const fw_plot_result *result, const fw_plot_picture *picture,
+                                 fw_error *error);
 fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_picture *picture,
                               fw_error *error);
 fw_status fw_plot_draw_profile(const fw_plot_result *result, const fw_plot_picture *picture,

@@ -39,6 +39,16 @@ typedef enum fw_picture_need {
         "field range instants", FW_PICTURE_NEEDS_NOTHING, 1, FW_PICTURE_FIRST_FIELD)               \
     ROW(STRIP, strip, "strip", "a field at six instants, or those that are named, side by side",   \
         "field range instants", FW_PICTURE_NEEDS_NOTHING, 6, FW_PICTURE_FIRST_FIELD)               \
+    ROW(STRUCTURE, structure, "structure",                                                         \
+        "the bodies beside the map of their structure factor (colours from 1/N to 1, if no range " \
+        "is given)",                                                                               \
+        "range instants", FW_PICTURE_NEEDS_NOTHING, 1, NULL)                                       \
+    ROW(STAGES, stages, "stages",                                                                  \
+        "the bodies, coloured by a field, above its histograms at several instants",               \
+        "field range instants", FW_PICTURE_NEEDS_NOTHING, 3, FW_PICTURE_FIRST_FIELD)               \
+    ROW(HISTOGRAM, histogram, "histogram",                                                         \
+        "histograms of a field over time as colour, with its mean", "field range from until",      \
+        FW_PICTURE_NEEDS_NOTHING, 0, FW_PICTURE_FIRST_FIELD)                                       \
     ROW(SERIES, series, "series", "observables over time", "observables from until logarithmic",   \
         FW_PICTURE_NEEDS_NOTHING, 0, NULL)                                                         \
     ROW(PROFILE, profile, "profile",                                                               \

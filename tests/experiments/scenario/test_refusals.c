@@ -124,8 +124,8 @@ static const struct {
      "shape"},
     {"title: A sheet in a box", "title: [A, B]", "1:8: title is a list of 2, expected a text"},
     {"kind: motion", "kind: movie",
-     "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, strip, series, "
-     "profile, loop, analysis, sweep, map"},
+     "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, strip, "
+     "structure, stages, histogram, series, profile, loop, slip, heat, analysis, sweep, map"},
     {"sites: right", "sites: rihgt",
      "14:30: forces.pull.sites is 'rihgt', expected all, a side, [[i, j], ...] or a mapping; did "
      "you mean 'right'?"},
