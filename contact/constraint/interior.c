@@ -348,7 +348,10 @@ static bool try_known(interior *p, const double *lambda, double largest)
 
 static bool walk_inside(interior *p)
 {
-    for (int n = 0; n < p->count; ++n) p->lambda[n] = p->s[n] = p->lines[n].both ? 0 : 1;
+    for (int n = 0; n < p->count; ++n) {
+        p->lambda[n] = p->s[n] = p->lines[n].both ? 0 : 1;
+        p->step[n] = p->s_step[n] = 0;
+    }
     double error = error_of(p, find_rest(p));
     for (int round = 0; round < ROUNDS && error > EXACT; ++round) {
         const double before = error;
