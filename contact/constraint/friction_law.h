@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* friction_law.h - what sticking lets through of a particle's motion along the tangent: the
- * filtered hold, as a pure function. */
+/* friction_law.h - friction as pure functions: what sticking lets through of a particle's motion
+ * along the tangent (the filtered hold), and Coulomb's law with a static and a kinetic
+ * coefficient. */
 #ifndef FW_FRICTION_LAW_H
 #define FW_FRICTION_LAW_H
 
@@ -37,6 +38,29 @@ static inline double fw_friction_target(bool again, double inertial, double chan
     const double end = target <= low ? low : high;
     *slope = end == 0 ? 0 : -1;
     return end;
+}
+
+/* Coefficients of Coulomb friction, >= 0: of what slides, and of what sticks, which is never less
+ * than the other. */
+typedef struct fw_friction {
+    double kinetic, at_rest;
+} fw_friction;
+
+static inline fw_friction fw_friction_of(double kinetic, double at_rest)
+{
+    return (fw_friction){kinetic, fmax(kinetic, at_rest)};
+}
+
+/* The traction of a particle that would stick with `wanted`. What sticks, or has just come, is let
+ * go where that takes more than the static coefficient times the reaction; what slides is rubbed by
+ * the kinetic one, and sticks where that is enough. `slides`, in: it slid in the step before; out:
+ * it slides, or did. */
+static inline double fw_friction_traction(fw_friction law, double reaction, double wanted,
+                                          bool *slides)
+{
+    if (fabs(wanted) <= (*slides ? law.kinetic : law.at_rest) * reaction) return wanted;
+    *slides = true;
+    return copysign(law.kinetic * reaction, wanted);
 }
 
 #endif

@@ -347,6 +347,7 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
                   (follows && change <= ARRIVED && change >= before) ||
                   (change <= NEARLY && !springs && !follows &&
                    keeps_gaps(joint, ends, moving, rows, list, count));
+        if (arrived) arrived = !joint_break_loose(ends, rows, list, count);
         if (arrived) arrived = !joint_bar_feeding(ends, rows, list, count);
     }
     /* With the weights as they stand: gaps stay inexact, energy and momentum are kept. */

@@ -57,14 +57,16 @@ typedef enum fw_joint_kind {
 
 /* Coulomb friction along a segment or wall, bounded by the reaction [lambda(t) + lambda(t-1)]/2. */
 typedef struct fw_joint_rub {
-    double coefficient;     /* in: >= 0; 0: none */
+    double coefficient;     /* in: of what slides, >= 0; 0: none */
+    double at_rest;         /* in: of what sticks; below `coefficient`: that */
     double before;          /* in: lambda of the step before */
     double inertial_before; /* in: what `inertial` was then, if `stuck_before` */
     bool stuck_before;
+    bool slides;       /* in: it slid in the step before; out: or has broken loose in this one */
     bool barred;       /* it would have pushed along with the slip: there is none in this step */
     bool firm;         /* sticking lets nothing through in this step */
     bool stuck;        /* out */
-    double limit;      /* out: coefficient times the reaction */
+    double limit;      /* out: that coefficient times the reaction */
     double traction;   /* out: force on end 0 along the segment */
     double inertial;   /* out: displacement by momentum alone, along it */
     double slip;       /* out: displacement along it, relative to the segment */
@@ -121,6 +123,12 @@ void fw_joint_destroy(fw_joint *joint);
 fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_joint_row *rows,
                          int row_count, const fw_joint_springs *springs, fw_joint_outcome *outcome,
                          fw_error *error);
+
+/* The coefficient that holds for the row: see fw_friction_traction. */
+static inline double fw_joint_coefficient(const fw_joint_rub *rub)
+{
+    return !rub->slides && rub->at_rest > rub->coefficient ? rub->at_rest : rub->coefficient;
+}
 
 /* G w of a row with the weights that it has. */
 double fw_joint_motion(const fw_joint_row *row, const fw_joint_end *ends);

@@ -2,10 +2,14 @@
 /* joint_friction.c - Coulomb friction of many particles on segments: for given normal forces the
  * tractions that let each stuck particle move by what sticking lets through, within the cone.
  * State: none but what rows remember. Start reading at joint_rub(). */
-#include "friction_law.h"
+#include "contact/constraint/friction_law.h"
 #include "joint_parts.h"
 
 #include <math.h>
+
+/* A slip below this part of how far the ends go does not let a particle break loose that has come
+ * to its limit. */
+#define SLIPS 1e-9
 
 bool joint_rubs(const fw_joint_row *rows, const int *list, int count)
 {
@@ -119,7 +123,8 @@ static int make_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row
         rub->stuck = false;
         if (!(rub->coefficient > 0)) continue;
         collect(joint, ends, row, z, smooth, inertial);
-        rub->limit = rub->barred ? 0 : 0.5 * rub->coefficient * (row->lambda + rub->before);
+        rub->limit =
+            rub->barred ? 0 : 0.5 * fw_joint_coefficient(rub) * (row->lambda + rub->before);
         rub->inertial = along(row, inertial);
         if (!(rub->limit > 0) ||
             !joint_make_line(joint, ends, row, rub->weight, &joint->tangents[lines]))
@@ -183,6 +188,32 @@ void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *l
     }
 }
 
+/* How far the ends of a row go altogether: what is small beside that is rounding. */
+static double size_of(const fw_joint_end *ends, const fw_joint_row *row)
+{
+    double size = 0;
+    for (int k = 0; k < fw_joint_end_count(row); ++k) {
+        const fw_vec2 w = ends[row->end[k]].displacement;
+        size += fabs(w.x) + fabs(w.y);
+    }
+    return size;
+}
+
+bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
+{
+    bool any = false;
+    joint_find_slips(ends, rows, list, count);
+    for (int n = 0; n < count; ++n) {
+        fw_joint_rub *rub = &rows[list[n]].rub;
+        if (rub->slides || !(rub->at_rest > rub->coefficient) || rub->stuck || rub->barred ||
+            !(rub->limit > 0) ||
+            -rub->traction * rub->slip <= SLIPS * rub->limit * size_of(ends, &rows[list[n]]))
+            continue;
+        rub->slides = any = true;
+    }
+    return any;
+}
+
 /* Of what slides; for all that stick together see find_tractions(). What is left of a slip by
  * rounding means nothing. */
 bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
@@ -191,13 +222,10 @@ bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *
     joint_find_slips(ends, rows, list, count);
     for (int n = 0; n < count; ++n) {
         fw_joint_rub *rub = &rows[list[n]].rub;
-        double size = 0;
         if (!(rub->coefficient > 0) || rub->stuck) continue;
-        for (int k = 0; k < fw_joint_end_count(&rows[list[n]]); ++k) {
-            const fw_vec2 w = ends[rows[list[n]].end[k]].displacement;
-            size += fabs(w.x) + fabs(w.y);
-        }
-        if (rub->traction * rub->slip <= 1e-12 * fabs(rub->traction) * size) continue;
+        if (rub->traction * rub->slip <=
+            1e-12 * fabs(rub->traction) * size_of(ends, &rows[list[n]]))
+            continue;
         if (rub->firm)
             rub->barred = true;
         else

@@ -77,6 +77,8 @@ fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, con
                     int count, const joint_system *normal, int moving, fw_error *error);
 /* How far points slide along segments on the present displacements. */
 void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
+/* Rows that slip at their static limit slide from now on. Returns whether there are any. */
+bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
 /* Bars all rows of the island if their friction together gives energy. Returns whether it did. */
 bool joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
                              int count);

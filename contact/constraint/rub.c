@@ -3,7 +3,7 @@
  * by the reaction. State: none but the particle's own memory. Start reading at constrain_rub(). */
 #include "rub.h"
 
-#include "friction_law.h"
+#include "contact/constraint/friction_law.h"
 
 #include <math.h>
 
@@ -34,11 +34,6 @@ static double slip_of(const constrain_problem *p, const constrain_row *r)
     return fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, r->candidate->motion));
 }
 
-static double clip(double value, double bound)
-{
-    return fmin(fmax(value, -bound), bound);
-}
-
 /* A step that is long against the radius turns the tangent so far that friction would push along
  * with the slip: then there is none. What is left of the slip of a particle that sticks is
  * rounding, and means nothing. */
@@ -59,8 +54,10 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
     const fw_vec2 smooth_path = p->w;
     const bool same_wall =
         memory->facet > 0 && all[memory->facet - 1].facet->wall == candidate->facet->wall;
-    const double before = same_wall ? memory->reaction : 0,
-                 half = 0.5 * candidate->surface.friction;
+    const double before = same_wall ? memory->reaction : 0;
+    const fw_friction law =
+        fw_friction_of(candidate->surface.friction, candidate->surface.static_friction);
+    bool slides = same_wall && !memory->stuck;
     const fw_vec2 tangent = fw_vec2_turn(r->normal);
     const fw_sym2 mobility = p->free->mobility;
     const double nn = fw_sym2_form(r->normal, mobility, r->normal),
@@ -78,7 +75,7 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
         r->tangential_stiffness = (1 + slope) / yielding;
         traction = wanted;
         for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
-            traction = clip(wanted, half * (r->lambda + before));
+            traction = fw_friction_traction(law, 0.5 * (r->lambda + before), wanted, &slides);
             r->lambda = fmax(0, lambda - traction * nt / nn);
         }
         /* Friction that lifts the particle off the wall acts on a free one. */
@@ -89,7 +86,7 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
             fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, candidate->motion));
         wanted = (sticking_target(memory, same_wall, inertial, slip, &slope) - slip) / tt;
         r->tangential_stiffness = (1 + slope) / tt;
-        traction = clip(wanted, half * before);
+        traction = fw_friction_traction(law, 0.5 * before, wanted, &slides);
         r->lambda = 0;
     }
     p->w = constrain_displacement_for(
@@ -108,7 +105,7 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
             stuck = false;
         }
     }
-    r->cone = half * (r->lambda + before);
+    r->cone = 0.5 * (slides ? law.kinetic : law.at_rest) * (r->lambda + before);
     r->beyond = fmax(0, fabs(traction) - r->cone * (1 + ROUNDING));
     const bool stays = stuck && same_wall && memory->stuck;
     *memory = (fw_contact_memory){.reaction = r->lambda,

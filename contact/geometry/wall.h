@@ -31,8 +31,11 @@ typedef enum fw_surface_law {
 
 typedef struct fw_surface {
     fw_surface_law law;
-    double friction;  /* Coulomb coefficient, >= 0 */
-    double stiffness; /* of a penalty wall, force per length, > 0 */
+    double friction;        /* Coulomb coefficient of what slides, >= 0 */
+    double stiffness;       /* of a penalty wall, force per length, > 0 */
+    double static_friction; /* of what sticks; below `friction`: that */
+    int number;             /* of a Coulomb wall, 1 + its surface: coefficients are those of the
+                               pair with the body's; 0: they stand here */
 } fw_surface;
 
 /* Plain data that describes a wall; start from fw_wall_def_default(). */
@@ -67,8 +70,8 @@ typedef struct fw_wall fw_wall;
  * a sentence that names the wall for: numbers that are not finite or beyond FW_WALL_LIMIT, a wrong
  * number of points, an empty box, radius <= 0, two points in a row that coincide (or are too near
  * to each other for a direction in double precision), a polygon that is not convex or has no area,
- * friction < 0, stiffness <= 0 of a penalty wall, period < 0, an oscillation without a period, a
- * time window that ends before it begins. */
+ * friction < 0, static friction < 0, stiffness <= 0 of a penalty wall, period < 0, an oscillation
+ * without a period, a time window that ends before it begins. */
 fw_status fw_wall_create(fw_wall **wall, int index, const fw_wall_def *def, fw_error *error);
 void fw_wall_destroy(fw_wall *wall);
 

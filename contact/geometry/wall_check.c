@@ -50,6 +50,11 @@ static fw_status check_surface(const fw_wall_def *def, fw_error *error)
         return fw_fail(error, FW_BAD_INPUT,
                        "wall '%s': the friction coefficient is %g, expected a finite number >= 0",
                        name_of(def), surface->friction);
+    if (!(surface->static_friction >= 0) || isinf(surface->static_friction))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "wall '%s': the static friction coefficient is %g, expected a finite number "
+                       ">= 0",
+                       name_of(def), surface->static_friction);
     if (surface->law == FW_PENALTY && (!(surface->stiffness > 0) || isinf(surface->stiffness)))
         return fw_fail(error, FW_BAD_INPUT,
                        "wall '%s': the stiffness of a penalty wall is %g, expected a finite "

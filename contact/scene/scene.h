@@ -5,6 +5,7 @@
 #define FW_SCENE_H
 
 #include "contact/constraint/constrain.h"
+#include "contact/constraint/friction_law.h"
 #include "contact/geometry/wall.h"
 #include "contact/scene/grip.h"
 #include "contact/scene/load.h"
@@ -84,8 +85,14 @@ fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, f
 /* The load acts on particles of that body. */
 fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
 
-/* Coulomb friction between bodies; 0, as it is without, is none. Before fw_scene_begin(). */
+/* Coulomb friction between bodies, of one coefficient; 0, as it is without, is none. Before
+ * fw_scene_begin(). */
 void fw_scene_set_friction(fw_scene *scene, double coefficient);
+/* Coulomb friction by pairs of surfaces: pairs[count][count], the same both ways; of_bodies[body of
+ * the scene] is its surface. Walls say theirs in fw_surface.number. Both are copied. After all
+ * bodies, before fw_scene_begin(). */
+fw_status fw_scene_set_surfaces(fw_scene *scene, int count, const fw_friction *pairs,
+                                const int *of_bodies, fw_error *error);
 
 /* Forces of the step before are to be kept for fw_scene_add_contact_forces(). Before
  * fw_scene_begin(). */

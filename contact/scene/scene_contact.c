@@ -32,15 +32,16 @@ static bool yields(const scene_wall *wall, const fw_facet *facet)
            fw_piston_yields(wall->piston, fw_facet_is_curved(facet) ? anywhere : facet->normal);
 }
 
-/* Place and motion of all facets in this tick, for bodies each of whose particles moves once in so
- * many ticks. */
-static void place_candidates(fw_scene *scene, int ticks)
+/* Place, motion and friction of all facets in this tick for that body. */
+static void place_candidates(fw_scene *scene, int body)
 {
+    const int ticks = scene->bodies[body].solid->model->ticks_per_step;
     for (int w = 0; w < scene->wall_count; ++w) scene_follow_wall(scene, w, ticks);
     for (int f = 0; f < scene->facet_count; ++f) {
         fw_candidate *candidate = &scene->candidates[f];
         candidate->place = scene->walls[candidate->facet->wall].place;
         candidate->motion = scene->walls[candidate->facet->wall].motion;
+        scene_take_surface(scene, body, &candidate->surface);
         candidate->yields = yields(&scene->walls[candidate->facet->wall], candidate->facet);
     }
 }
@@ -271,7 +272,7 @@ static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *err
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
-        place_candidates(scene, scene->bodies[b].solid->model->ticks_per_step);
+        place_candidates(scene, b);
         FW_TRY(constrain_body(scene, &scene->bodies[b], error));
     }
     return scene->joint ? scene_meet_bodies(scene, error) : FW_OK;

@@ -50,13 +50,13 @@ static fw_status make_points(scene_edge *edge, const fw_solid *solid, fw_error *
     return FW_OK;
 }
 
-static fw_status make_edge(scene_body *body, double friction, fw_error *error)
+static fw_status make_edge(scene_body *body, bool rubs, fw_error *error)
 {
     const fw_solid *solid = body->solid;
     body->edge = calloc(1, sizeof *body->edge);
     if (body->edge) body->edge->home = calloc((size_t)solid->count, sizeof *body->edge->home);
     if (!body->edge || !body->edge->home) return fw_fail_memory(error, "the contour of a body");
-    if (friction > 0) {
+    if (rubs) {
         body->edge->rubs = calloc((size_t)solid->count, sizeof *body->edge->rubs);
         if (!body->edge->rubs) return fw_fail_memory(error, "the friction of a body");
     }
@@ -98,11 +98,12 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
     joint->member_bodies = calloc((size_t)count, sizeof *joint->member_bodies);
     joint->bodies = calloc((size_t)scene->body_count, sizeof *joint->bodies);
     joint->solver = fw_joint_create();
+    joint->rubs = scene_bodies_rub(scene);
     if (!joint->members || !joint->member_bodies || !joint->bodies || !joint->solver)
         return fw_fail_memory(error, "the contact of bodies");
     for (int b = 0; b < scene->body_count; ++b) {
         if (!meets_any(scene, b)) continue;
-        FW_TRY(make_edge(&scene->bodies[b], scene->friction, error));
+        FW_TRY(make_edge(&scene->bodies[b], joint->rubs, error));
         joint->member_bodies[joint->member_count++] = b;
     }
     FW_TRY(renew_search(scene, error));

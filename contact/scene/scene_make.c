@@ -55,6 +55,7 @@ void fw_scene_destroy(fw_scene *scene)
     free(scene->loads);
     free(scene->candidates);
     free(scene->near);
+    free(scene->pairs);
     free(scene->passable);
     free(scene);
 }

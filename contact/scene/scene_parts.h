@@ -69,6 +69,7 @@ typedef struct scene_row {
 typedef struct scene_joint {
     fw_joint *solver;
     fw_meeting *search;
+    bool rubs;                /* any body rubs on any other */
     bool search_is_new;       /* it knows of no step yet */
     fw_meeting_body *members; /* one per body that meets others */
     int *member_bodies;
@@ -105,6 +106,7 @@ typedef struct scene_rubbed {
 typedef struct scene_body {
     char *name;
     fw_solid *solid;
+    int surface; /* its number among those of the scene */
     fw_boundary *boundary;
     int boundary_revision;     /* of the solid when `boundary` was made */
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
@@ -193,8 +195,10 @@ struct fw_scene {
     int near_count;
     int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
     int passable_count;
-    bool keeps_forces;  /* of contact, of two steps */
-    double friction;    /* between bodies */
+    bool keeps_forces;    /* of contact, of two steps */
+    fw_friction friction; /* between bodies where there are no pairs of surfaces */
+    int surface_count;
+    fw_friction *pairs; /* of surfaces, [surface_count][surface_count]; NULL: none are named */
     scene_joint *joint; /* NULL where no bodies meet */
     int refused;        /* 1 + the body that starts in another one */
     double energy_at_start;
@@ -267,6 +271,11 @@ int scene_find_row(const scene_joint *joint, int end, const scene_row *row);
 fw_status scene_add_rubbing(fw_scene *scene, fw_error *error);
 /* Friction of a new row, on which the end is to rub from now on. */
 fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end);
+/* Coefficients between two bodies; does any rub on another? */
+fw_friction scene_friction_between(const fw_scene *scene, int a, int b);
+bool scene_bodies_rub(const fw_scene *scene);
+/* Of a wall, the coefficients that it has against that body. */
+void scene_take_surface(const fw_scene *scene, int body, fw_surface *surface);
 /* What particles remember for the next tick, and the heat. */
 void scene_remember_rubbing(fw_scene *scene);
 /* Rows of all walls that ends pass. */

@@ -4,15 +4,58 @@
 #include "scene_parts.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 void fw_scene_set_friction(fw_scene *scene, double coefficient)
 {
-    scene->friction = coefficient;
+    scene->friction = fw_friction_of(coefficient, coefficient);
+}
+
+fw_status fw_scene_set_surfaces(fw_scene *scene, int count, const fw_friction *pairs,
+                                const int *of_bodies, fw_error *error)
+{
+    const size_t size = (size_t)count * (size_t)count;
+    fw_friction *copy = malloc((size + 1) * sizeof *copy);
+    if (!copy) return fw_fail_memory(error, "the friction of pairs of surfaces");
+    for (size_t n = 0; n < size; ++n) copy[n] = fw_friction_of(pairs[n].kinetic, pairs[n].at_rest);
+    free(scene->pairs);
+    scene->pairs = copy;
+    scene->surface_count = count;
+    for (int b = 0; b < scene->body_count; ++b) scene->bodies[b].surface = of_bodies[b];
+    return FW_OK;
+}
+
+static fw_friction friction_of_surfaces(const fw_scene *scene, int a, int b)
+{
+    return scene->pairs ? scene->pairs[(size_t)a * (size_t)scene->surface_count + (size_t)b]
+                        : scene->friction;
+}
+
+fw_friction scene_friction_between(const fw_scene *scene, int a, int b)
+{
+    return friction_of_surfaces(scene, scene->bodies[a].surface, scene->bodies[b].surface);
+}
+
+bool scene_bodies_rub(const fw_scene *scene)
+{
+    for (int a = 0; a < scene->body_count; ++a)
+        for (int b = 0; b < a; ++b)
+            if (scene_friction_between(scene, a, b).kinetic > 0) return true;
+    return false;
+}
+
+void scene_take_surface(const fw_scene *scene, int body, fw_surface *surface)
+{
+    if (surface->number == 0) return;
+    const fw_friction friction =
+        friction_of_surfaces(scene, scene->bodies[body].surface, surface->number - 1);
+    surface->friction = friction.kinetic;
+    surface->static_friction = friction.at_rest;
 }
 
 bool fw_scene_bodies_rub(const fw_scene *scene)
 {
-    return scene->joint && scene->friction > 0;
+    return scene->joint && scene->joint->rubs;
 }
 
 /* A point rubs on one segment at a time: the one that it passes, rather than the one on which it
@@ -21,7 +64,8 @@ fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end)
 {
     const scene_joint *joint = scene->joint;
     const scene_edge *edge = scene->bodies[row->point_body].edge;
-    fw_joint_rub rub = {.coefficient = scene->friction};
+    const fw_friction friction = scene_friction_between(scene, row->point_body, row->body);
+    fw_joint_rub rub = {.coefficient = friction.kinetic, .at_rest = friction.at_rest};
     if (!edge->rubs) return (fw_joint_rub){0};
     const scene_rub *memory = &edge->rubs[edge->contour.particles[row->point]];
     for (int n = joint->ends[end].row; n >= 0; n = joint->rows[n].next) {
@@ -34,6 +78,7 @@ fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end)
     rub.before = memory->lambda;
     rub.inertial_before = memory->inertial;
     rub.stuck_before = true;
+    rub.slides = !memory->stuck;
     return rub;
 }
 
@@ -126,7 +171,7 @@ void scene_remember_rubbing(fw_scene *scene)
 {
     scene_joint *joint = scene->joint;
     double widest = 0, beyond = 0;
-    if (!(scene->friction > 0)) return;
+    if (!scene->joint->rubs) return;
     follow_creep(scene);
     forget(scene);
     for (int n = 0; n < joint->row_count; ++n) {
@@ -136,7 +181,7 @@ void scene_remember_rubbing(fw_scene *scene)
         if (!(rub->coefficient > 0)) continue;
         joint->ledger.heat -= rub->traction * rub->slip;
         scene_record_rub(scene, row, rub);
-        const double cone = 0.5 * rub->coefficient * (solved->lambda + rub->before);
+        const double cone = 0.5 * fw_joint_coefficient(rub) * (solved->lambda + rub->before);
         widest = fmax(widest, cone);
         beyond = fmax(beyond, fabs(rub->traction) - cone * (1 + 1e-9));
         /* A particle that is held is let go in every other step, and sticks all the same. */

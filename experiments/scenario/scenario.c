@@ -57,7 +57,7 @@ static const fw_key scenario_keys[] = {
     {"dynamics", AT_OBJECT(fw_scenario, dynamics), .subsection = &fw_dynamics_section,
      .default_meaning = "its defaults",
      .meaning = "how movable particles and linear lattices move"},
-    {"contact", AT_OBJECT(fw_scenario, contact), .subsection = &fw_contact_section,
+    {"contact", FW_FORM_MAPPING, .subsection = &fw_contact_section, NOT_STORED,
      .default_meaning = "frictionless", .meaning = "how bodies that keep out of each other rub"},
     {"run", AT_OBJECT(fw_scenario, run), .subsection = &fw_run_section, REQUIRED,
      .meaning = "how long, and what happens on the way"},
@@ -193,6 +193,7 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     FW_TRY(fw_scenario_check_materials(scenario, error));
     FW_TRY(fw_scenario_check_dynamics(scenario, error));
     FW_TRY(fw_scenario_read_walls(scenario, error));
+    FW_TRY(fw_scenario_read_contact(scenario, error));
     FW_TRY(fw_scenario_read_forces(scenario, error));
     FW_TRY(fw_scenario_read_grips(scenario, error));
     FW_TRY(fw_scenario_read_phases(scenario, error));

@@ -11,6 +11,7 @@
 
 #include "experiments/scenario/scenario_analyses.h"
 #include "experiments/scenario/scenario_bodies.h"
+#include "experiments/scenario/scenario_contact.h"
 #include "experiments/scenario/scenario_expect.h"
 #include "experiments/scenario/scenario_forces.h"
 #include "experiments/scenario/scenario_grips.h"

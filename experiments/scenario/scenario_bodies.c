@@ -19,6 +19,8 @@ static const fw_key body_keys[] = {
      .meaning = "by which the lattice is turned about site [0, 0], counter-clockwise"},
     {"origin", AT_VEC2(fw_scenario_body, lattice.origin), .layout = "[x, y]",
      .default_value = "[0, 0]", .unit = "length", .meaning = "where site [0, 0] lies at the start"},
+    {"surface", FW_FORM_NAME, NOT_STORED, .default_meaning = "one without a name",
+     .meaning = "a name of your own for what it is like where it rubs, see `contact.pairs`"},
     {"velocity", AT_VEC2(fw_scenario_body, velocity), .layout = "[x, y]", .default_value = "[0, 0]",
      .unit = "length/time", .meaning = "of the whole body at the start"},
     {"displacement", FW_FORM_LIST, .items = FW_FORM_MAPPING, .subsection = &fw_pattern_section,

@@ -15,6 +15,7 @@ struct fw_scenario_body {
     fw_scenario_shape shape;
     fw_place shape_place;
     fw_lattice lattice; /* kind, spacing, angle in radians, origin = position of site (0, 0) */
+    int surface; /* number among those of `contact` */
     fw_vec2 velocity;
     fw_patterns displacement;
     fw_patterns velocities;

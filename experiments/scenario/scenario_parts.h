@@ -30,6 +30,7 @@ extern const fw_section fw_parameter_section;
 extern const fw_section fw_dynamics_section;
 extern const fw_section fw_run_section;
 extern const fw_section fw_contact_section;
+extern const fw_section fw_friction_section;
 extern const fw_section fw_record_section;
 extern const fw_section fw_expectation_section;
 extern const fw_section fw_picture_section;
@@ -103,6 +104,11 @@ extern const fw_section fw_analysis_section;
 fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_bodies(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error);
+/* Surfaces of bodies and walls, and their pairs; after both. */
+fw_status fw_scenario_read_contact(fw_scenario *scenario, fw_error *error);
+/* A number, or a mapping with the static and the kinetic one; NULL: none. */
+fw_status fw_scenario_read_friction(const fw_scenario *scenario, const fw_node *node,
+                                    fw_friction *friction, fw_error *error);
 fw_status fw_scenario_read_forces(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_grips(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_phases(fw_scenario *scenario, fw_error *error);

@@ -56,16 +56,6 @@ static const fw_key run_keys[] = {
 const fw_section fw_run_section = {"`run`", "a run", "How long, and what happens on the way.",
                                    .keys = run_keys};
 
-static const fw_key contact_keys[] = {
-    {"friction", AT_NUMBER(fw_scenario_contact, friction), FROM_TO(0, 1000), .default_value = "0",
-     .meaning = "coefficient of friction between bodies: the tangential force is at most this times "
-                "the reaction"},
-    {.name = NULL}};
-
-const fw_section fw_contact_section = {
-    "`contact`", "a contact",
-    "What happens where LB solids and linear lattices touch each other.", .keys = contact_keys};
-
 static const fw_key record_keys[] = {
     {"velocity", AT_FLAG(fw_scenario_record, velocity), .default_value = "true",
      .meaning = "velocities"},

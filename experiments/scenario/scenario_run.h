@@ -24,11 +24,6 @@ typedef struct fw_scenario_run {
     double limit; /* a particle further than this from the scene's middle has escaped */
 } fw_scenario_run;
 
-/* Of bodies that keep out of each other. */
-typedef struct fw_scenario_contact {
-    double friction; /* coefficient, >= 0 */
-} fw_scenario_contact;
-
 typedef struct fw_scenario_record {
     bool velocity, force;
     fw_schema_names fields; /* fields per particle, by the solid's names */

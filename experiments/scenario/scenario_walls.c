@@ -5,8 +5,12 @@
 #include "scenario_parts.h"
 
 static const fw_key surface_keys[] = {
-    {"coulomb", FW_FORM_NUMBER, ALTERNATIVE, FROM_TO(0, 1000), NOT_STORED,
+    {"coulomb", FW_FORM_NUMBER | FW_FORM_MAPPING, ALTERNATIVE, FROM_TO(0, 1000),
+     .subsection = &fw_friction_section, NOT_STORED,
      .meaning = "friction coefficient: the tangential force is at most this times the reaction"},
+    {"named", FW_FORM_NAME, ALTERNATIVE, NOT_STORED,
+     .meaning = "a name of your own for what it is like where bodies rub on it: as `contact` says "
+                "of its pair with the body's"},
     {"penalty", FW_FORM_NUMBER, ALTERNATIVE, ABOVE_ZERO, NOT_STORED, .unit = "force/length",
      .meaning =
          "soft: a particle behind the surface by d is pushed back with this times d; not for "
@@ -155,15 +159,26 @@ static fw_status read_geometry(const fw_scenario *scenario, const fw_node *node,
     return FW_OK;
 }
 
-static fw_surface read_surface(const fw_node *node)
+/* Of a surface with a name, fw_scenario_read_contact() says how it rubs. */
+static fw_status read_surface(const fw_scenario *scenario, const fw_node *node, fw_surface *surface,
+                              fw_error *error)
 {
-    if (!node) return (fw_surface){.law = FW_FRICTIONLESS};
-    if (node->kind == FW_SCALAR)
-        return (fw_surface){.law = (fw_surface_law)fw_node_word(node, surface_words)};
+    fw_friction friction;
+    *surface = (fw_surface){.law = FW_FRICTIONLESS};
+    if (!node) return FW_OK;
+    if (node->kind == FW_SCALAR) {
+        surface->law = (fw_surface_law)fw_node_word(node, surface_words);
+        return FW_OK;
+    }
     const fw_node *penalty = fw_node_find(node, "penalty");
-    if (penalty) return (fw_surface){.law = FW_PENALTY, .stiffness = fw_node_number(penalty)};
-    return (fw_surface){.law = FW_COULOMB,
-                        .friction = fw_node_number(fw_node_find(node, "coulomb"))};
+    if (penalty) {
+        *surface = (fw_surface){.law = FW_PENALTY, .stiffness = fw_node_number(penalty)};
+        return FW_OK;
+    }
+    FW_TRY(fw_scenario_read_friction(scenario, fw_node_find(node, "coulomb"), &friction, error));
+    *surface = (fw_surface){
+        .law = FW_COULOMB, .friction = friction.kinetic, .static_friction = friction.at_rest};
+    return FW_OK;
 }
 
 static fw_status read_piston(const fw_scenario *scenario, const fw_node *node,
@@ -200,7 +215,7 @@ static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenar
     FW_TRY(fw_schema_fill(scenario->document, &fw_wall_section, node, wall, error));
     def->name = node->key;
     FW_TRY(read_geometry(scenario, node, def, error));
-    def->surface = read_surface(fw_node_find(node, "surface"));
+    FW_TRY(read_surface(scenario, fw_node_find(node, "surface"), &def->surface, error));
     const fw_node *side = fw_node_find(node, "side");
     if (side && !fw_wall_shape_of(def)->sided)
         return fw_scenario_fail(scenario, side->key_place, error,

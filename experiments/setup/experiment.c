@@ -184,12 +184,37 @@ static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, fw_erro
                            : fw_scene_add_wall(scene, &wall->def, error);
 }
 
+/* Bodies that share a solid have one surface. */
+static fw_status set_friction(const fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    const int solids = fw_scene_body_count(experiment->scene);
+    int *surfaces = calloc((size_t)solids + 1, sizeof *surfaces);
+    if (!surfaces) return fw_fail_memory(error, "the surfaces of bodies");
+    fw_status status = FW_OK;
+    for (int b = 0; b < scenario->body_count && status == FW_OK; ++b) {
+        const fw_body_range *range = &experiment->bodies[b];
+        const int own = scenario->bodies[b].surface;
+        if (range->first > 0 && own != surfaces[range->solid])
+            status = fw_scenario_fail(scenario, scenario->bodies[b].place, error,
+                                      "body %s has another surface than the bodies of movable "
+                                      "particles before it, expected the same",
+                                      range->name);
+        surfaces[range->solid] = own;
+    }
+    if (status == FW_OK)
+        status = fw_scene_set_surfaces(experiment->scene, scenario->contact.surface_count,
+                                       scenario->contact.pairs, surfaces, error);
+    free(surfaces);
+    return status;
+}
+
 /* What the scene refuses is said at the body that it names, or else at the walls. */
 static fw_status begin_scene(fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
-    fw_scene_set_friction(experiment->scene, scenario->contact.friction);
+    FW_TRY(set_friction(experiment, error));
     if (scenario->record.force) fw_scene_keep_forces(experiment->scene);
     const fw_status status = fw_scene_begin(experiment->scene, error);
     const int refused = fw_scene_refused_body(experiment->scene);

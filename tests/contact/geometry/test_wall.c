@@ -246,6 +246,8 @@ static void senseless_numbers_are_refused_with_a_sentence(void **state)
             "the friction coefficient is -0.1, expected a finite number >= 0");
     REFUSED(surface.friction, INFINITY,
             "the friction coefficient is inf, expected a finite number >= 0");
+    REFUSED(surface.static_friction, NAN,
+            "the static friction coefficient is nan, expected a finite number >= 0");
     REFUSED(surface.law, FW_PENALTY,
             "the stiffness of a penalty wall is 0, expected a finite number > 0");
     REFUSED(path.velocity.x, NAN,
@@ -288,7 +290,7 @@ static void wall_keeps_a_copy_of_its_definition(void **state)
     fw_wall_def def = fw_wall_def_default();
     def.name = name;
     def.points = points;
-    def.surface = (fw_surface){FW_COULOMB, 0.3, 0};
+    def.surface = (fw_surface){.law = FW_COULOMB, .friction = 0.3};
     fw_wall *wall = made(&def);
     memset(name, 'x', 3);
     points[0] = points[1] = (fw_vec2){9, 9};

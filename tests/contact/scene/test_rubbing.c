@@ -6,7 +6,7 @@
 #include "core/noise.h"
 
 /* Two beams, the lower held at its bottom, the upper pressed and moved by `path` at its top. */
-static fw_scene *two_beams(double friction, fw_path path)
+static fw_scene *two_surfaces(fw_friction friction, fw_path path)
 {
     fw_scene *scene = empty_scene(1e4);
     int held[2][20];
@@ -26,9 +26,16 @@ static fw_scene *two_beams(double friction, fw_path path)
                                .drive = {.prescribed_x = true, .path = path, .force = {0, -0.2}}};
     must(fw_scene_add_grip(scene, 0, &below, &error));
     must(fw_scene_add_grip(scene, 1, &above, &error));
-    fw_scene_set_friction(scene, friction);
+    /* Each of its own surface; the pairs of like ones would give other numbers. */
+    const fw_friction pairs[4] = {{3, 4}, friction, friction, {5, 6}};
+    must(fw_scene_set_surfaces(scene, 2, pairs, (int[]){0, 1}, &error));
     begin(scene);
     return scene;
+}
+
+static fw_scene *two_beams(double friction, fw_path path)
+{
+    return two_surfaces(fw_friction_of(friction, friction), path);
 }
 
 static void assert_energy_closes(const fw_scene *scene, double tolerance)
@@ -74,6 +81,28 @@ static void what_slides_obeys_the_cone(void **state)
         assert_energy_closes(scene, 1e-12);
         fw_scene_destroy(scene);
     }
+}
+
+/* Pulled ever further, it bears more than the kinetic coefficient times the load before it lets go
+ * (though less than the static one: it breaks loose from the edge at which it bears least, one
+ * particle after the other), and the kinetic one once it slides. */
+static void what_sticks_bears_more_than_what_slides(void **state)
+{
+    (void)state;
+    fw_scene *scene = two_surfaces((fw_friction){0.2, 0.4},
+                                   (fw_path){.velocity = {1e-4, 0}, .from = 1000, .until = 4000});
+    double most = 0;
+    for (int t = 0; t < 3600; ++t) {
+        run(scene, 1);
+        most = fmax(most, -fw_scene_body_ledger(scene, 1)->reaction.x);
+    }
+    assert_true(most > 1.3 * 0.2 * 0.2 && most < 0.4 * 0.2);
+    const double before = fw_scene_contact_ledger(scene)->heat;
+    run(scene, 400);
+    assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.04, 2e-5);
+    assert_true(fw_scene_contact_ledger(scene)->overstep < 0.04);
+    assert_energy_closes(scene, 1e-12);
+    fw_scene_destroy(scene);
 }
 
 static void copy_state(fw_scene *from, fw_scene *to)
@@ -163,6 +192,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(what_sticks_does_not_creep),
         cmocka_unit_test(what_slides_obeys_the_cone),
+        cmocka_unit_test(what_sticks_bears_more_than_what_slides),
         cmocka_unit_test(friction_that_goes_on_elsewhere_has_the_same_bytes),
         cmocka_unit_test(friction_never_feeds),
     };

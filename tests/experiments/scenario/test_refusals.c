@@ -130,7 +130,8 @@ static const struct {
      "14:30: forces.pull.sites is 'rihgt', expected all, a side, [[i, j], ...] or a mapping; did "
      "you mean 'right'?"},
     {"surface: frictionless", "surface: {coulomb: rough}",
-     "12:55: walls.container.surface.coulomb is 'rough', expected a number from 0 to 1000"},
+     "12:55: walls.container.surface.coulomb is 'rough', expected a number from 0 to 1000 "
+     "or a mapping with static, kinetic"},
     {"fig1:", "1st:",
      "19:3: '1st' as a name in pictures, expected a letter and then letters, digits, '-' or '_'"},
     {"7.3", "2.5e", "8:14: bodies.sheet.origin.0 is '2.5e', expected a number"},
@@ -304,7 +305,7 @@ static const struct {
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
     {"walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}",
      "walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}: walls.floor.surface.coulomb is '-1', "
-     "expected a number from 0 to 1000"},
+     "expected a number from 0 to 1000 or a mapping with static, kinetic"},
     {"expect.1.below=3",
      "expect.1.below=3: expect is a list of 1 items, which count from 0; there is no '1'"},
     {"expect.first.below=3",
