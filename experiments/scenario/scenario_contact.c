@@ -114,6 +114,14 @@ static void name_surfaces(fw_scenario *scenario)
     }
 }
 
+bool fw_scenario_bodies_rub(const fw_scenario *scenario)
+{
+    const int count = scenario->contact.surface_count;
+    for (int n = 0; n < count * count; ++n)
+        if (scenario->contact.pairs[n].kinetic > 0) return true;
+    return false;
+}
+
 static fw_status read_pair(fw_scenario *scenario, const fw_node *node, bool *given, fw_error *error)
 {
     fw_scenario_contact *contact = &scenario->contact;

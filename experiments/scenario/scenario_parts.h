@@ -106,6 +106,8 @@ fw_status fw_scenario_read_bodies(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error);
 /* Surfaces of bodies and walls, and their pairs; after both. */
 fw_status fw_scenario_read_contact(fw_scenario *scenario, fw_error *error);
+/* Is there friction between any two surfaces, whether bodies have them or walls? */
+bool fw_scenario_bodies_rub(const fw_scenario *scenario);
 /* A number, or a mapping with the static and the kinetic one; NULL: none. */
 fw_status fw_scenario_read_friction(const fw_scenario *scenario, const fw_node *node,
                                     fw_friction *friction, fw_error *error);

@@ -71,7 +71,7 @@ static bool has_friction(const fw_scenario *scenario)
 {
     for (int w = 0; w < scenario->wall_count; ++w)
         if (scenario->walls[w].def.surface.law == FW_COULOMB) return true;
-    return scenario->contact.friction > 0;
+    return fw_scenario_bodies_rub(scenario);
 }
 
 static fw_status check_needs(const fw_scenario *scenario, const fw_node *node,
