@@ -184,6 +184,11 @@ const fw_contact_field *fw_scene_find_field(const fw_scene *scene, int body, con
 void fw_scene_fill_field(const fw_scene *scene, int body, const fw_contact_field *field,
                          double *values);
 
+/* Of `count` particles of the body from the first one on, those that have stuck to what rubs them
+ * for so many steps on end. (Of what is lightly pressed and bounces each touch begins anew.) */
+enum { FW_SCENE_STUCK_STEPS = 50 };
+int fw_scene_count_stuck(const fw_scene *scene, int body, int first, int count);
+
 /* Marks with 1, and leaves the others alone, the body's particles that a grip holds: they all move
  * as one, and have no temperature. */
 void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held);

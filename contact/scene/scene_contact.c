@@ -191,7 +191,7 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
 /* How well friction keeps to its law. */
 static void book_friction(fw_scene *scene, scene_body *body, const scene_contact *contact)
 {
-    scene_record_rub_on_walls(body, contact);
+    scene_record_rub_on_walls(scene, body, contact);
     for (int n = 0; n < contact->solution.wall_contact_count; ++n) {
         const fw_wall_contact *of = &contact->solution.wall_contact[n];
         scene_wall *wall = &scene->walls[of->wall];

@@ -101,6 +101,8 @@ typedef struct scene_felt {
 typedef struct scene_rubbed {
     double heat;
     double steps, sliding; /* in which it rubbed, and slid */
+    double stuck;          /* ticks in a row in which it stuck, until ... */
+    double last;           /* ... this one, in which it rubbed last; they are counted from 1 */
 } scene_rubbed;
 
 typedef struct scene_body {
@@ -296,7 +298,8 @@ void scene_restore_records(scene_body *body);
 /* The constraints of this tick. */
 void scene_record_forces(fw_scene *scene, int body);
 void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub);
-void scene_record_rub_on_walls(scene_body *body, const scene_contact *contact);
+void scene_record_rub_on_walls(const fw_scene *scene, scene_body *body,
+                               const scene_contact *contact);
 
 /* Ends the tick of the pistons. */
 void scene_advance_pistons(fw_scene *scene);

@@ -132,6 +132,28 @@ void fw_scene_add_contact_forces(const fw_scene *scene, int number, double *x, d
 
 /* --- friction --- */
 
+/* Sticking ends where it slides, and where it loses touch. */
+static void count_sticking(const fw_scene *scene, scene_body *body, int particle, bool slides)
+{
+    scene_rubbed *rubbed = &body->rubbed[particle];
+    const double now = (double)scene->clock.ticks + 1;
+    const bool goes_on = now - rubbed->last <= body->solid->model->ticks_per_step;
+    rubbed->stuck = slides ? 0 : goes_on ? rubbed->stuck + (now - rubbed->last) : 1;
+    rubbed->last = now;
+}
+
+int fw_scene_count_stuck(const fw_scene *scene, int number, int first, int count)
+{
+    const scene_body *body = &scene->bodies[number];
+    const int ticks = body->solid->model->ticks_per_step;
+    const double now = (double)scene->clock.ticks;
+    int stuck = 0;
+    for (int i = first; body->rubbed && i < first + count; ++i)
+        stuck += now - body->rubbed[i].last < ticks &&
+                 body->rubbed[i].stuck >= FW_SCENE_STUCK_STEPS * scene->ticks_per_step;
+    return stuck;
+}
+
 static void add_rub(scene_body *body, int particle, double share, double heat, bool slides)
 {
     scene_rubbed *rubbed = &body->rubbed[particle];
@@ -150,6 +172,7 @@ void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub 
     const bool slides = !rub->stuck;
     if (heat == 0 && !(rub->limit > 0)) return;
     add_rub(body, body->edge->contour.particles[row->point], 1, 0.5 * heat, slides);
+    count_sticking(scene, body, body->edge->contour.particles[row->point], slides);
     if (part < 1)
         add_rub(other, other->edge->contour.particles[row->from], 1 - part, 0.5 * (1 - part) * heat,
                 slides);
@@ -158,7 +181,8 @@ void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub 
 }
 
 /* A wall has no particles: all of the heat comes to that of the body. */
-void scene_record_rub_on_walls(scene_body *body, const scene_contact *contact)
+void scene_record_rub_on_walls(const fw_scene *scene, scene_body *body,
+                               const scene_contact *contact)
 {
     double heat = 0, cone = 0;
     if (!body->rubbed) return;
@@ -166,8 +190,10 @@ void scene_record_rub_on_walls(scene_body *body, const scene_contact *contact)
         heat += contact->solution.wall_contact[n].dissipated;
         cone += contact->solution.wall_contact[n].cone;
     }
-    if (cone > 0 || heat != 0)
-        add_rub(body, contact->particle, 1, heat, !body->memory[contact->particle].stuck);
+    if (!(cone > 0) && heat == 0) return;
+    const bool slides = !body->memory[contact->particle].stuck;
+    add_rub(body, contact->particle, 1, heat, slides);
+    count_sticking(scene, body, contact->particle, slides);
 }
 
 /* --- as fields --- */

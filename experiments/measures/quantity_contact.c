@@ -25,6 +25,12 @@ static void body_contacts(const fw_experiment *experiment, fw_subject subject, d
     out[0] = ledger_of(experiment, subject)->contacts;
 }
 
+static void body_stuck(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    const fw_body_range *range = &experiment->bodies[subject.body];
+    out[0] = fw_scene_count_stuck(experiment->scene, range->solid, range->first, range->count);
+}
+
 static void body_penetration(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     (void)subject;
@@ -72,6 +78,7 @@ const fw_quantity fw_contact_quantities[] = {
     {"body-force", FW_SCOPE_BODY, "x y", "force", "[F(t) + F(t-1)]/2, of all other bodies on the body", LINKED, body_force, NULL, FW_NEEDS_NOTHING},
     {"body-impulse", FW_SCOPE_BODY, "x y", "momentum", "of all other bodies on the body since the start", LINKED, body_impulse, NULL, FW_NEEDS_NOTHING},
     {"body-contacts", FW_SCOPE_BODY, "", "1", "places in which other bodies pushed the body in the last step", LINKED, body_contacts, NULL, FW_NEEDS_NOTHING},
+    {"body-stuck", FW_SCOPE_BODY, "", "1", "its particles that have stuck to what rubs them, a wall or another body, for at least 50 steps on end", NULL, body_stuck, NULL, FW_NEEDS_NOTHING},
     {"body-penetration", FW_SCOPE_SCENE, "", "length", "how deep any particle lies in another body; bodies that keep out of each other", LINKED, body_penetration, NULL, FW_NEEDS_NOTHING},
     {"contact-steps", FW_SCOPE_SCENE, "", "1", "steps since the start in which bodies touched", LINKED, contact_steps, NULL, FW_NEEDS_NOTHING},
     {"contact-unconverged", FW_SCOPE_SCENE, "", "1", "those of them in which normals did not settle: gaps are inexact there, energy and momentum are not", LINKED, unconverged, NULL, FW_NEEDS_NOTHING},

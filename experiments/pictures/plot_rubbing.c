@@ -160,6 +160,7 @@ static fw_status draw_map(const rubbing *r, const fw_colouring *colouring, fw_pa
     fw_axis_name names[TICKS_MAX];
     const fw_plot_result *result = r->result;
     const double time = result->times[r->from + 1] - result->times[r->from];
+    const double steps = (double)(result->steps[r->from + 1] - result->steps[r->from]);
     snprintf(label, sizeof label, "%s at rest, along %s", r->along_y ? "y" : "x",
              result->playback->bodies[r->body].name);
     fw_figure_map_plan plan = {.columns = (int)(r->until - r->from),
@@ -169,7 +170,7 @@ static fw_status draw_map(const rubbing *r, const fw_colouring *colouring, fw_pa
                                .p_step = time,
                                .q_first = r->places[0],
                                .q_step = r->row_count > 1 ? r->places[1] - r->places[0] : 1,
-                               .p_label = "time",
+                               .p_label = time == steps ? "time (steps)" : "time",
                                .q_label = label,
                                .colouring = *colouring};
     if (!is_even(r)) {
