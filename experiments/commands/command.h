@@ -44,6 +44,9 @@ int fw_command_threads(const fw_arguments *arguments);
 fw_run_options fw_command_run_options(const fw_arguments *arguments, const char *directory,
                                       const char *name, fw_progress *progress);
 
+/* --range LOW,HIGH; NULL leaves the range as it is. */
+fw_status fw_command_read_range(const char *text, double range[2], fw_error *error);
+
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_show(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_run(const fw_arguments *arguments, fw_error *error);
@@ -54,6 +57,7 @@ fw_status fw_command_extend(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_collect(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_film(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_table(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_export(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_profile(const fw_arguments *arguments, fw_error *error);

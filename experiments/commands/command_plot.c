@@ -35,7 +35,7 @@ static fw_status read_steps(const char *text, plot_lists *lists, int *count, fw_
     return FW_OK;
 }
 
-static fw_status read_range(const char *text, double range[2], fw_error *error)
+fw_status fw_command_read_range(const char *text, double range[2], fw_error *error)
 {
     if (!text) return FW_OK;
     const size_t length = strcspn(text, ",");
@@ -78,7 +78,7 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
                                             &wish.observable_count, error);
     wish.observables = lists->names;
     if (status == FW_OK) status = read_steps(a->at, lists, &wish.step_count, error);
-    if (status == FW_OK) status = read_range(a->range, wish.range, error);
+    if (status == FW_OK) status = fw_command_read_range(a->range, wish.range, error);
     if (status == FW_OK) status = read_level(a->level, &level, &wish, error);
     if (status == FW_OK) status = fw_plot_one(directory, &wish, stdout, error);
     free(lists->names);

@@ -4,6 +4,7 @@
 #include "option.h"
 
 #include "experiments/commands/command.h"
+#include "experiments/drawing/encoder.h"
 #include "experiments/exchange/export.h"
 #include "experiments/scenario/picture_kind.h"
 #include "experiments/schema/schema.h"
@@ -37,6 +38,16 @@ const fw_option fw_option_every = {"--every",
                                    FW_INTO(every),
                                    .least = 1,
                                    .most = INT64_MAX};
+const fw_option fw_option_film_file = {"--output",      "-o",
+                                       "FILE",          "the film, which ends in " FW_FILM_ENDINGS,
+                                       FW_INTO(output), .complete = FW_COMPLETE_FILE};
+const fw_option fw_option_film_kind = {
+    "--kind",      NULL,
+    "KIND",        "motion, or field: by a field as colour (where one was recorded)",
+    FW_INTO(kind), .choices = "motion, field"};
+const fw_option fw_option_rate = {
+    "--rate",      NULL,       "N",        "frames that are shown in a second (25)",
+    FW_INTO(rate), .least = 1, .most = 240};
 const fw_option fw_option_set = {
     "--set",
     NULL,

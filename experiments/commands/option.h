@@ -29,8 +29,8 @@ typedef struct fw_arguments {
     int64_t threads; /* 0: not given */
     int64_t seed;    /* -1: not given */
     const char *one_case;
-    const char *to; /* the format of export */
-    int64_t every;  /* frames; 0: not given */
+    const char *to;      /* the format of export */
+    int64_t every, rate; /* frames, and frames in a second; 0: not given */
     bool list;
     bool quiet, overwrite, no_plot, logarithmic, json, names, help;
     bool given[FW_OPTIONS_MAX]; /* per option of the command */
@@ -79,8 +79,8 @@ extern const fw_option fw_option_folder, fw_option_picture_file, fw_option_table
     fw_option_no_plot, fw_option_kind, fw_option_field, fw_option_observable, fw_option_at,
     fw_option_logarithmic, fw_option_range, fw_option_along, fw_option_level, fw_option_picture,
     fw_option_verdicts, fw_option_axis, fw_option_list_cases, fw_option_case, fw_option_add,
-    fw_option_json, fw_option_names, fw_option_export_file,
-    fw_option_to, fw_option_every, fw_option_help;
+    fw_option_json, fw_option_names, fw_option_export_file, fw_option_to, fw_option_every,
+    fw_option_film_file, fw_option_film_kind, fw_option_rate, fw_option_help;
 
 struct fw_command;
 

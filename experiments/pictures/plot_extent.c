@@ -26,6 +26,10 @@ static int64_t frame_of(const fw_plot_result *result, int number, int count)
 fw_status fw_plot_bounds_find(fw_view_bounds *bounds, const fw_plot_result *result, fw_error *error)
 {
     const fw_playback *playback = result->playback;
+    if (result->bounds) {
+        *bounds = *result->bounds;
+        return FW_OK;
+    }
     const int count = looked_at(result);
     double *x = fw_array_of_doubles((size_t)playback->particle_count);
     double *y = fw_array_of_doubles((size_t)playback->particle_count);

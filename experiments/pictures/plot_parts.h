@@ -25,7 +25,8 @@ typedef struct fw_plot_result {
     double *
         *piston_paths; /* per wall: x and y of its displacement, per sample; NULL: on its path */
     int64_t *sample_steps;
-    const char *units; /* a sentence for captions */
+    const char *units;            /* a sentence for captions */
+    const fw_view_bounds *bounds; /* of all frames, where they were found before; or NULL */
 } fw_plot_result;
 
 /* FW_BAD_INPUT: there are no results, or no frame in them, or they are not of their scenario. */

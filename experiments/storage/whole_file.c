@@ -226,6 +226,11 @@ FILE *fw_whole_file_stream(const fw_whole_file *file)
     return file->stream;
 }
 
+const char *fw_whole_file_place(const fw_whole_file *file)
+{
+    return file->temporary ? file->temporary : file->name;
+}
+
 fw_status fw_whole_file_commit(fw_whole_file *file, fw_error *error)
 {
     int reason = 0;

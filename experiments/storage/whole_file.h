@@ -19,6 +19,8 @@ typedef struct fw_whole_file fw_whole_file;
 fw_status fw_whole_file_begin(fw_whole_file **file, const char *name, fw_error *error);
 /* Where to write; the file's. */
 FILE *fw_whole_file_stream(const fw_whole_file *file);
+/* The file in which it is until it gets its name, for another program that writes it. */
+const char *fw_whole_file_place(const fw_whole_file *file);
 /* Brings it to disk, gives it its name, and releases it; also where that fails. */
 fw_status fw_whole_file_commit(fw_whole_file *file, fw_error *error);
 /* Releases it; nothing is left of it. NULL is legal. */
