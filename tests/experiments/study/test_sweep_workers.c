@@ -76,6 +76,9 @@ static void listed_commands_give_the_same_bytes_in_any_order(void **state)
     const outcome again = run_program(folder, "sweep gas.yaml -o 'out there' --list");
     expect_end(&again, 0, "");
     assert_string_equal(seen.out, again.out);
+    const outcome of_folder = run_program(folder, "sweep 'out there' --list");
+    expect_end(&of_folder, 0, "");
+    assert_string_equal(seen.out, of_folder.out);
     seen = run_program(folder, "collect 'out there'");
     expect_end(&seen, 2,
                "out there: 8 of 8 cases are not finished; the first, T=0.1,mu=0.5, has not begun. "
@@ -193,6 +196,8 @@ static void wrong_commands_get_their_sentence(void **state)
          "--case runs what lies in the folder: --set belongs to --list"},
         {"sweep gas.yaml -o it --list --set run.steps=3000 --set study.seeds=3",
          "it holds a result already"},
+        {"sweep it --list --set run.steps=3000",
+         "it holds a sweep, whose cases are listed as they are: expected --list alone"},
         {"collect .", ". holds no sweep, whose cases could be collected"},
     };
     char folder[64];
