@@ -311,10 +311,12 @@ static fw_status tie(fw_linear_lattice *lattice, const fw_linear_lattice_def *de
                      fw_linear_bond (*bonds)[NEIGHBOURS], fw_error *error)
 {
     fw_solid *head = &lattice->langevin.head;
+    int at[NEIGHBOURS] = {0};
     for (int i = 0; i < head->count; ++i) {
         int around = 0;
         for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
-            const int j = fw_sites_find(def->sites, neighbour_site(def->sites->site[i], alpha));
+            const int j = fw_sites_find_next(def->sites, neighbour_site(def->sites->site[i], alpha),
+                                             &at[alpha]);
             bonds[i][alpha].neighbour = j;
             around += j >= 0;
         }
