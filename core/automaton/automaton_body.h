@@ -83,6 +83,16 @@ typedef struct fw_automaton_tear {
     fw_vec2 drag;
 } fw_automaton_tear;
 
+/* Made once for the displacements they belong to: several quantities ask for them in each step. */
+typedef struct fw_automaton_sums {
+    bool known; /* for the tick of that number */
+    int64_t ticks;
+    fw_energies energies;
+    fw_vec2 momentum;
+    bool mass_known; /* of a body that cannot break */
+    fw_sym2 mass;
+} fw_automaton_sums;
+
 typedef struct fw_automaton {
     fw_solid head;
     fw_automaton_matrices matrices;
@@ -113,6 +123,7 @@ typedef struct fw_automaton {
     int tear_count, tear_booked, tear_room;
     fw_automaton_tear *tear;   /* not yet booked */
     fw_automaton_share *share; /* of each row in FW_SHARED_TICKS ticks */
+    fw_automaton_sums *sums;   /* nobody else's, so that sums can be observed */
 } fw_automaton;
 
 static inline fw_automaton *fw_automaton_of(fw_solid *solid)
@@ -180,9 +191,14 @@ void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def)
 /* Bonds and boundary of the head, as they are now. */
 void fw_automaton_list_bonds(fw_automaton *body);
 
-/* The model's measurements: automaton_measure.c. */
+/* Energies and momentum: automaton_sums.c. */
 fw_energies fw_automaton_energies(const fw_solid *solid);
 fw_vec2 fw_automaton_momentum(const fw_solid *solid);
+/* Half of 1/2 (w - b).B (w - b) over the bonds of a cell; 1/2 sum B (w - b) over those of a black
+ * one, 1/2 sum B (b - w) over those of a white one. */
+double fw_automaton_bond_energy(const fw_automaton *body, int colour, int cell);
+fw_vec2 fw_automaton_bond_momentum(const fw_automaton *body, int colour, int cell);
+/* The model's other measurements: automaton_measure.c. */
 double fw_automaton_angular_momentum(const fw_solid *solid, int first, int count);
 fw_sym2 fw_automaton_mass(const fw_solid *solid);
 fw_vec2 fw_automaton_centre_of_mass(const fw_solid *solid);

@@ -283,5 +283,45 @@ static void move_rim(const fw_automaton_move *move, const fw_automaton_rim *rim,
     }
 }
 
-const fw_automaton_kernels FW_KERNELS_HERE(fw_automaton_kernels) = {.move = move_cells,
-                                                                    .move_rim = move_rim};
+/* As fw_automaton_bond_energy(), fw_automaton_bond_momentum() and fw_automaton_cell_pull(), each in
+ * its own order. */
+FW_INLINE void terms_of_part(const fw_automaton_move *move, const stream *s, int k, lanes l, int at,
+                             fw_automaton_terms *terms)
+{
+    const fw_vector_pair self = load(s->x, s->y, k, l);
+    fw_vector_pair pull[FW_DIRECTIONS], sum = {0};
+    fw_vector energy = {0};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        const fw_vector_pair neighbour = load(s->neighbour_x[d], s->neighbour_y[d], k, l);
+        pull[d] = pull_of(move->matrix[d], neighbour, self);
+        energy += (neighbour.x - self.x) * pull[d].x + (neighbour.y - self.y) * pull[d].y;
+        sum.x += pull[d].x;
+        sum.y += pull[d].y;
+    }
+    const fw_vector_pair all = {
+        (pull[FW_EAST].x + pull[FW_NORTH].x) + (pull[FW_WEST].x + pull[FW_SOUTH].x),
+        (pull[FW_EAST].y + pull[FW_NORTH].y) + (pull[FW_WEST].y + pull[FW_SOUTH].y)};
+    store(terms->momentum_x + at, terms->momentum_y + at, k, l,
+          (fw_vector_pair){0.5 * sum.x, 0.5 * sum.y});
+    store(terms->energy + at, terms->kinetic + at, k, l,
+          (fw_vector_pair){0.5 * energy, 0.25 * (all.x * all.x + all.y * all.y)});
+}
+
+static void terms_of(const fw_automaton_move *move, const int offset[FW_DIRECTIONS], int cell,
+                     int count, int at, fw_automaton_terms *terms)
+{
+    stream s = {.x = move->x + cell, .y = move->y + cell};
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        s.neighbour_x[d] = move->other_x + cell + offset[d];
+        s.neighbour_y[d] = move->other_y + cell + offset[d];
+    }
+    for (int k = 0; k < count; k += FW_BLOCK)
+        for (int part = 0; part < FW_PARTS; ++part) {
+            const uint8_t bits = fw_first_lanes(count - k);
+            const lanes l = {.mask = fw_mask_of(bits, part)};
+            terms_of_part(move, &s, k + part * FW_WIDTH, l, at, terms);
+        }
+}
+
+const fw_automaton_kernels FW_KERNELS_HERE(fw_automaton_kernels) = {
+    .move = move_cells, .move_rim = move_rim, .terms = terms_of};

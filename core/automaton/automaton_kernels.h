@@ -21,6 +21,15 @@ typedef struct fw_automaton_move {
     bool fetches;                    /* the cells have to come from memory */
 } fw_automaton_move;
 
+enum { FW_AUTOMATON_TERMS_MAX = 1024 };
+
+/* What cells one after the other add to energies and momentum. */
+typedef struct fw_automaton_terms {
+    double energy[FW_AUTOMATON_TERMS_MAX]; /* of their bonds, halved */
+    double momentum_x[FW_AUTOMATON_TERMS_MAX], momentum_y[FW_AUTOMATON_TERMS_MAX];
+    double kinetic[FW_AUTOMATON_TERMS_MAX];
+} fw_automaton_terms;
+
 typedef struct fw_automaton_kernels {
     /* Moves the cells of a span by (1 + a)/2 (s + F), s = sum_d matrix[d] (neighbour - self), and
      * adds what passed to the share. Breakable cells note the bonds that are stretched too far: by
@@ -31,6 +40,9 @@ typedef struct fw_automaton_kernels {
     /* The same of cells at a rim that nothing loads or damps. */
     void (*move_rim)(const fw_automaton_move *move, const fw_automaton_rim *rim, int count,
                      fw_automaton_share *share);
+    /* Terms of `count` cells of a span, from a cell on, are put in their place from `at` on. */
+    void (*terms)(const fw_automaton_move *move, const int offset[FW_DIRECTIONS], int cell,
+                  int count, int at, fw_automaton_terms *terms);
 } fw_automaton_kernels;
 
 FW_KERNELS(fw_automaton_kernels, fw_automaton_kernels);

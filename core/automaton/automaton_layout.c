@@ -143,6 +143,7 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
         FW_ARENA_ADD(&body->cells, colour->place, cells);
         FW_ARENA_ADD(&body->cells, colour->held, cells);
     }
+    FW_ARENA_ADD(&body->cells, body->sums, 1);
     FW_TRY(fw_arena_allocate(&body->cells, "the cells of an automaton", error));
     for (int c = 0; c < FW_COLOURS; ++c) {
         fw_automaton_colour *colour = &body->colour[c];

@@ -1,40 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* automaton_measure.c - quantities of an elastic automaton: energy, momentum, masses,
+/* automaton_measure.c - quantities of an elastic automaton: what bonds hold, masses,
  * velocities, fields for pictures. Keeps no state; sums run in fixed blocks.
- * Start reading at fw_automaton_energies(). */
+ * Start reading at fw_automaton_bond_energy(). */
 #include "automaton_body.h"
 
 #include <math.h>
 
 enum { BLOCK = 1024 };
 
-/* Adds up what `value` gives for each cell of a colour, block by block. */
-typedef struct totals {
-    double value[4];
-} totals;
-
-static totals sum_over(const fw_automaton *body, int colour,
-                       totals (*value)(const fw_automaton *body, int colour, int cell))
-{
-    const int count = body->colour[colour].count;
-    totals total = {{0}};
-    for (int begin = 0; begin < count; begin += BLOCK) {
-        const int end = begin + BLOCK < count ? begin + BLOCK : count;
-        totals block = {{0}};
-        for (int n = begin; n < end; ++n) {
-            const totals here = value(body, colour, n);
-            for (int k = 0; k < 4; ++k) block.value[k] += here.value[k];
-        }
-        for (int k = 0; k < 4; ++k) total.value[k] += block.value[k];
-    }
-    return total;
-}
-
-/* Half of 1/2 (w - b).B (w - b) over the bonds of a cell; kinetic part: of the two colours the one
- * that moved last is displaced from where its neighbours would have it at rest, by -m^-1 s/2 with
- * s = sum B (w - b): (m^-1 s/2).m (m^-1 s/2). What remains of E is the energy of the other colour
- * alone, the first one relaxed: elastic. */
-static totals bond_energy(const fw_automaton *body, int colour, int cell)
+double fw_automaton_bond_energy(const fw_automaton *body, int colour, int cell)
 {
     const fw_vec2 self = fw_automaton_at(&body->colour[colour], cell);
     double energy = 0;
@@ -46,27 +20,10 @@ static totals bond_energy(const fw_automaton *body, int colour, int cell)
             fw_vec2_subtract(fw_automaton_at(&body->colour[!colour], partner), self);
         energy += weight * fw_sym2_form(stretch, *body->colour[colour].matrix[d], stretch);
     }
-    return (totals){{energy / 2}};
+    return energy / 2;
 }
 
-static totals kinetic_energy(const fw_automaton *body, int colour, int cell)
-{
-    const fw_vec2 pull = fw_automaton_cell_pull(body, colour, cell);
-    return (totals){
-        {fw_sym2_form(pull, fw_automaton_cell_inverse_mass(body, colour, cell), pull) / 4}};
-}
-
-fw_energies fw_automaton_energies(const fw_solid *solid)
-{
-    const fw_automaton *body = fw_automaton_of_const(solid);
-    const double total = sum_over(body, FW_BLACK, bond_energy).value[0];
-    const int moved = !fw_automaton_moving(body);
-    const double kinetic = sum_over(body, moved, kinetic_energy).value[0];
-    return (fw_energies){.kinetic = kinetic, .elastic = total - kinetic};
-}
-
-/* 1/2 sum B (w - b) over the bonds of a black cell, 1/2 sum B (b - w) over those of a white one. */
-static totals bond_momentum(const fw_automaton *body, int colour, int cell)
+fw_vec2 fw_automaton_bond_momentum(const fw_automaton *body, int colour, int cell)
 {
     const fw_vec2 self = fw_automaton_at(&body->colour[colour], cell);
     fw_vec2 sum = {0, 0};
@@ -79,15 +36,7 @@ static totals bond_momentum(const fw_automaton *body, int colour, int cell)
         sum = fw_vec2_add(
             sum, fw_vec2_scale(weight, fw_sym2_apply(*body->colour[colour].matrix[d], stretch)));
     }
-    return (totals){{sum.x / 2, sum.y / 2}};
-}
-
-fw_vec2 fw_automaton_momentum(const fw_solid *solid)
-{
-    const fw_automaton *body = fw_automaton_of_const(solid);
-    const totals sum = sum_over(body, FW_BLACK, bond_momentum);
-    const double sign = fw_automaton_moving(body) == FW_BLACK ? 1 : -1;
-    return (fw_vec2){sign * sum.value[0], sign * sum.value[1]};
+    return (fw_vec2){sum.x / 2, sum.y / 2};
 }
 
 /* Each end of a bond has half of its momentum. */
@@ -97,40 +46,52 @@ double fw_automaton_angular_momentum(const fw_solid *solid, int first, int count
     double sum = 0;
     for (int p = first; p < first + count; ++p) {
         const int colour = body->white[p];
-        const totals whole = bond_momentum(body, colour, body->cell[p]);
+        const fw_vec2 whole = fw_automaton_bond_momentum(body, colour, body->cell[p]);
         const double half = colour == fw_automaton_moving(body) ? 0.5 : -0.5;
-        sum += half * fw_vec2_cross(fw_solid_position(solid, p),
-                                    (fw_vec2){whole.value[0], whole.value[1]});
+        sum += half * fw_vec2_cross(fw_solid_position(solid, p), whole);
     }
     return sum;
 }
 
-static totals cell_mass(const fw_automaton *body, int colour, int cell)
+/* sum m/4, block by block. */
+static fw_sym2 summed_mass(const fw_automaton *body)
 {
-    const fw_sym2 m = fw_automaton_cell_mass(body, colour, cell);
-    return (totals){{m.xx, m.xy, m.yy}};
-}
-
-fw_sym2 fw_automaton_mass(const fw_solid *solid)
-{
-    const fw_automaton *body = fw_automaton_of_const(solid);
     fw_sym2 sum = {0, 0, 0};
     for (int c = 0; c < FW_COLOURS; ++c) {
-        const totals m = sum_over(body, c, cell_mass);
-        sum = fw_sym2_add(sum, (fw_sym2){m.value[0], m.value[1], m.value[2]});
+        const int count = body->colour[c].count;
+        fw_sym2 total = {0, 0, 0};
+        for (int begin = 0; begin < count; begin += BLOCK) {
+            const int end = begin + BLOCK < count ? begin + BLOCK : count;
+            fw_sym2 block = {0, 0, 0};
+            for (int n = begin; n < end; ++n)
+                block = fw_sym2_add(block, fw_automaton_cell_mass(body, c, n));
+            total = fw_sym2_add(total, block);
+        }
+        sum = fw_sym2_add(sum, total);
     }
     return fw_sym2_scale(0.25, sum);
 }
 
-/* m (r - reference) / 4, reference being the first particle: sums of small numbers. */
-static totals mass_moment(const fw_automaton *body, int colour, int cell)
+/* Only breaking changes it. */
+fw_sym2 fw_automaton_mass(const fw_solid *solid)
 {
-    const int particle = body->colour[colour].particle[cell];
-    const fw_vec2 r = fw_vec2_subtract(fw_solid_position(&body->head, particle),
-                                       fw_solid_position(&body->head, 0));
-    const fw_vec2 moment =
-        fw_vec2_scale(0.25, fw_sym2_apply(fw_automaton_cell_mass(body, colour, cell), r));
-    return (totals){{moment.x, moment.y}};
+    const fw_automaton *body = fw_automaton_of_const(solid);
+    fw_automaton_sums *sums = body->sums;
+    if (body->breaks) return summed_mass(body);
+    if (!sums->mass_known) sums->mass = summed_mass(body);
+    sums->mass_known = true;
+    return sums->mass;
+}
+
+/* m (r - reference) / 4, reference being the first particle: sums of small numbers. */
+static fw_vec2 mass_moment(const fw_automaton *body, int c, int cell)
+{
+    const fw_automaton_colour *colour = &body->colour[c];
+    const int place = colour->place[cell];
+    fw_vec2 r = fw_vec2_subtract(fw_solid_position(&body->head, colour->particle[cell]),
+                                 fw_solid_position(&body->head, 0));
+    if (place >= 0) r = fw_sym2_apply(colour->rim[place].mass, r);
+    return fw_vec2_scale(0.25, r);
 }
 
 fw_vec2 fw_automaton_centre_of_mass(const fw_solid *solid)
@@ -138,8 +99,15 @@ fw_vec2 fw_automaton_centre_of_mass(const fw_solid *solid)
     const fw_automaton *body = fw_automaton_of_const(solid);
     fw_vec2 moment = {0, 0};
     for (int c = 0; c < FW_COLOURS; ++c) {
-        const totals sum = sum_over(body, c, mass_moment);
-        moment = fw_vec2_add(moment, (fw_vec2){sum.value[0], sum.value[1]});
+        const int count = body->colour[c].count;
+        fw_vec2 total = {0, 0};
+        for (int begin = 0; begin < count; begin += BLOCK) {
+            const int end = begin + BLOCK < count ? begin + BLOCK : count;
+            fw_vec2 block = {0, 0};
+            for (int n = begin; n < end; ++n) block = fw_vec2_add(block, mass_moment(body, c, n));
+            total = fw_vec2_add(total, block);
+        }
+        moment = fw_vec2_add(moment, total);
     }
     return fw_vec2_add(fw_solid_position(solid, 0),
                        fw_sym2_apply(fw_sym2_invert(fw_automaton_mass(solid)), moment));
@@ -205,7 +173,7 @@ static void fill_energy(const fw_solid *solid, double *values)
 {
     const fw_automaton *body = fw_automaton_of_const(solid);
     for (int p = 0; p < solid->count; ++p)
-        values[p] = bond_energy(body, body->white[p], body->cell[p]).value[0] / 2;
+        values[p] = fw_automaton_bond_energy(body, body->white[p], body->cell[p]) / 2;
 }
 
 static void fill_colour(const fw_solid *solid, double *values)

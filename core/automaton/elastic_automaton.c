@@ -171,6 +171,7 @@ static fw_status restored(fw_solid *solid, fw_error *error)
                                "black cell %d has a bond in direction %d, where no cell lies", n,
                                d);
     FW_TRY(fw_automaton_rebuild_bonds(body, error));
+    body->sums->known = false;
     fw_automaton_place(solid);
     return FW_OK;
 }

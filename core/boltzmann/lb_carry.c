@@ -88,6 +88,7 @@ static void carry_rest(lb_solid *lb, fw_carry *carry)
 void lb_carry(fw_solid *solid, fw_carry *carries, int count)
 {
     lb_solid *lb = (lb_solid *)solid;
+    lb->sums->known = false;
     assert(!lb->displaced); /* a carried link has hidden modes: see lb_solid.h */
     for (int n = 0; n < count; ++n) {
         const int l = carries[n].particle;

@@ -183,6 +183,15 @@ static void advance_row(const lb_solid *lb, const lb_grid_arrays *arrays, int ro
                   passed);
 }
 
+void lb_displacements_terms(const lb_solid *lb, int row, int place, int count,
+                            lb_field_terms *terms)
+{
+    const lb_grid_arrays arrays = arrays_of(lb, lb->parity, false);
+    const lb_row *here = &lb->form.grid.rows[row];
+    FW_KERNELS_CHOSEN(lb_displacements)
+        ->terms(&arrays, place, count, here->north, here->south, terms);
+}
+
 /* Row by row, whoever advanced it, and step by step. */
 static void add_passed(lb_solid *lb, int steps)
 {

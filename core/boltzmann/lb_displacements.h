@@ -20,6 +20,10 @@ fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraint
                                    fw_error *error);
 /* Ticks without constraints, under the loads as they stand: the same bytes as one by one. */
 void lb_displacements_advance_free(lb_solid *lb, int ticks);
+/* What the links of `count` places of a row, from a multiple of LB_BLOCK on, add to energies and
+ * momentum; 0 where there are none. */
+void lb_displacements_terms(const lb_solid *lb, int row, int place, int count,
+                            lb_field_terms *terms);
 /* Makes all positions. */
 void lb_displacements_place(lb_solid *lb);
 

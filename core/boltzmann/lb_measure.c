@@ -120,6 +120,7 @@ void fw_lb_solid_reverse(fw_solid *solid)
 {
     lb_solid *lb = (lb_solid *)solid;
     lb->parity = !lb->parity;
+    lb->sums->known = false;
     for (int l = 0; l < solid->count && !lb->displaced; ++l) {
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
             lb->slot_x[d][l] = -lb->slot_x[d][l];

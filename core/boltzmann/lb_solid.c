@@ -141,6 +141,7 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
     for (int d = 0; d < FW_DIRECTIONS; ++d) FW_ARENA_ADD(arena, lb->neighbour[d], count);
     FW_ARENA_ADD(arena, lb->present, count);
     FW_ARENA_ADD(arena, lb->edge, count);
+    FW_ARENA_ADD(arena, lb->sums, 1);
     if (!lb->displaced) {
         FW_ARENA_ADD(arena, lb->spans, count);
         FW_ARENA_ADD(arena, lb->chunk_span, chunks + 1);
@@ -261,50 +262,6 @@ fw_status fw_lb_solid_create(fw_solid **solid, const fw_lb_solid_def *def, fw_er
 
 /* The table of operations. */
 
-static fw_energies energies(const fw_solid *solid)
-{
-    const lb_solid *lb = (const lb_solid *)solid;
-    fw_energies sum = {0, 0};
-    /* Row-sized partial sums keep the rounding of large bodies small. */
-    enum { BLOCK = 512 };
-    for (int begin = 0; begin < solid->count; begin += BLOCK) {
-        int end = begin + BLOCK < solid->count ? begin + BLOCK : solid->count;
-        fw_energies block = {0, 0};
-        for (int l = begin; l < end; ++l) {
-            for (int d = FW_EAST; d <= FW_NORTH; ++d) {
-                if (!(lb->present[l] & (1u << d))) continue;
-                fw_vec2 here = lb_field(lb, l, d);
-                fw_vec2 there = lb_field(lb, lb->neighbour[d][l], fw_opposite(d));
-                fw_vec2 stretch = fw_vec2_subtract(here, there), sum2 = fw_vec2_add(here, there);
-                fw_sym2 kappa = lb_stiffness(lb, l, d);
-                block.elastic += 0.5 * fw_sym2_form(stretch, kappa, stretch);
-                block.kinetic += 0.5 * fw_sym2_form(sum2, kappa, sum2);
-            }
-            fw_vec2 rest = lb_rest(lb, l);
-            block.kinetic += fw_vec2_dot(rest, rest);
-        }
-        sum.elastic += block.elastic;
-        sum.kinetic += block.kinetic;
-    }
-    return sum;
-}
-
-static fw_vec2 momentum(const fw_solid *solid)
-{
-    const lb_solid *lb = (const lb_solid *)solid;
-    fw_vec2 sum = {0, 0};
-    for (int l = 0; l < solid->count; ++l) sum = fw_vec2_add(sum, lb_psi(lb, l));
-    return sum;
-}
-
-static fw_sym2 mass(const fw_solid *solid)
-{
-    const lb_solid *lb = (const lb_solid *)solid;
-    fw_sym2 sum = {0, 0, 0};
-    for (int l = 0; l < solid->count; ++l) sum = fw_sym2_add(sum, lb_get(&lb->mass, l));
-    return sum;
-}
-
 static double angular_momentum(const fw_solid *solid, int first, int count)
 {
     const lb_solid *lb = (const lb_solid *)solid;
@@ -322,7 +279,7 @@ static fw_vec2 centre_of_mass(const fw_solid *solid)
     for (int l = 0; l < solid->count; ++l)
         sum = fw_vec2_add(sum, fw_sym2_apply(lb_get(&lb->mass, l),
                                              fw_vec2_subtract(fw_solid_position(solid, l), base)));
-    return fw_vec2_add(base, fw_sym2_apply(fw_sym2_invert(mass(solid)), sum));
+    return fw_vec2_add(base, fw_sym2_apply(fw_sym2_invert(lb_mass(solid)), sum));
 }
 
 static void velocities(const fw_solid *solid, double *x, double *y)
@@ -394,6 +351,7 @@ static fw_status restored(fw_solid *solid, fw_error *error)
                        lb->parity);
     FW_TRY(lb_layout_check(lb, error));
     lb_layout_rebuild(lb);
+    lb->sums->known = false;
     place(solid);
     return FW_OK;
 }
@@ -412,11 +370,11 @@ const fw_solid_model fw_lb_solid_model = {
     .advance_free = lb_advance_free,
     .place = place,
     .carry = lb_carry,
-    .energies = energies,
-    .momentum = momentum,
+    .energies = lb_energies,
+    .momentum = lb_momentum,
     .angular_momentum = angular_momentum,
     .centre_of_mass = centre_of_mass,
-    .mass = mass,
+    .mass = lb_mass,
     .velocities = velocities,
     .masses = masses,
     .state = state,

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lb_state.h - the inside of an LB solid, shared by lb_layout.c (links and spans), lb_measure.c
- * (quantities), lb_fracture.c (breaking links), lb_displacements.c, lb_step.c and lb_carry.c
- * (motion) and lb_solid.c (making), each of which may use those before it, and by nobody else.
+/* lb_state.h - the inside of an LB solid, shared by lb_layout.c (links and spans), lb_sums.c,
+ * lb_measure.c (quantities), lb_fracture.c (breaking links), lb_displacements.c, lb_step.c and
+ * lb_carry.c (motion) and lb_solid.c (making), each of which may use those before it, and by nobody
+ * else.
  *
  * A solid is kept in one of two forms from its creation on: by its populations, or by its
  * displacements. Both are read through lb_field() and lb_rest().
@@ -21,6 +22,7 @@
 
 #include "core/boltzmann/lb_solid.h"
 #include "lb_grid.h"
+#include "lb_sums.h"
 
 enum { LB_ALL_LINKS = 15, LB_CHUNK = 4096, LB_DEPTH = 16 };
 
@@ -75,6 +77,7 @@ typedef struct lb_solid {
     int *chunk_span; /* first span of each chunk, and their number */
     int chunk_count;
     fw_solid_ledger *chunk_ledger;
+    lb_sums *sums;          /* of the present fields; nobody else's, so that sums can be observed */
     displacement_form form; /* only if displaced */
 } lb_solid;
 

@@ -259,7 +259,9 @@ static void restored_bodies_go_on_to_the_bit(void **state)
         for (int tick = 0; tick < 101; ++tick) {
             push_at_random(one, &kinds[k], 0.02);
             advance_free(one);
+            advance_free(other);
         }
+        assert_true(energy_of(one) != energy_of(other)); /* at the same tick */
         one->model->state(one, &from);
         other->model->state(other, &to);
         assert_int_equal(from.count, to.count);
@@ -267,6 +269,8 @@ static void restored_bodies_go_on_to_the_bit(void **state)
             memcpy(to.array[n].data, from.array[n].data,
                    from.array[n].count * fw_element_size(from.array[n].element));
         restore(other);
+        assert_true(energy_of(one) == energy_of(other));
+        assert_true(fw_solid_momentum(one).x == fw_solid_momentum(other).x);
         for (int tick = 0; tick < 51; ++tick) {
             push_at_random(one, &kinds[k], 0.02);
             push_at_random(other, &kinds[k], 0.02);
@@ -280,6 +284,7 @@ static void restored_bodies_go_on_to_the_bit(void **state)
     }
 }
 
+/* Of the state, and of what is measured. */
 static uint64_t hash_with(const solid_kind *kind, int threads)
 {
     omp_set_num_threads(threads);
@@ -292,6 +297,10 @@ static uint64_t hash_with(const solid_kind *kind, int threads)
     }
     fw_state_list list = {0};
     solid->model->state(solid, &list);
+    const fw_energies e = fw_solid_energies(solid);
+    const fw_vec2 p = fw_solid_momentum(solid), middle = solid->model->centre_of_mass(solid);
+    double measured[] = {e.kinetic, e.elastic, p.x, p.y, middle.x, middle.y};
+    fw_state_list_add(&list, "measured", FW_F64, 6, measured);
     const uint64_t hash = fw_state_list_hash(&list);
     fw_solid_destroy(solid);
     omp_set_num_threads(1);
