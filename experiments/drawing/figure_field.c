@@ -2,10 +2,12 @@
 /* figure_field.c - a quantity as colour on the particles: one view, or a strip of them.
  * Keeps no state. Start reading at fw_figure_field() and fw_figure_strip(). */
 #include "figure_parts.h"
+#include "view_arrows.h"
 #include "view_key.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 fw_status fw_figure_draw_view(const fw_view *view, const fw_panel *panel, fw_view_look look,
                               const fw_colour_scale *scale, fw_error *error)
@@ -76,6 +78,9 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
 
 typedef struct strip_layout {
     fw_view_key key;
+    fw_view_arrows arrows;
+    int entry_count; /* of the legend: those of the key, and the arrow's */
+    fw_legend_entry entries[FW_PALETTE_KINDS + 1];
     fw_colour_bar bar;
     fw_view_bounds bounds; /* common to all views */
     int columns, rows;
@@ -89,6 +94,28 @@ static fw_rect strip_box(const strip_layout *layout, int number)
     box.left += (number % layout->columns) * (box.width + strip_gap);
     box.top += (number / layout->columns) * (box.height + strip_gap + name_height);
     return box;
+}
+
+/* The longest arrow reaches over so many spacings, within these lengths in mm. */
+static const double arrow_spacings = 2.2, arrow_shortest = 5, arrow_longest = 12;
+
+static double narrowest_spacing(const fw_figure_strip_plan *plan)
+{
+    double least = INFINITY;
+    for (int k = 0; k < plan->view_count; ++k)
+        for (int b = 0; b < plan->views[k].body_count; ++b)
+            least = fmin(least, fw_view_spacing(&plan->views[k].bodies[b]));
+    return least;
+}
+
+static void explain(const fw_figure_strip_plan *plan, double mm_per_length, strip_layout *layout)
+{
+    const double wanted = arrow_spacings * mm_per_length * narrowest_spacing(plan);
+    fw_view_arrows_for(&layout->arrows, plan->views, plan->view_count,
+                       fmin(fmax(wanted, arrow_shortest), arrow_longest));
+    layout->entry_count = layout->key.entry_count;
+    memcpy(layout->entries, layout->key.entries, sizeof layout->key.entries);
+    if (layout->arrows.entry.label) layout->entries[layout->entry_count++] = layout->arrows.entry;
 }
 
 static int chosen_columns(const fw_figure_strip_plan *plan, double aspect)
@@ -117,9 +144,12 @@ static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
     layout->top = fw_page_top(page);
     layout->legend_width = page->width - 2 * FW_PAGE_MARGIN;
     layout->first.left = FW_PAGE_MARGIN;
+    layout->first.width =
+        (layout->legend_width - (layout->columns - 1) * strip_gap) / layout->columns;
+    explain(plan, layout->first.width / x_extent, layout);
     layout->first.top =
         layout->top + name_height +
-        fw_legend_height(layout->key.entries, layout->key.entry_count, layout->legend_width);
+        fw_legend_height(layout->entries, layout->entry_count, layout->legend_width);
     double right = 0;
     for (int round = 0; round < 3; ++round) {
         double room = page->width - 2 * FW_PAGE_MARGIN - right;
@@ -165,10 +195,13 @@ fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan,
                           .y = {.range = layout.bounds.y}};
         status = fw_figure_draw_view(&plan->views[k], &panel, plan->look,
                                      fw_view_key_scale(&layout.key), error);
+        fw_canvas_clip(canvas, panel.box);
+        fw_view_arrows_draw(&layout.arrows, &plan->views[k], &panel);
+        fw_canvas_unclip(canvas);
         fw_canvas_frame(canvas, panel.box, (fw_stroke){fw_colour_grey(.55), .18, FW_DASH_NONE});
         fw_figure_name_view(&plan->views[k], &panel, 0);
     }
-    fw_legend_draw(layout.key.entries, layout.key.entry_count, canvas,
+    fw_legend_draw(layout.entries, layout.entry_count, canvas,
                    (fw_vec2){FW_PAGE_MARGIN, layout.top}, layout.legend_width);
     if (layout.key.by_field) {
         double right = layout.first.left + layout.columns * layout.first.width +

@@ -5,6 +5,7 @@
 #include "colour_bar.h"
 #include "experiments/drawing/figure.h"
 #include "experiments/drawing/legend.h"
+#include "view_arrows.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -242,13 +243,6 @@ static void draw_panel(const forces_panel *body, const fw_panel *panel, double s
         (fw_text_look){FW_TEXT_SIZE, fw_colour_grey(.1), FW_TEXT_LEFT, FW_TEXT_BASELINE, 0, false});
 }
 
-/* The largest of 1, 2, 5 times a power of ten that is not above the value. */
-static double round_down(double value)
-{
-    double unit = pow(10, floor(log10(value)));
-    return (value >= 5 * unit ? 5 : value >= 2 * unit ? 2 : 1) * unit;
-}
-
 typedef struct forces_legend {
     int count;
     fw_legend_entry entries[5];
@@ -275,10 +269,10 @@ static void describe(forces_legend *legend, double internal, double external, do
                   (fw_legend_entry){"external force", fat_arrow.colour, FW_LEGEND_FAT_ARROW, 0});
     if (!(largest > 0)) return;
     char number[32];
-    fw_ticks_print_number(number, sizeof number, round_down(largest), 3);
+    fw_ticks_print_number(number, sizeof number, fw_view_arrows_round(largest), 3);
     snprintf(legend->scale_label, sizeof legend->scale_label, "force of %s", number);
     add_entry(legend, (fw_legend_entry){legend->scale_label, fw_colour_grey(.1), FW_LEGEND_ARROW,
-                                        scale * round_down(largest)});
+                                        scale * fw_view_arrows_round(largest)});
 }
 
 static fw_status draw_all(const fw_page *page, const forces_plan *plan, fw_panel *panels,

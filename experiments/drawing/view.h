@@ -22,7 +22,8 @@ typedef struct fw_view_body {
     const double *field;          /* [count] what colours show, may be NULL */
     const unsigned char *species; /* [count] number of a kind, may be NULL: all of kind `kind` */
     int kind;
-    double spacing; /* of the lattice; 0: mean length of the links, or 1 */
+    double spacing;                  /* of the lattice; 0: mean length of the links, or 1 */
+    const double *force_x, *force_y; /* [count] drawn as arrows where a figure has them; or NULL */
 } fw_view_body;
 
 typedef struct fw_view {

@@ -168,6 +168,8 @@ fw_status fw_plot_draw_profile(const fw_plot_result *result, const fw_plot_pictu
                                fw_error *error);
 fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture *picture,
                             fw_error *error);
+fw_status fw_plot_draw_contact(const fw_plot_result *result, const fw_plot_picture *picture,
+                               fw_error *error);
 fw_status fw_plot_draw_slip(const fw_plot_result *result, const fw_plot_picture *picture,
                             fw_error *error);
 fw_status fw_plot_draw_heat(const fw_plot_result *result, const fw_plot_picture *picture,

@@ -19,7 +19,8 @@ typedef enum fw_picture_need {
     FW_PICTURE_NEEDS_TWO_GRIPS = 1 << 2,
     FW_PICTURE_NEEDS_ANALYSIS = 1 << 3,
     FW_PICTURE_NEEDS_TWO_PARAMETERS = 1 << 4,
-    FW_PICTURE_NEEDS_FRICTION = 1 << 5 /* fields of which are recorded for it */
+    FW_PICTURE_NEEDS_FRICTION = 1 << 5, /* fields of which are recorded for it */
+    FW_PICTURE_NEEDS_FORCE = 1 << 6     /* it is recorded for it */
 } fw_picture_need;
 
 /* The solid's first field, where a row names none that is shown by default. */
@@ -34,6 +35,9 @@ typedef enum fw_picture_need {
         FW_PICTURE_NEEDS_NOTHING, 5, NULL)                                                         \
     ROW(FORCES, forces, "forces", "forces as arrows", "instants", FW_PICTURE_NEEDS_NOTHING, 1,     \
         NULL)                                                                                      \
+    ROW(CONTACT, contact, "contact",                                                               \
+        "the bodies with what acts on them as arrows, several instants side by side", "instants",  \
+        FW_PICTURE_NEEDS_FORCE, 2, NULL)                                                           \
     ROW(FIELD, field, "field",                                                                     \
         "a field as colour on the particles, several instants side by side",                       \
         "field range instants", FW_PICTURE_NEEDS_NOTHING, 1, FW_PICTURE_FIRST_FIELD)               \

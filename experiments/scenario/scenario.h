@@ -88,6 +88,9 @@ fw_status fw_scenario_load(fw_scenario **scenario, const char *path, const char 
                            int setting_count, fw_error *error);
 void fw_scenario_destroy(fw_scenario *scenario);
 
+/* Are forces recorded, by its own wish or for a picture? */
+bool fw_scenario_records_force(const fw_scenario *scenario);
+
 /* Is it a sweep as a whole, which is not run itself but case by case? */
 bool fw_scenario_is_sweep(const fw_scenario *scenario);
 /* One case of a sweep: a scenario of its own, that says which case it is. Sentences about it begin

@@ -246,3 +246,10 @@ fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)
     }
     return FW_OK;
 }
+
+bool fw_scenario_records_force(const fw_scenario *scenario)
+{
+    for (int p = 0; p < scenario->picture_count; ++p)
+        if (fw_picture_rows[scenario->pictures[p].kind].needs & FW_PICTURE_NEEDS_FORCE) return true;
+    return scenario->record.force;
+}

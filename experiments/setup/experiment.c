@@ -215,7 +215,7 @@ static fw_status begin_scene(fw_experiment *experiment, fw_error *error)
     const fw_scenario *scenario = experiment->scenario;
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(set_friction(experiment, error));
-    if (scenario->record.force) fw_scene_keep_forces(experiment->scene);
+    if (fw_scenario_records_force(scenario)) fw_scene_keep_forces(experiment->scene);
     const fw_status status = fw_scene_begin(experiment->scene, error);
     const int refused = fw_scene_refused_body(experiment->scene);
     for (int b = 0; b < scenario->body_count; ++b)

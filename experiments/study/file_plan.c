@@ -210,7 +210,7 @@ fw_status fw_file_plan_make(fw_file_plan *plan, const fw_observer *observer,
     plan->def.seed = (uint64_t)scenario->run.seed;
     plan->def.threads = threads;
     plan->def.velocity = scenario->record.velocity;
-    plan->def.force = scenario->record.force;
+    plan->def.force = fw_scenario_records_force(scenario);
     plan->def.frame_count = frame_count(scenario);
     plan->def.sample_count = fw_measurement_row_count(scenario);
     FW_TRY(describe_bodies(plan, error));

@@ -19,7 +19,8 @@
 
 static const char with_maps[] = SCENE "pictures:\n"
                                       "  where: {kind: slip, body: block}\n"
-                                      "  warm: {kind: heat, range: [0, 0.1]}\n";
+                                      "  warm: {kind: heat, range: [0, 0.1]}\n"
+                                      "  presses: {kind: contact}\n";
 
 static fw_plot_result result;
 
@@ -79,13 +80,31 @@ static void maps_are_drawn_and_refused(void **state)
     assert_fine(fw_plot_one(folder, &(fw_plot_wish){.picture = "where"}, out, &error));
     assert_fine(fw_plot_one(folder, &(fw_plot_wish){.picture = "warm"}, out, &error));
     assert_fine(fw_plot_one(folder, &(fw_plot_wish){.kind = "heat"}, out, &error));
+    assert_fine(fw_plot_one(folder, &(fw_plot_wish){.picture = "presses"}, out, &error));
     fclose(out);
     char other[64];
     make_folder(other, sizeof other);
     run_scenario(SCENE, other);
     assert_refused(fw_plot_one(other, &(fw_plot_wish){.kind = "slip"}, stdout, &error),
                    FW_BAD_INPUT, "friction was not recorded particle by particle");
+    assert_refused(fw_plot_one(other, &(fw_plot_wish){.kind = "contact"}, stdout, &error),
+                   FW_BAD_INPUT, "forces were not recorded");
     remove_folder(other);
+}
+
+/* The picture lets them be recorded: at rest the floor bears the weight, in each frame. */
+static void reactions_bear_the_weight(void **state)
+{
+    (void)state;
+    double x[22], y[22], sum = 0;
+    assert_fine(fw_plot_result_open(&result, folder, &error));
+    assert_true(result.playback->force);
+    const int64_t last = result.playback->frame_count - 1;
+    assert_fine(fw_playback_read_forces(result.playback, last, x, y, &error));
+    for (int i = 0; i < 18; ++i) sum += y[i];
+    /* Weight and reaction; of its weight alone it would be -18 M g. */
+    assert_close(sum, 0, 0.02 * 18 * 2.5 * 0.002);
+    fw_plot_result_close(&result);
 }
 
 static void maps_need_friction(void **state)
@@ -123,6 +142,7 @@ int main(void)
         cmocka_unit_test(heat_over_place_and_time_adds_up),
         cmocka_unit_test(what_slid_sticks_in_the_end),
         cmocka_unit_test(maps_are_drawn_and_refused),
+        cmocka_unit_test(reactions_bear_the_weight),
         cmocka_unit_test(maps_need_friction),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
