@@ -155,7 +155,7 @@ static void unknown_names_are_told_what_was_meant(void **state)
     assert_refused(plot_one(&(fw_plot_wish){.kind = "filed"}), FW_BAD_INPUT,
                    "no pictures of kind filed; did you mean field?");
     assert_refused(plot_one(&(fw_plot_wish){.kind = "movie"}), FW_BAD_INPUT,
-                   "expected one of motion, forces, field, strip, structure, stages, histogram, "
+                   "expected one of motion, forces, contact, field, strip, structure, stages, histogram, "
                    "series, profile, loop, slip, heat, "
                    "analysis, or sweep, map in the folder of a sweep");
     assert_refused(plot_one(&(fw_plot_wish){.field = "enegry"}), FW_BAD_INPUT,
