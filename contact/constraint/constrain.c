@@ -6,36 +6,9 @@
 
 #include <math.h>
 
-static fw_sym2 square_of(fw_vec2 v, double factor)
-{
-    return (fw_sym2){factor * v.x * v.x, factor * v.x * v.y, factor * v.y * v.y};
-}
-
-/* - dF/d(motion of its wall) of row k: along the normal d lambda_k/d b_k, from the inverse of N A
- * N^T of the active rows (of three or more any two will do), along the tangent what friction says.
- */
-static fw_sym2 stiffness_of(const constrain_problem *p, int k)
-{
-    const constrain_row *r = &p->rows[k], *other = NULL;
-    const fw_sym2 mobility = p->free->mobility,
-                  tangential = square_of(fw_vec2_turn(r->normal), r->tangential_stiffness);
-    if (r->pinned) return fw_sym2_invert(mobility);
-    if (!(r->lambda > 0)) return tangential;
-    for (int j = 0; j < p->count && !other; ++j)
-        if (j != k && p->rows[j].lambda > 0) other = &p->rows[j];
-    double stiffness = 1 / fw_sym2_form(r->normal, mobility, r->normal);
-    if (other) {
-        const double crossed = fw_sym2_form(r->normal, mobility, other->normal);
-        const double second = fw_sym2_form(other->normal, mobility, other->normal);
-        const double less = 1 - crossed * crossed * stiffness / second;
-        if (less > 1e-6) stiffness /= less;
-    }
-    return fw_sym2_add(square_of(r->normal, stiffness), tangential);
-}
-
 static fw_row_list rows_of(const constrain_problem *p)
 {
-    fw_row_list rows = {.count = p->count, .jam = p->jam};
+    fw_row_list rows = {.count = p->count};
     for (int k = 0; k < p->count; ++k) rows.facet[k] = p->rows[k].candidate->number;
     return rows;
 }
@@ -57,7 +30,6 @@ static fw_contact_solution report(const constrain_problem *p, const double *trac
                                         .force = fw_vec2_add(normal_force, friction)};
         wall_contact.work = fw_vec2_dot(wall_contact.force, motion);
         wall_contact.dissipated = -fw_vec2_dot(friction, fw_vec2_subtract(p->w, motion));
-        wall_contact.stiffness = stiffness_of(p, k);
         wall_contact.cone = r->cone;
         wall_contact.beyond = r->beyond;
         c.wall_contact[c.wall_contact_count++] = wall_contact;
@@ -110,20 +82,6 @@ static fw_contact_solution rub_once_more(constrain_problem *p, const fw_candidat
     return (fw_contact_solution){0};
 }
 
-/* Begins with the rows of an earlier try, of which none may be needed any more. False where no
- * displacement was found. */
-static bool keep_rows(constrain_problem *p, const fw_row_list *kept, const fw_candidate *all)
-{
-    bool needed = false;
-    for (int k = 0; kept && k < kept->count; ++k) {
-        constrain_row *r = &p->rows[p->count++];
-        r->candidate = &all[kept->facet[k]];
-        constrain_update_row(p, r);
-        needed |= fw_vec2_dot(r->normal, p->w) < r->bound;
-    }
-    return !needed || constrain_solve(p);
-}
-
 static bool is_free(const constrain_problem *p)
 {
     for (int k = 0; k < p->count; ++k)
@@ -132,23 +90,20 @@ static bool is_free(const constrain_problem *p)
 }
 
 fw_contact_solution fw_constrain(fw_vec2 position, const fw_prediction *free,
-                                 const fw_row_list *kept, const fw_candidate *near, int near_count,
-                                 const fw_candidate *all, fw_contact_memory *memory)
+                                 const fw_candidate *near, int near_count, const fw_candidate *all,
+                                 fw_contact_memory *memory)
 {
     constrain_problem p = {.position = position, .free = free, .w = free->displacement};
     double traction[FW_WALL_CONTACTS] = {0};
     if (free->mobility.xx == 0) return (fw_contact_solution){0}; /* a resting colour */
-    bool resolved = keep_rows(&p, kept, all) && find_rows(&p, near, near_count);
+    bool resolved = find_rows(&p, near, near_count);
     if (resolved && is_free(&p)) {
-        fw_row_list rows = rows_of(&p);
+        const fw_row_list rows = rows_of(&p);
         fw_contact_solution c = {0};
-        rows.released = kept && kept->released;
-        if (memory && memory->reaction > 0 && !rows.released) {
+        if (memory && memory->reaction > 0)
             c = rub_once_more(&p, near, near_count, all, memory);
-            rows.released = !c.held;
-        } else if (memory) {
+        else if (memory)
             *memory = (fw_contact_memory){0};
-        }
         c.rows = rows;
         return c;
     }
@@ -160,7 +115,6 @@ fw_contact_solution fw_constrain(fw_vec2 position, const fw_prediction *free,
         resolved =
             resolved && constrain_keeps_rows(&p) && !constrain_find_passed(&p, near, near_count);
     if (!resolved) {
-        while (k < p.count - 1 && p.rows[k].infeasible) ++k;
         constrain_pin(&p, k);
         traction[k] = 0;
     }

@@ -20,7 +20,6 @@ typedef struct fw_candidate {
     fw_surface surface;
     fw_vec2 place;  /* displacement of its wall from its definition, at the start of the step */
     fw_vec2 motion; /* how far the wall moves in this step */
-    bool yields;    /* the wall is a piston, which can be jammed along the normal */
 } fw_candidate;
 
 /* What a particle remembers from step to step; all zero for one without contact. Part of the
@@ -39,29 +38,17 @@ typedef struct fw_wall_contact {
     fw_vec2 force;
     double work;       /* done by the wall's own motion */
     double dissipated; /* turned into heat by friction, >= 0 */
-    fw_sym2 stiffness; /* d force/d motion of the wall, where rows neither come nor go */
     double cone;       /* the bound of friction: its coefficient times the reaction; 0: none */
     double beyond;     /* by how much friction exceeds that */
+    bool spring;       /* of a piston; its work is booked with what it stores */
 } fw_wall_contact;
 
 enum { FW_WALL_CONTACTS = 4 };
 
-/* A particle that has no way out between a piston and walls that do not yield jams the piston:
- * the motion W of which then keeps normal . W <= limit. */
-typedef struct fw_jam {
-    int piston;  /* 1 + number of its wall; 0: there is none */
-    int against; /* the wall that stands behind the particle */
-    fw_vec2 normal;
-    double limit;
-} fw_jam;
-
-/* What is known of a particle's problem from earlier tries of the same step, in which pistons moved
- * otherwise. */
+/* Facets that a particle must not pass, by their numbers in the scene, whether they push or not. */
 typedef struct fw_row_list {
     int count;
-    int facet[FW_WALL_CONTACTS]; /* numbers in the scene: its rows, whether they push or not */
-    fw_jam jam;
-    bool released; /* friction after the release turned out to lead through a wall */
+    int facet[FW_WALL_CONTACTS];
 } fw_row_list;
 
 typedef struct fw_contact_solution {
@@ -75,11 +62,10 @@ typedef struct fw_contact_solution {
 } fw_contact_solution;
 
 /* `near` are the candidates, `all` the scene's candidates by number (a particle rubs on in the step
- * after its release, however far its candidates were looked for). `kept` are its rows from the
- * start, from earlier tries of the same step; NULL in scenes without pistons, where there is one
- * try. `memory` is updated; it may be NULL where no wall has Coulomb friction. */
+ * after its release, however far its candidates were looked for). `memory` is updated; it may be
+ * NULL where no wall has Coulomb friction. */
 fw_contact_solution fw_constrain(fw_vec2 position, const fw_prediction *free,
-                                 const fw_row_list *kept, const fw_candidate *near, int near_count,
-                                 const fw_candidate *all, fw_contact_memory *memory);
+                                 const fw_candidate *near, int near_count, const fw_candidate *all,
+                                 fw_contact_memory *memory);
 
 #endif

@@ -26,18 +26,11 @@ static inline double fw_friction_filter(bool again, double inertial, double chan
 }
 
 /* The same, never against the free motion nor beyond it. `slip` is how far the particle would go
- * without friction, relative as well; `slope` is how the result changes with the motion of what it
- * sticks to. */
-static inline double fw_friction_target(bool again, double inertial, double change, double slip,
-                                        double *slope)
+ * without friction, relative as well. */
+static inline double fw_friction_target(bool again, double inertial, double change, double slip)
 {
     const double target = fw_friction_filter(again, inertial, change);
-    const double low = fmin(slip, 0), high = fmax(slip, 0);
-    *slope = again ? -FW_STICK_FILTER / 4 : -0.5;
-    if (target > low && target < high) return target;
-    const double end = target <= low ? low : high;
-    *slope = end == 0 ? 0 : -1;
-    return end;
+    return fmin(fmax(target, fmin(slip, 0)), fmax(slip, 0));
 }
 
 /* Coefficients of Coulomb friction, >= 0: of what slides, and of what sticks, which is never less

@@ -333,17 +333,19 @@ static void cross_over(interior *p)
     if (!hold_active(p, barrier)) memcpy(p->lambda, p->best, (size_t)p->count * sizeof *p->best);
 }
 
-/* The active lines of a problem that was nearly the same are often those of this one. */
+/* The active lines of a problem that was nearly the same are often those of this one; where none is
+ * known, a piston often pushes all that it comes to. */
 static bool try_known(interior *p, const double *lambda, double largest)
 {
     double *barrier = p->s_step;
     bool any = false;
+    for (int n = 0; n < p->count; ++n) any |= lambda[n] != 0;
+    if (!any && p->columns == 0) return false;
     for (int n = 0; n < p->count; ++n) {
         p->lambda[n] = lambda[n] / (p->scale[n] * largest);
-        barrier[n] = lambda[n] > 0 || p->lines[n].both ? 0 : HELD_OFF;
-        any |= lambda[n] != 0;
+        barrier[n] = lambda[n] > 0 || p->lines[n].both || !any ? 0 : HELD_OFF;
     }
-    return any && hold_active(p, barrier);
+    return hold_active(p, barrier);
 }
 
 static bool walk_inside(interior *p)

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 /* Rows that are solved one by one as a set of active ones; more of them as a band. */
-enum { FEW = 30 };
+enum { FEW = 30, FEW_ON_PISTONS = 6 };
 /* Of the fixed point of weights; in each of them, of normal forces and friction. */
 enum { ROUNDS = 100, TURNS = 3 };
 /* Where the furthest end moves no further than by this, in units of length, the fixed point is
@@ -166,7 +166,7 @@ static fw_status solve_system(fw_joint *joint, joint_system *system, bool *solve
 {
     const size_t room = joint_nearest_room(system->line_count, system->end_count);
     *solved = false;
-    if (system->line_count > FEW) {
+    if (system->line_count > (system->wide_count > 0 ? FEW_ON_PISTONS : FEW)) {
         const int bandwidth = joint_bandwidth(system, joint->first);
         FW_TRY(joint_reserve_room(
             joint, joint_interior_room(system->line_count, bandwidth, system->wide_count), error));

@@ -208,7 +208,6 @@ bool constrain_keeps_rows(const constrain_problem *p)
         const constrain_row *r = &p->rows[k];
         const fw_facet *facet = r->candidate->facet;
         const double tolerance = fw_facet_tolerance(facet, away(r->candidate));
-        if (r->infeasible) continue;
         if (fw_facet_is_curved(facet)) {
             fw_vec2 end = fw_vec2_add(relative_position(p, r->candidate),
                                       fw_vec2_subtract(p->w, r->candidate->motion));
@@ -220,7 +219,7 @@ bool constrain_keeps_rows(const constrain_problem *p)
     return true;
 }
 
-static bool solve_together(constrain_problem *p)
+bool constrain_solve(constrain_problem *p)
 {
     for (int k = 0; k < p->count; ++k) constrain_update_row(p, &p->rows[k]);
     for (int k = 0; k < p->count; ++k)
@@ -237,66 +236,6 @@ static bool solve_together(constrain_problem *p)
             return true;
         }
     return solve_normals(p);
-}
-
-/* The wall that stands behind a particle, as seen along the normal of a piston: the most opposite
- * of those that push, or one that holds it pinned; -1: there is none. */
-static int find_behind(const constrain_problem *firm, fw_vec2 normal)
-{
-    int behind = -1;
-    double most_opposite = -1e-9;
-    for (int n = 0; n < firm->count; ++n) {
-        const constrain_row *r = &firm->rows[n];
-        const double along = fw_vec2_dot(r->normal, normal);
-        if (along < most_opposite || (r->pinned && behind < 0)) {
-            most_opposite = fmin(along, most_opposite);
-            behind = r->candidate->facet->wall;
-        }
-    }
-    return behind;
-}
-
-/* Of a particle that a piston presses against walls that do not yield: they hold it, and it jams
- * the piston. False where it is not they that hold it. */
-static bool jam_pistons(constrain_problem *p)
-{
-    constrain_problem firm = *p;
-    double deepest = 0;
-    fw_jam jam = {0};
-    firm.count = 0;
-    for (int k = 0; k < p->count; ++k)
-        if (!p->rows[k].candidate->yields) firm.rows[firm.count++] = p->rows[k];
-    if (firm.count == 0 || firm.count == p->count || !solve_together(&firm)) return false;
-    for (int k = 0; k < p->count; ++k) {
-        const constrain_row *r = &p->rows[k];
-        const double along = fw_vec2_dot(r->normal, firm.w);
-        if (!r->candidate->yields || r->bound - along <= deepest) continue;
-        deepest = r->bound - along;
-        /* The bound is the wall's motion, and more where the particle is behind it. */
-        const double limit = along - (r->bound - fw_vec2_dot(r->normal, r->candidate->motion));
-        jam = (fw_jam){1 + r->candidate->facet->wall, find_behind(&firm, r->normal), r->normal,
-                       limit};
-    }
-    if (jam.piston == 0 || jam.against < 0) return false;
-    for (int k = 0, n = 0; k < p->count; ++k) {
-        constrain_row *r = &p->rows[k];
-        if (r->candidate->yields)
-            *r = (constrain_row){.candidate = r->candidate,
-                                 .normal = r->normal,
-                                 .bound = r->bound,
-                                 .infeasible = true};
-        else
-            *r = firm.rows[n++];
-    }
-    p->jam = jam;
-    p->w = firm.w;
-    return true;
-}
-
-bool constrain_solve(constrain_problem *p)
-{
-    for (int k = 0; k < p->count; ++k) p->rows[k].infeasible = false;
-    return solve_together(p) || jam_pistons(p);
 }
 
 /* The first candidate that the present displacement passes and that is not a row yet, or NULL. */

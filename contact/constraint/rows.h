@@ -10,13 +10,10 @@
 typedef struct constrain_row {
     const fw_candidate *candidate;
     fw_vec2 normal;
-    double bound;                /* n.w >= bound */
-    double lambda;               /* normal force */
-    double tangential_stiffness; /* by how much friction grows with the wall's motion along the
-                                    tangent */
-    double cone, beyond;         /* bound of friction, and by how much friction exceeds it */
-    bool pinned;                 /* held in all components */
-    bool infeasible;             /* of a piston that the particle cannot give way to: left out */
+    double bound;        /* n.w >= bound */
+    double lambda;       /* normal force */
+    double cone, beyond; /* bound of friction, and by how much friction exceeds it */
+    bool pinned;         /* held in all components */
 } constrain_row;
 
 typedef struct constrain_problem {
@@ -25,7 +22,6 @@ typedef struct constrain_problem {
     int count;
     constrain_row rows[FW_WALL_CONTACTS];
     fw_vec2 w;
-    fw_jam jam;
 } constrain_problem;
 
 /* Normal and bound for the present w. */

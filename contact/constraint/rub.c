@@ -22,10 +22,10 @@ static double follow_curve(constrain_problem *p, constrain_row *r)
 }
 
 static double sticking_target(const fw_contact_memory *memory, bool same_wall, double inertial,
-                              double slip, double *slope)
+                              double slip)
 {
     return fw_friction_target(same_wall && memory->stuck, inertial, inertial - memory->inertial,
-                              slip, slope);
+                              slip);
 }
 
 /* Along the tangent, relative to the wall. */
@@ -66,13 +66,12 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
     const double inertial =
         fw_vec2_dot(tangent, fw_vec2_subtract(p->free->inertial, candidate->motion));
     bool active = r->lambda > 0;
-    double traction = 0, wanted = 0, slope;
+    double traction = 0, wanted = 0;
     if (active) {
         double slip = fw_vec2_dot(tangent, fw_vec2_subtract(p->w, candidate->motion));
         const double lambda = r->lambda;
         const double yielding = tt - nt * nt / nn;
-        wanted = (sticking_target(memory, same_wall, inertial, slip, &slope) - slip) / yielding;
-        r->tangential_stiffness = (1 + slope) / yielding;
+        wanted = (sticking_target(memory, same_wall, inertial, slip) - slip) / yielding;
         traction = wanted;
         for (int round = 0; round < 4; ++round) { /* lambda moves with T where mobility couples */
             traction = fw_friction_traction(law, 0.5 * (r->lambda + before), wanted, &slides);
@@ -84,8 +83,7 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
     if (!active) {
         double slip =
             fw_vec2_dot(tangent, fw_vec2_subtract(p->free->displacement, candidate->motion));
-        wanted = (sticking_target(memory, same_wall, inertial, slip, &slope) - slip) / tt;
-        r->tangential_stiffness = (1 + slope) / tt;
+        wanted = (sticking_target(memory, same_wall, inertial, slip) - slip) / tt;
         traction = fw_friction_traction(law, 0.5 * before, wanted, &slides);
         r->lambda = 0;
     }
@@ -95,7 +93,6 @@ double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate 
         p->w = fw_vec2_subtract(p->w,
                                 fw_vec2_scale(fw_vec2_dot(r->normal, p->w) - r->bound, r->normal));
     bool stuck = traction == wanted;
-    if (!stuck) r->tangential_stiffness = 0;
     if (fw_facet_is_curved(candidate->facet) && active) {
         traction = follow_curve(p, r);
         if (feeds(p, r, traction)) {

@@ -157,10 +157,18 @@ fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick)
                      drive->prescribed_y ? 0 : 1 / (inertia + 0.5 * drive->tether.y)};
 }
 
-bool fw_piston_yields(const fw_piston *piston, fw_vec2 direction)
+fw_vec2 fw_piston_inertial(const fw_piston *piston, double time, double tick)
 {
-    const fw_vec2 along = driven(&piston->ledger, direction);
-    return along.x != 0 || along.y != 0;
+    const fw_vec2 along = fw_piston_displacement(piston, (fw_vec2){0, 0}, time, tick);
+    const fw_vec2 inertial =
+        fw_vec2_scale(0.5 * tick * (1 + kept(piston, tick)), piston->ledger.velocity);
+    return (fw_vec2){piston->drive.prescribed_x ? along.x : inertial.x,
+                     piston->drive.prescribed_y ? along.y : inertial.y};
+}
+
+bool fw_piston_yields(const fw_piston *piston)
+{
+    return !piston->drive.prescribed_x || !piston->drive.prescribed_y;
 }
 
 void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,

@@ -34,8 +34,7 @@ typedef struct fw_piston_ledger {
     fw_vec2 pushed;        /* sum R dt */
     double pushed_by;      /* the work of the bodies, sum R.w */
     fw_vec2 unmatched;     /* the part of `pushed` that does not fit the motion found, and ... */
-    double unmatched_work; /* ... of `pushed_by`: rounding, but for ticks that ... */
-    double unresolved;     /* ... ended without a motion that fits: so many */
+    double unmatched_work; /* ... of `pushed_by`: rounding, unless a soft corner pushes */
     fw_vec2 drag;          /* momentum taken by damping, with its sign */
     double heat;           /* energy taken by damping, >= 0 */
     fw_vec2 path_length;   /* per component, to and fro */
@@ -72,8 +71,12 @@ fw_status fw_piston_set_drive(fw_piston *piston, const fw_drive *drive, double d
 fw_vec2 fw_piston_displacement(const fw_piston *piston, fw_vec2 push, double time, double tick);
 fw_sym2 fw_piston_mobility(const fw_piston *piston, double tick);
 
-/* Whether forces move it along that direction, at least in part. */
-bool fw_piston_yields(const fw_piston *piston, fw_vec2 direction);
+/* The displacement in that tick by its velocity alone, and along the path where it is prescribed.
+ */
+fw_vec2 fw_piston_inertial(const fw_piston *piston, double time, double tick);
+
+/* Whether forces move it, at least in one component. */
+bool fw_piston_yields(const fw_piston *piston);
 
 /* Ends the tick: it has moved by `motion` under that push, and the bodies have done that work on it
  * (push . motion, but where soft corners push as no single force could). The velocity follows from

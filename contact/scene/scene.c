@@ -28,6 +28,7 @@ static void apply_loads(fw_scene *scene)
 /* 2. predict: where boundary particles would go, and how they yield to a force. */
 static fw_status predict_boundaries(fw_scene *scene, fw_error *error)
 {
+    FW_TRY(scene_begin_pistons(scene, error));
     for (int b = 0; b < scene->body_count && scene->wall_count > 0; ++b) {
         scene_body *body = &scene->bodies[b];
         fw_solid_predict(body->solid, fw_boundary_particles(body->boundary),
@@ -38,10 +39,9 @@ static fw_status predict_boundaries(fw_scene *scene, fw_error *error)
 }
 
 /* 3. find, and 4. constrain: which facets are near which run of boundary particles, and the forces
- * that hold contact particles. Both again and again where pistons have to find their way. */
+ * that hold contact particles. */
 static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
 {
-    if (scene->piston_count > 0) return scene_move_pistons(scene, error);
     FW_TRY(scene_find_contacts(scene, error));
     return scene_constrain_bodies(scene, error);
 }
@@ -106,7 +106,7 @@ static fw_status check_finite(const fw_scene *scene, fw_error *error)
             "step %lld: piston %s is displaced by (%g, %g) under the push (%g, %g) of the "
             "bodies, expected finite numbers within %g",
             (long long)scene->clock.step, fw_wall_name(scene->walls[w].wall), at.x, at.y,
-            scene->walls[w].search.push.x, scene->walls[w].search.push.y, scene->limit);
+            scene->walls[w].push.x, scene->walls[w].push.y, scene->limit);
     }
     return FW_OK;
 }

@@ -15,8 +15,7 @@ static bool carries(const fw_scene *scene, const scene_contact *contact)
     if (!solution->held || solution->wall_contact_count != 1) return false;
     const scene_wall *wall = &scene->walls[solution->wall_contact[0].wall];
     if (fw_wall_surface(wall->wall).law != FW_STICK || !fw_wall_moves(wall->wall)) return false;
-    if (wall->piston && fw_piston_yields(wall->piston, (fw_vec2){1, 0})) return false;
-    if (wall->piston && fw_piston_yields(wall->piston, (fw_vec2){0, 1})) return false;
+    if (wall->yields) return false;
     return solution->displacement.x == wall->motion.x && solution->displacement.y == wall->motion.y;
 }
 
@@ -67,9 +66,7 @@ static void book_on_wall(fw_scene *scene, const scene_body *body, const fw_carry
     ledger->force = fw_vec2_add(ledger->force, force);
     ledger->work += work;
     ledger->dissipated += work - carry->work;
-    if (scene->walls[w].piston)
-        scene_push_piston(&scene->walls[w], fw_solid_position(body->solid, carry->particle), force,
-                          (fw_sym2){0, 0, 0});
+    scene_push_piston(&scene->walls[w], fw_solid_position(body->solid, carry->particle), force);
 }
 
 void scene_carry(fw_scene *scene, int number)

@@ -9,7 +9,7 @@
 
 /* A colour of an automaton moves in every second tick only, and then for both: it meets the walls
  * where they were when it moved last. Otherwise a wall would run over a colour that rests. (Pistons
- * meet no automata; scene_pistons.c finds their motion.) */
+ * meet no automata.) */
 void scene_follow_wall(fw_scene *scene, int w, int ticks)
 {
     const double now = fw_scene_time(scene);
@@ -24,14 +24,6 @@ void scene_follow_wall(fw_scene *scene, int w, int ticks)
         fw_vec2_subtract(fw_wall_displacement(wall->wall, now + scene->tick), wall->place);
 }
 
-/* Can the wall be jammed by what stands before that facet? */
-static bool yields(const scene_wall *wall, const fw_facet *facet)
-{
-    const fw_vec2 anywhere = {1, 1};
-    return wall->piston &&
-           fw_piston_yields(wall->piston, fw_facet_is_curved(facet) ? anywhere : facet->normal);
-}
-
 /* Place, motion and friction of all facets in this tick for that body. */
 static void place_candidates(fw_scene *scene, int body)
 {
@@ -42,7 +34,6 @@ static void place_candidates(fw_scene *scene, int body)
         candidate->place = scene->walls[candidate->facet->wall].place;
         candidate->motion = scene->walls[candidate->facet->wall].motion;
         scene_take_surface(scene, body, &candidate->surface);
-        candidate->yields = yields(&scene->walls[candidate->facet->wall], candidate->facet);
     }
 }
 
@@ -80,15 +71,6 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
     return FW_OK;
 }
 
-void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness)
-{
-    const fw_vec2 middle = fw_vec2_add(
-        wall->place, fw_vec2_scale(0.5, fw_vec2_add(wall->bounds.low, wall->bounds.high)));
-    wall->search.push = fw_vec2_subtract(wall->search.push, force);
-    wall->search.stiffness = fw_sym2_add(wall->search.stiffness, stiffness);
-    wall->search.torque -= fw_vec2_cross(fw_vec2_subtract(position, middle), force);
-}
-
 static int compare_contacts(const void *left, const void *right)
 {
     const scene_contact *a = left, *b = right;
@@ -100,19 +82,21 @@ void scene_sort_contacts(scene_body *body)
     qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
 }
 
-/* Springs are no constraints. */
+/* Springs are no constraints, and pistons that yield are ends of the joint contact. */
 void scene_list_near(fw_scene *scene, fw_boundary_run run)
 {
     scene->near_count = 0;
-    for (int n = 0; n < run.facet_count; ++n)
-        if (scene->candidates[run.facets[n]].surface.law != FW_PENALTY)
-            scene->near[scene->near_count++] = scene->candidates[run.facets[n]];
+    for (int n = 0; n < run.facet_count; ++n) {
+        const fw_candidate *candidate = &scene->candidates[run.facets[n]];
+        if (candidate->surface.law != FW_PENALTY && !scene->walls[candidate->facet->wall].yields)
+            scene->near[scene->near_count++] = *candidate;
+    }
 }
 
 /* No wall can hold or rub this particle. */
 static bool has_no_rows(const fw_scene *scene, const scene_body *body)
 {
-    return scene->near_count == 0 && !body->memory && !body->rows;
+    return scene->near_count == 0 && !body->memory;
 }
 
 /* One particle of a run against hard walls. Where they push it further than its free path, the list
@@ -131,8 +115,8 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
     }
     for (;;) {
         fw_boundary_run run = fw_boundary_observe_run(body->boundary, run_number);
-        *solution = fw_constrain(position, free, body->rows ? &body->rows[entry] : NULL,
-                                 scene->near, scene->near_count, scene->candidates, memory);
+        *solution =
+            fw_constrain(position, free, scene->near, scene->near_count, scene->candidates, memory);
         if (!solution->held) {
             solution->displacement = free->displacement;
             return FW_OK;
@@ -144,13 +128,6 @@ static fw_status constrain_hard(fw_scene *scene, scene_body *body, int run_numbe
         scene_list_near(scene, extended);
         if (memory) *memory = before;
     }
-}
-
-/* In this try, or in an earlier one of the step. */
-static bool jams_piston(const scene_body *body, const scene_contact *contact)
-{
-    return body->rows &&
-           (contact->solution.rows.jam.piston > 0 || body->rows[contact->entry].jam.piston > 0);
 }
 
 /* The path sets the push of soft walls, and the push sets the path: w = hard(w_p + A F(w)). F falls
@@ -182,8 +159,7 @@ static fw_status constrain_entry(fw_scene *scene, scene_body *body, int run_numb
             break;
         w = fw_vec2_add(w, fw_vec2_scale(1 / (1 + yielding), change));
     }
-    if (contact.solution.held || contact.soft.x != 0 || contact.soft.y != 0 ||
-        jams_piston(body, &contact))
+    if (contact.solution.held || contact.soft.x != 0 || contact.soft.y != 0)
         body->contacts[body->contact_count++] = contact;
     return FW_OK;
 }
@@ -204,18 +180,32 @@ static void book_friction(fw_scene *scene, scene_body *body, const scene_contact
     ledger->creep = fmax(ledger->creep, fabs(memory->crept));
 }
 
+/* The work on the particle is what the spring stored less, and what the piston's motion did. */
+static void book_spring(fw_scene *scene, const scene_contact *contact,
+                        const fw_wall_contact *spring, fw_vec2 position)
+{
+    const fw_vec2 w = contact->solution.displacement;
+    const double stored = scene_stored_by(&scene->walls[spring->wall], position, w);
+    fw_wall_ledger *ledger = &scene->ledgers[spring->wall];
+    ledger->stored += stored;
+    ledger->work += fw_vec2_dot(spring->force, w) + stored - spring->work;
+}
+
 /* A force acts on its particle for `ticks`, from one move to the next. */
 static void book(fw_scene *scene, scene_body *body, const scene_contact *contact)
 {
     const fw_contact_solution *solution = &contact->solution;
     const int ticks = body->solid->model->ticks_per_step;
+    const fw_vec2 position = fw_solid_position(body->solid, contact->particle);
     if (contact->soft.x != 0 || contact->soft.y != 0)
-        scene_book_soft(scene, contact, fw_solid_position(body->solid, contact->particle), ticks);
+        scene_book_soft(scene, contact, position, ticks);
     for (int n = 0; n < solution->wall_contact_count; ++n) {
         const fw_wall_contact *wall_contact = &solution->wall_contact[n];
         fw_wall_ledger *ledger = &scene->ledgers[wall_contact->wall];
         ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(ticks, wall_contact->force));
         ledger->work += wall_contact->work;
+        scene_push_piston(&scene->walls[wall_contact->wall], position, wall_contact->force);
+        if (wall_contact->spring) book_spring(scene, contact, wall_contact, position);
         ledger->dissipated += wall_contact->dissipated;
         bool counted = false;
         for (int m = 0; m < n; ++m) counted |= solution->wall_contact[m].wall == wall_contact->wall;
@@ -233,6 +223,8 @@ void scene_book_contacts(fw_scene *scene)
         scene->ledgers[w].force = (fw_vec2){0, 0};
         scene->ledgers[w].contacts = 0;
         scene->walls[w].cone = scene->walls[w].beyond = 0;
+        scene->walls[w].push = (fw_vec2){0, 0};
+        scene->walls[w].torque = 0;
     }
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
@@ -242,22 +234,13 @@ void scene_book_contacts(fw_scene *scene)
     }
 }
 
-static bool knows_rows(const scene_body *body, fw_boundary_run run)
-{
-    for (int entry = run.first; body->rows && entry < run.first + run.count; ++entry)
-        if (body->rows[entry].count > 0) return true;
-    return false;
-}
-
 static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *error)
 {
     body->contact_count = 0;
     if (scene->wall_count == 0) return FW_OK;
     for (int n = 0; n < fw_boundary_run_count(body->boundary); ++n) {
         fw_boundary_run run = fw_boundary_observe_run(body->boundary, n);
-        if (run.facet_count == 0 && !body->memory && scene->soft_count == 0 &&
-            !knows_rows(body, run))
-            continue;
+        if (run.facet_count == 0 && !body->memory && scene->soft_count == 0) continue;
         scene_list_near(scene, run);
         for (int entry = run.first; entry < run.first + run.count; ++entry)
             if (!body->gripped || !body->gripped[fw_boundary_particles(body->boundary)[entry]])

@@ -91,14 +91,14 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
 {
     int count = 0;
     for (int b = 0; b < scene->body_count; ++b) count += meets_any(scene, b);
-    if (count == 0) return FW_OK;
+    if (count == 0 && scene->piston_count == 0) return FW_OK;
     scene_joint *joint = scene->joint = calloc(1, sizeof *joint);
     if (!joint) return fw_fail_memory(error, "the contact of bodies");
-    joint->members = calloc((size_t)count, sizeof *joint->members);
-    joint->member_bodies = calloc((size_t)count, sizeof *joint->member_bodies);
+    joint->members = calloc((size_t)count + 1, sizeof *joint->members);
+    joint->member_bodies = calloc((size_t)count + 1, sizeof *joint->member_bodies);
     joint->bodies = calloc((size_t)scene->body_count, sizeof *joint->bodies);
     joint->solver = fw_joint_create();
-    joint->rubs = scene_bodies_rub(scene);
+    joint->rubs = count > 0 && scene_bodies_rub(scene);
     if (!joint->members || !joint->member_bodies || !joint->bodies || !joint->solver)
         return fw_fail_memory(error, "the contact of bodies");
     for (int b = 0; b < scene->body_count; ++b) {
@@ -106,6 +106,7 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
         FW_TRY(make_edge(&scene->bodies[b], joint->rubs, error));
         joint->member_bodies[joint->member_count++] = b;
     }
+    if (count == 0) return FW_OK;
     FW_TRY(renew_search(scene, error));
     FW_TRY(scene_refuse_overlaps(scene, error));
     /* The search shall take the first step, or what is resumed, for its first look. */
@@ -115,12 +116,12 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
 fw_status scene_restore_edges(fw_scene *scene, fw_error *error)
 {
     if (!scene->joint) return FW_OK;
+    scene_forget_ends(scene);
     for (int m = 0; m < scene->joint->member_count; ++m) {
         const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
         FW_TRY(make_points(body->edge, body->solid, error));
     }
-    scene->joint->end_count = 0;
-    return renew_search(scene, error);
+    return scene->joint->search ? renew_search(scene, error) : FW_OK;
 }
 
 void scene_destroy_edges(fw_scene *scene)
@@ -137,6 +138,7 @@ void scene_destroy_edges(fw_scene *scene)
     free(joint->rows);
     free(joint->joint_rows);
     free(joint->found);
+    free(joint->reached);
     free(joint->bodies);
     free(joint);
 }
@@ -210,6 +212,8 @@ static double longest_prediction(const fw_scene *scene)
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
 {
     if (!scene->joint || scene_is_second_tick(scene)) return FW_OK;
+    scene_forget_ends(scene);
+    if (!scene->joint->search) return FW_OK;
     bool changed = false;
     for (int m = 0; m < scene->joint->member_count; ++m) {
         const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];

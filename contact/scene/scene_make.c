@@ -33,7 +33,7 @@ void fw_scene_destroy(fw_scene *scene)
         fw_boundary_destroy(body->boundary);
         free(body->memory);
         free(body->contacts);
-        free(body->rows);
+        free(body->entry_end);
         free(body->memory_before);
         free(body->gripped);
         free(body->constraints);
@@ -107,7 +107,7 @@ fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *e
     if (!walls) return fw_fail_memory(error, "a wall");
     scene->walls = walls;
     scene_wall *wall = &scene->walls[scene->wall_count];
-    *wall = (scene_wall){0};
+    *wall = (scene_wall){.end = -1};
     FW_TRY(fw_wall_create(&wall->wall, scene->wall_count, def, error));
     wall->bounds = fw_wall_bounds(wall->wall);
     wall->soft = def->surface.law == FW_PENALTY;
@@ -197,9 +197,11 @@ static fw_status build_broadphase(fw_scene *scene, fw_error *error)
 {
     scene->broadphase = fw_broadphase_create(extent_of(scene));
     if (!scene->broadphase) return fw_fail_memory(error, "the broadphase");
-    for (int w = 0; w < scene->wall_count; ++w)
-        if (fw_broadphase_add_wall(scene->broadphase, scene->walls[w].wall) < 0)
-            return fw_fail_memory(error, "the facets of a wall");
+    for (int w = 0; w < scene->wall_count; ++w) {
+        scene_wall *wall = &scene->walls[w];
+        wall->first_facet = fw_broadphase_add_wall(scene->broadphase, wall->wall);
+        if (wall->first_facet < 0) return fw_fail_memory(error, "the facets of a wall");
+    }
     scene->facet_count = fw_broadphase_facet_count(scene->broadphase);
     scene->candidates = calloc((size_t)scene->facet_count + 1, sizeof *scene->candidates);
     scene->near = calloc((size_t)scene->facet_count + 1, sizeof *scene->near);
@@ -234,9 +236,10 @@ static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error
     if (!body->contacts || (any_wall_rubs(scene) && !body->memory))
         return fw_fail_memory(error, "the contacts of a body");
     if (scene->piston_count == 0) return FW_OK;
-    body->rows = calloc(count, sizeof *body->rows);
+    body->entry_end = calloc(count, sizeof *body->entry_end);
+    for (size_t n = 0; body->entry_end && n < count; ++n) body->entry_end[n] = -1;
     if (body->memory) body->memory_before = calloc(count, sizeof *body->memory);
-    if (!body->rows || (body->memory && !body->memory_before))
+    if (!body->entry_end || (body->memory && !body->memory_before))
         return fw_fail_memory(error, "the contacts of a body with pistons");
     return FW_OK;
 }

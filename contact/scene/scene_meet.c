@@ -61,6 +61,10 @@ static double longest_path(const fw_scene *scene)
             squared = fmax(squared, fmax(fw_vec2_dot(from, from), fw_vec2_dot(to, to)));
         }
     }
+    for (int e = 0; e < joint->end_count; ++e) { /* pistons push what is not busy, too */
+        const fw_vec2 w = joint->joint_ends[e].displacement;
+        if (joint->ends[e].point >= 0) squared = fmax(squared, fw_vec2_dot(w, w));
+    }
     return sqrt(squared);
 }
 
@@ -340,14 +344,24 @@ static fw_status search_within_reach(fw_scene *scene, fw_error *error)
     }
 }
 
-static void forget_ends(fw_scene *scene)
+static fw_status begin_bodies(fw_scene *scene, fw_error *error)
 {
-    scene_joint *joint = scene->joint;
-    for (int e = 0; e < joint->end_count; ++e)
-        scene->bodies[joint->ends[e].body].edge->end[joint->ends[e].point] = -1;
-    joint->end_count = joint->row_count = joint->changes = 0;
-    joint->outcome = (fw_joint_outcome){0};
-    joint->reach = 0;
+    scene->joint->reach = 0;
+    if (!scene->joint->search) return FW_OK;
+    begin_paths(scene);
+    FW_TRY(scene_add_rubbing(scene, error));
+    return fw_meeting_find(scene->joint->search, 0, error);
+}
+
+/* All that passes something on its present path gets its row. */
+static fw_status add_passed(fw_scene *scene, fw_error *error)
+{
+    if (scene->joint->search) {
+        FW_TRY(search_within_reach(scene, error));
+        FW_TRY(add_passed_edges(scene, error));
+    }
+    FW_TRY(scene_add_reached(scene, error));
+    return scene_add_passed_walls(scene, error);
 }
 
 fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
@@ -357,15 +371,11 @@ fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
         scene_hand_over_second(scene);
         return FW_OK;
     }
-    forget_ends(scene);
-    begin_paths(scene);
-    FW_TRY(scene_add_rubbing(scene, error));
-    FW_TRY(fw_meeting_find(joint->search, 0, error));
+    FW_TRY(begin_bodies(scene, error));
+    FW_TRY(scene_add_rubbed_by_pistons(scene, error));
     for (int round = 0;; ++round) {
         const int known = joint->changes;
-        FW_TRY(search_within_reach(scene, error));
-        FW_TRY(add_passed_edges(scene, error));
-        FW_TRY(scene_add_passed_walls(scene, error));
+        FW_TRY(add_passed(scene, error));
         if (joint->changes == known && round > 0) break;
         if (joint->row_count == 0) break;
         if (round == ROUNDS) { /* what still passes is in a state that no row can mend */

@@ -227,6 +227,6 @@ static fw_status note_depth(const fw_scene *scene, int number, int other, fw_box
 double fw_scene_body_penetration(const fw_scene *scene)
 {
     double most = 0;
-    if (!scene->joint) return 0;
+    if (!scene->joint || !scene->joint->search) return 0;
     return look_at_pairs(scene, note_depth, &most, NULL) == FW_OK ? most : NAN;
 }

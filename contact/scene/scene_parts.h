@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
- * scene_soft.c, scene_carry.c, scene_room.c, scene_pistons.c and scene_jams.c (its contact phase),
- * scene_edges.c, scene_meet.c, scene_turns.c and scene_joint.c (bodies against bodies),
+ * scene_soft.c, scene_carry.c and scene_room.c (its contact phase), scene_edges.c, scene_meet.c,
+ * scene_turns.c, scene_pistons.c, scene_joint.c and scene_ends.c (bodies and pistons),
  * scene_make.c (making, restoring) and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
@@ -42,9 +42,13 @@ typedef struct scene_edge {
     scene_rub *rubs;      /* per particle; NULL where nothing rubs. Part of the state */
 } scene_edge;
 
-/* A particle that takes part in the joint contact of this tick. */
+/* A particle that takes part in the joint contact of this tick, or a piston. */
 typedef struct scene_end {
-    int body, point;
+    int body;          /* -1: it is a piston */
+    int particle;      /* of the body; of a piston its wall */
+    int point;         /* of the body's contour, or -1 */
+    int entry;         /* of the boundary; beyond it, or -1, for what meets no walls */
+    fw_vec2 alone;     /* displacement without any contact */
     int contact;       /* what walls alone did to it, among the body's contacts; or -1 */
     int grip;          /* that holds it; or -1 */
     int row;           /* its latest row as the point that passes, or -1 */
@@ -56,7 +60,7 @@ typedef struct scene_end {
 
 /* What a row of the joint contact is about. */
 typedef struct scene_row {
-    int facet;             /* of a wall; -1: of a body */
+    int facet;             /* of a wall; of one that is a spring its first; -1: of a body */
     int body, from, to;    /* the other body's points */
     int segment;           /* of its contour */
     int next;              /* an earlier row of the same end, or -1 */
@@ -65,10 +69,18 @@ typedef struct scene_row {
     double crept;          /* by it along the segment, since the tick after it stuck */
 } scene_row;
 
-/* Contact of bodies with each other: all of it but the ledger is of one tick only. */
+/* A particle that a piston comes to. */
+typedef struct scene_reach {
+    int body, entry, particle, facet;
+    bool spring;
+    double excess; /* by how much it is passed */
+} scene_reach;
+
+/* Contact of bodies with each other and with pistons: all of it but the ledger is of one tick only.
+ */
 typedef struct scene_joint {
     fw_joint *solver;
-    fw_meeting *search;
+    fw_meeting *search;       /* NULL where no bodies meet */
     bool rubs;                /* any body rubs on any other */
     bool search_is_new;       /* it knows of no step yet */
     fw_meeting_body *members; /* one per body that meets others */
@@ -85,6 +97,8 @@ typedef struct scene_joint {
     fw_joint_row *joint_rows;
     int found_count, found_capacity;
     scene_row *found;
+    int reach_count, reach_capacity;
+    scene_reach *reached;
     fw_joint_outcome outcome; /* of this tick */
     fw_contact_ledger ledger;
     fw_body_ledger *bodies; /* per body of the scene */
@@ -114,8 +128,10 @@ typedef struct scene_body {
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
     scene_contact *contacts;   /* of this tick, ascending; room for all particles */
     int contact_count;
-    fw_row_list *rows; /* known in this tick, per entry of the boundary; NULL without pistons */
-    fw_contact_memory *memory_before; /* at the beginning of the tick, per entry of the boundary */
+    int *entry_end; /* per entry of the boundary: the end of what is no point, or -1; NULL without
+                       pistons */
+    fw_contact_memory *memory_before; /* at the beginning of the tick, per particle; NULL without
+                                         pistons */
     uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
     fw_constraint *constraints;       /* of contacts and grips, ascending; room for all particles */
     int constraint_count;
@@ -124,29 +140,6 @@ typedef struct scene_body {
     scene_felt *felt;     /* NULL where nobody asked for it */
     scene_rubbed *rubbed; /* per particle, part of the state; NULL where nothing rubs it */
 } scene_body;
-
-/* A number lies between these. */
-typedef struct scene_bracket {
-    double low, high;
-} scene_bracket;
-
-/* The search for the motion of a piston in this tick. */
-typedef struct scene_search {
-    fw_vec2 push; /* of the bodies on the piston, moving as the wall's `motion` says ... */
-    fw_sym2
-        stiffness;  /* ... and - d push/d motion, where no particle comes or goes; steers Newton */
-    double torque;  /* of the push about the piston's middle */
-    fw_jam jam;     /* the tightest of all; piston 0: there is none */
-    double jammed;  /* with which force, along the normal of the jam */
-    double deepest; /* by how much a new row passes its particle at most, along ... */
-    fw_vec2 deepest_normal;
-    bool takes, draws_back; /* what becomes of new rows */
-    bool fits;              /* the motion of the last try */
-    scene_bracket x, y;
-    double least_error; /* relative, since the last row was activated */
-    int stale;          /* tries since then that did not improve it */
-    double part;        /* of Newton's step that is taken */
-} scene_search;
 
 typedef struct scene_wall {
     fw_wall *wall;
@@ -158,7 +151,11 @@ typedef struct scene_wall {
     double work_before;    /* done on bodies until the last tick */
     double cone, beyond;   /* of friction in this tick: the widest, and the most that exceeds it */
     fw_piston *piston;     /* what moves it; NULL: its path */
-    scene_search search;   /* of a piston */
+    bool yields;           /* forces move the piston */
+    int end;               /* of a piston that yields, in the joint contact of this tick; or -1 */
+    fw_vec2 push;          /* of the bodies on the piston, in this tick */
+    double torque;         /* of that about the piston's middle */
+    double deepest;        /* by how much new rows pass their particles at most */
 } scene_wall;
 
 typedef struct scene_load {
@@ -211,15 +208,13 @@ struct fw_scene {
 /* Keeps the largest energy or work so far, at the start and after a step. */
 void scene_note_work(fw_scene *scene);
 
-/* 3. and 4. of the time step for given motions of the walls: which facets are near which run of
- * boundary particles, and the forces that hold contact particles. Enters nothing in the ledger. */
+/* 3. and 4. of the time step: which facets are near which run of boundary particles, and the forces
+ * that hold contact particles, with the motions of pistons. Enters nothing in the ledger. */
 fw_status scene_find_contacts(fw_scene *scene, fw_error *error);
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
-/* The same together with the motions of the pistons, which follow from those forces. */
-fw_status scene_move_pistons(fw_scene *scene, fw_error *error);
 /* Contacts of a body ascend by particle. */
 void scene_sort_contacts(scene_body *body);
-/* The hard facets of a run become scene->near. */
+/* The facets of a run that are neither springs nor yield become scene->near. */
 void scene_list_near(fw_scene *scene, fw_boundary_run run);
 
 /* Where a point of an edge is. */
@@ -241,7 +236,7 @@ void scene_destroy_edges(fw_scene *scene);
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error);
 /* Of runs that have become busy since. */
 void scene_predict_busy(fw_scene *scene);
-/* What keeps bodies out of each other, on top of what walls do. */
+/* What keeps bodies out of each other and of pistons, on top of what other walls do. */
 fw_status scene_meet_bodies(fw_scene *scene, fw_error *error);
 /* Bodies in which two colours move in turn: scene_turns.c. Is this their second tick? */
 bool scene_is_second_tick(const fw_scene *scene);
@@ -259,14 +254,25 @@ void scene_hand_over_second(fw_scene *scene);
 void scene_follow_wall_later(fw_scene *scene, int wall);
 fw_candidate scene_candidate_for(const fw_scene *scene, int facet, bool later);
 
-/* What walls alone did to the particle among the contacts of its body, or -1. */
-int scene_find_contact(const scene_body *body, int particle);
-/* The end of a point, which is made where there is none. */
+/* The ends of a contour's point, of a particle that meets walls, and of a piston; made where there
+ * are none yet. FW_SYSTEM_FAILED without memory. */
 fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error);
+fw_status scene_find_entry(fw_scene *scene, int body, int entry, int *end, fw_error *error);
+fw_status scene_find_piston(fw_scene *scene, int wall, int *end, fw_error *error);
+/* Where the end of a particle stands. */
+int *scene_end_of_entry(const scene_body *body, int entry);
+/* What walls alone did to a particle, among the body's contacts; or -1. */
+int scene_find_contact(const scene_body *body, int particle);
+void scene_forget_ends(fw_scene *scene);
 /* The force on an end becomes a contact of its body. */
 scene_contact *scene_hand_over_end(fw_scene *scene, int end);
-/* A row that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED without memory. */
+/* A row of another body that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED
+ * without memory. */
 fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error);
+/* The same of a facet and an end. `open`: it only rubs. */
+fw_status scene_add_facet(fw_scene *scene, int end, int facet, bool open, fw_error *error);
+/* A piston that is a spring. */
+fw_status scene_add_spring(fw_scene *scene, int end, int wall, fw_error *error);
 /* Its number, or -1. */
 int scene_find_row(const scene_joint *joint, int end, const scene_row *row);
 /* Rows on which particles still rub that rubbed in the last tick; they bar no way. */
@@ -280,6 +286,9 @@ bool scene_bodies_rub(const fw_scene *scene);
 void scene_take_surface(const fw_scene *scene, int body, fw_surface *surface);
 /* What particles remember for the next tick, and the heat. */
 void scene_remember_rubbing(fw_scene *scene);
+/* Friction of a wall's row, and what of an end's rows a particle remembers. */
+fw_joint_rub scene_take_wall_rub(const fw_scene *scene, int end, int facet);
+void scene_remember_wall(fw_scene *scene, int end);
 /* Rows of all walls that ends pass. */
 fw_status scene_add_passed_walls(fw_scene *scene, fw_error *error);
 /* Solves all rows, and puts the points where that leads. */
@@ -301,28 +310,32 @@ void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub 
 void scene_record_rub_on_walls(const fw_scene *scene, scene_body *body,
                                const scene_contact *contact);
 
+/* Pistons begin the tick as if they met nothing. FW_DIVERGED: not by finite numbers. */
+fw_status scene_begin_pistons(fw_scene *scene, fw_error *error);
+/* Particles that a piston comes to on their present paths get rows. */
+fw_status scene_add_reached(fw_scene *scene, fw_error *error);
+/* Particles on which a piston rubbed in the last tick are ends of this one. */
+fw_status scene_add_rubbed_by_pistons(fw_scene *scene, fw_error *error);
+/* Pistons move as their ends do. FW_DIVERGED as above. */
+fw_status scene_follow_ends(fw_scene *scene, fw_error *error);
 /* Ends the tick of the pistons. */
 void scene_advance_pistons(fw_scene *scene);
 /* A force on a particle at `position` pushes the piston back. */
-void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force, fw_sym2 stiffness);
-/* What a contact of this try says of jams: for the particle, and for the piston. */
-void scene_note_jam(fw_scene *scene, scene_body *body, const scene_contact *contact);
-/* The particles that jam the piston of a wall share its force and pass it on. */
-void scene_pass_on_jam(fw_scene *scene, int wall);
-/* Pistons that have run over a jam do not fit. */
-void scene_look_for_overrun(fw_scene *scene);
+void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force);
 /* Place and motion of a wall in this tick, for bodies each of whose particles moves once in so many
  * ticks. */
 void scene_follow_wall(fw_scene *scene, int wall, int ticks);
 /* What the contacts of the tick do to the walls' ledgers. */
 void scene_book_contacts(fw_scene *scene);
-/* Of one penalty wall, or of all, on a particle at `position` that moves by w in this tick; and
- * what that does to their ledgers. */
+/* Of one penalty wall, or of all that do not yield, on a particle at `position` that moves by w in
+ * this tick; and what that does to their ledgers. */
 fw_vec2 scene_soft_force_of(const scene_wall *wall, fw_vec2 position, fw_vec2 w);
 fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
-/* Only true where no penalty wall acts on that path. */
+/* Only true where none of those acts on that path. */
 bool scene_is_clear_of_soft(const fw_scene *scene, fw_vec2 position, fw_vec2 w);
 void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 position, int ticks);
+/* The energy that one stores more after that path. */
+double scene_stored_by(const scene_wall *wall, fw_vec2 position, fw_vec2 w);
 /* FW_DIVERGED where a particle was taken through a wall in this tick; before pistons advance. */
 fw_status scene_check_room(fw_scene *scene, fw_error *error);
 /* Of all penalty walls, on ends of the joint contact. */

@@ -70,7 +70,7 @@ fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end)
     const scene_rub *memory = &edge->rubs[edge->contour.particles[row->point]];
     for (int n = joint->ends[end].row; n >= 0; n = joint->rows[n].next) {
         fw_joint_row *other = &joint->joint_rows[n];
-        if (!(other->rub.coefficient > 0)) continue;
+        if (joint->rows[n].facet >= 0 || !(other->rub.coefficient > 0)) continue;
         if (!other->open) return (fw_joint_rub){0};
         other->rub = (fw_joint_rub){0};
     }
@@ -159,7 +159,7 @@ static void follow_creep(fw_scene *scene)
         scene_row *row = &joint->rows[n];
         const fw_joint_rub *rub = &joint->joint_rows[n].rub;
         row->crept = 0;
-        if (!(rub->coefficient > 0) || !rub->stuck) continue;
+        if (row->facet >= 0 || !(rub->coefficient > 0) || !rub->stuck) continue;
         const scene_edge *edge = scene->bodies[row->point_body].edge;
         const scene_rub *before = &edge->rubs[edge->contour.particles[row->point]];
         if (before->stuck && before->other == 1 + row->body) row->crept = before->crept + rub->slip;
@@ -178,7 +178,7 @@ void scene_remember_rubbing(fw_scene *scene)
         const scene_row *row = &joint->rows[n];
         const fw_joint_row *solved = &joint->joint_rows[n];
         const fw_joint_rub *rub = &solved->rub;
-        if (!(rub->coefficient > 0)) continue;
+        if (row->facet >= 0 || !(rub->coefficient > 0)) continue;
         joint->ledger.heat -= rub->traction * rub->slip;
         scene_record_rub(scene, row, rub);
         const double cone = 0.5 * fw_joint_coefficient(rub) * (solved->lambda + rub->before);
@@ -196,4 +196,50 @@ void scene_remember_rubbing(fw_scene *scene)
     }
     if (beyond > 0 && widest > 0)
         joint->ledger.overstep = fmax(joint->ledger.overstep, beyond / widest);
+}
+
+/* --- on walls --- */
+
+/* Where pistons take part. (Elsewhere a wall does not rub a particle that touches another body in
+ * the same tick.) */
+fw_joint_rub scene_take_wall_rub(const fw_scene *scene, int number, int facet)
+{
+    const scene_end *end = &scene->joint->ends[number];
+    const scene_body *body = &scene->bodies[end->body];
+    const int wall = scene->candidates[facet].facet->wall;
+    fw_surface surface = scene->candidates[facet].surface;
+    if (surface.law != FW_COULOMB || !body->memory_before) return (fw_joint_rub){0};
+    scene_take_surface(scene, end->body, &surface);
+    const fw_contact_memory *before = &body->memory_before[end->particle];
+    fw_joint_rub rub = {.coefficient = surface.friction, .at_rest = surface.static_friction};
+    if (before->facet == 0 || scene->candidates[before->facet - 1].facet->wall != wall) return rub;
+    rub.before = before->reaction;
+    rub.inertial_before = before->inertial;
+    rub.stuck_before = before->stuck;
+    rub.slides = !before->stuck;
+    return rub;
+}
+
+/* Of the walls that rub a particle it remembers the one that pushes the most. */
+void scene_remember_wall(fw_scene *scene, int number)
+{
+    const scene_joint *joint = scene->joint;
+    const scene_end *end = &joint->ends[number];
+    const scene_body *body = &scene->bodies[end->body];
+    fw_contact_memory memory = {0};
+    double most = 0;
+    for (int n = joint->ends[number].row; n >= 0; n = joint->rows[n].next) {
+        const fw_joint_row *solved = &joint->joint_rows[n];
+        const fw_joint_rub *rub = &solved->rub;
+        const double pushes = solved->lambda + rub->before;
+        if (joint->rows[n].facet < 0 || !(rub->coefficient > 0) || !(pushes > most)) continue;
+        const fw_contact_memory *before = &body->memory_before[end->particle];
+        most = pushes;
+        memory = (fw_contact_memory){.reaction = solved->lambda,
+                                     .inertial = rub->inertial,
+                                     .facet = 1 + joint->rows[n].facet,
+                                     .stuck = rub->stuck};
+        if (rub->stuck && rub->stuck_before) memory.crept = before->crept + rub->slip;
+    }
+    body->memory[end->particle] = memory;
 }

@@ -35,7 +35,7 @@ bool scene_is_clear_of_soft(const fw_scene *scene, fw_vec2 position, fw_vec2 w)
         const scene_wall *wall = &scene->walls[n];
         const fw_vec2 from = fw_vec2_subtract(position, wall->place);
         const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
-        if (wall->soft && !is_clear_of(wall, from, to)) return false;
+        if (wall->soft && !wall->yields && !is_clear_of(wall, from, to)) return false;
     }
     return true;
 }
@@ -52,8 +52,16 @@ fw_vec2 scene_soft_force(const fw_scene *scene, fw_vec2 position, fw_vec2 w)
 {
     fw_vec2 force = {0, 0};
     for (int n = 0; n < scene->wall_count; ++n)
-        force = fw_vec2_add(force, scene_soft_force_of(&scene->walls[n], position, w));
+        if (!scene->walls[n].yields)
+            force = fw_vec2_add(force, scene_soft_force_of(&scene->walls[n], position, w));
     return force;
+}
+
+double scene_stored_by(const scene_wall *wall, fw_vec2 position, fw_vec2 w)
+{
+    const fw_vec2 from = fw_vec2_subtract(position, wall->place);
+    const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
+    return fw_penalty_energy(wall->wall, to) - fw_penalty_energy(wall->wall, from);
 }
 
 /* The work on the particle is what the wall stored less, and what its motion did. Both are taken
@@ -62,19 +70,17 @@ void scene_book_soft(fw_scene *scene, const scene_contact *contact, fw_vec2 posi
 {
     const fw_vec2 w = contact->solution.displacement;
     for (int n = 0; n < scene->wall_count; ++n) {
-        const scene_wall *wall = &scene->walls[n];
-        if (!wall->soft) continue;
+        scene_wall *wall = &scene->walls[n];
+        if (!wall->soft || wall->yields) continue;
         const fw_vec2 force = scene_soft_force_of(wall, position, contact->soft_path);
-        const fw_vec2 from = fw_vec2_subtract(position, wall->place);
-        const fw_vec2 to = fw_vec2_add(from, fw_vec2_subtract(w, wall->motion));
-        const double stored =
-            fw_penalty_energy(wall->wall, to) - fw_penalty_energy(wall->wall, from);
+        const double stored = scene_stored_by(wall, position, w);
         if (stored == 0 && force.x == 0 && force.y == 0) continue;
         fw_wall_ledger *ledger = &scene->ledgers[n];
         ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(ticks, force));
         ledger->stored += stored;
         ledger->work += fw_vec2_dot(force, w) + stored;
         ledger->contacts += 1;
+        scene_push_piston(wall, position, force);
     }
 }
 
@@ -117,26 +123,50 @@ static fw_vec2 free_with_springs(void *context, int number, fw_vec2 displacement
 {
     fw_scene *scene = context;
     scene_end *end = &scene->joint->ends[number];
-    const fw_prediction *alone = &scene->bodies[end->body].edge->predictions[end->point];
+    const fw_joint_end *solved = &scene->joint->joint_ends[number];
+    if (end->body < 0) return end->alone;
     for (int w = 0; w < scene->wall_count && scene->ticks_per_step == 2; ++w)
         if (end->later)
             scene_follow_wall_later(scene, w);
         else
             scene_follow_wall(scene, w, scene->ticks_per_step);
-    end->soft = scene_soft_force(scene, scene->joint->joint_ends[number].position, displacement);
+    end->soft = scene_soft_force(scene, solved->position, displacement);
     end->soft_path = displacement;
-    return fw_vec2_add(alone->displacement, fw_sym2_apply(alone->mobility, end->soft));
+    return fw_vec2_add(end->alone, fw_sym2_apply(solved->mobility, end->soft));
 }
 
 static double softening_of(void *context, int number)
 {
     const fw_scene *scene = context;
     const fw_sym2 mobility = scene->joint->joint_ends[number].mobility;
+    if (scene->joint->ends[number].body < 0) return 0;
     return 0.5 * scene->soft_stiffness * fmax(mobility.xx, mobility.yy);
+}
+
+/* Of a piston that is a spring, on a path relative to it. The slope is that over a small part of
+ * the stiffness's own length, the path. */
+static fw_vec2 push_of_spring(void *context, int number, fw_vec2 relative, double *slope)
+{
+    const fw_scene *scene = context;
+    const scene_joint *joint = scene->joint;
+    const scene_wall *wall =
+        &scene->walls[scene->candidates[joint->rows[number].facet].facet->wall];
+    const double half = 0.5 * fw_wall_surface(wall->wall).stiffness;
+    const fw_vec2 position = joint->joint_ends[joint->joint_rows[number].end[0]].position;
+    const fw_vec2 force = scene_soft_force_of(wall, position, fw_vec2_add(relative, wall->motion));
+    const double size = sqrt(fw_vec2_dot(force, force));
+    *slope = half;
+    if (!(size > 0)) return (fw_vec2){0, 0};
+    const double step = 1e-6 * size / half;
+    const fw_vec2 less = scene_soft_force_of(
+        wall, position,
+        fw_vec2_add(fw_vec2_add(relative, wall->motion), fw_vec2_scale(step / size, force)));
+    const double change = size - sqrt(fw_vec2_dot(less, less));
+    *slope = fmin(fmax(change / step, 1e-3 * half), 2 * half);
+    return force;
 }
 
 fw_joint_springs scene_springs(fw_scene *scene)
 {
-    return (fw_joint_springs){
-        .free = free_with_springs, .softening = softening_of, .context = scene};
+    return (fw_joint_springs){free_with_springs, softening_of, push_of_spring, scene};
 }

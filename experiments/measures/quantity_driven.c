@@ -92,11 +92,6 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
     fw_quantity_put(out, fw_piston_momentum_error(piston_of(experiment, subject)));
 }
 
-static void unresolved(const fw_experiment *experiment, fw_subject subject, double *out)
-{
-    out[0] = ledger_of(experiment, subject)->unresolved;
-}
-
 static void unmatched(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     out[0] = ledger_of(experiment, subject)->unmatched_work;
@@ -148,8 +143,7 @@ const fw_quantity fw_piston_quantities[] = {
     {"piston-path-length", FW_SCOPE_PISTON, "x y", "length", "length of its path since the start, per component", NULL, path_length, NULL, FW_NEEDS_NOTHING},
     {"piston-energy-error", FW_SCOPE_PISTON, "", "energy", "kinetic energy of the piston minus what work and heat say", NULL, energy_error, NULL, FW_NEEDS_NOTHING},
     {"piston-momentum-error", FW_SCOPE_PISTON, "x y", "momentum", "momentum of the piston minus what the impulses say", NULL, momentum_error, NULL, FW_NEEDS_NOTHING},
-    {"piston-unresolved", FW_SCOPE_PISTON, "", "1", "steps since the start in which no motion was found that fits the forces on the piston", NULL, unresolved, NULL, FW_NEEDS_NOTHING},
-    {"piston-unmatched", FW_SCOPE_PISTON, "", "energy", "work of the bodies on the piston that does not fit its motion: rounding, but for unresolved steps", NULL, unmatched, NULL, FW_NEEDS_NOTHING},
+    {"piston-unmatched", FW_SCOPE_PISTON, "", "energy", "work of the bodies on the piston that does not fit its motion: rounding, unless a soft corner pushes", NULL, unmatched, NULL, FW_NEEDS_NOTHING},
     {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */

@@ -38,6 +38,16 @@ static inline const fw_piston_ledger *ledger_of(const fw_scene *scene, int wall)
     return fw_piston_observe_ledger(fw_scene_observe_piston(scene, wall));
 }
 
+/* The motion of the piston fits what pushed it, in all steps. */
+static inline bool motion_fits(const fw_scene *scene, int wall)
+{
+    const fw_piston_ledger *a = ledger_of(scene, wall);
+    const double flow = fabs(a->work) + fabs(a->pushed_by);
+    const double impulses = 1 + fabs(a->pushed.x) + fabs(a->pushed.y);
+    return fabs(a->unmatched_work) <= 1e-11 * (1 + flow) &&
+           fabs(a->unmatched.x) + fabs(a->unmatched.y) <= 1e-11 * impulses;
+}
+
 /* Ledgers of the bodies, of each piston, and that what one gives the other takes. */
 static inline void assert_ledger_balances(const fw_scene *scene, double tolerance)
 {

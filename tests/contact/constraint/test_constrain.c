@@ -102,12 +102,8 @@ static void try_once(const kind *k, uint64_t *seed, tally *sum)
                                      .inertial = random_between(seed, -0.3, 0.3),
                                      .facet = 1 + (int)random_between(seed, 0, count),
                                      .stuck = random_between(seed, 0, 1) < 0.5};
-    /* Rows of an earlier try, in part of the cases: needed or not, the laws are the same. */
-    fw_row_list kept = {0};
-    if (random_between(seed, 0, 1) < 0.3)
-        kept = (fw_row_list){.count = 1, .facet = {(int)random_between(seed, 0, count)}};
-    fw_contact_solution c = fw_constrain((fw_vec2){0, 0}, &free, &kept, candidates, count,
-                                         candidates, k->law == FW_COULOMB ? &memory : NULL);
+    fw_contact_solution c = fw_constrain((fw_vec2){0, 0}, &free, candidates, count, candidates,
+                                         k->law == FW_COULOMB ? &memory : NULL);
     if (!c.held) return;
     sum->held += 1;
     sum->unresolved += c.unresolved;

@@ -72,8 +72,7 @@ static void press_anyhow(uint64_t seed, int *unresolved)
         deepest = fmax(deepest, fw_scene_penetration(scene, 0));
     }
     assert_ledger_balances(scene, 1e-11);
-    const bool resolved =
-        fw_scene_unresolved(scene) == 0 && ledger_of(scene, wall)->unresolved == 0;
+    const bool resolved = fw_scene_unresolved(scene) == 0 && motion_fits(scene, wall);
     if (resolved && !soft) assert_below(deepest, 1e-10);
     const fw_piston_ledger *a = ledger_of(scene, wall);
     const double flow = fabs(a->work) + fabs(a->pushed_by);
@@ -144,11 +143,11 @@ static void one_row_carries_the_load(void **state)
         if (thrown) {
             assert_close(a->velocity.y, 0.05, 1e-15);
         } else {
-            assert_close(a->displacement.y, 0, 0);
+            assert_close(a->displacement.y, 0, 1e-14);
             assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y, 0.2, 1e-14);
         }
         assert_true(fw_scene_penetration(scene, 0) == 0);
-        assert_true(a->unresolved == 0);
+        assert_true(motion_fits(scene, 1));
         assert_ledger_balances(scene, 1e-12);
         fw_scene_destroy(scene);
     }
@@ -168,7 +167,7 @@ static void two_platens_press_one_block(void **state)
     begin(scene);
     run(scene, 3000);
     assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y, 0.2, 1e-9);
-    assert_true(ledger_of(scene, 1)->unresolved + ledger_of(scene, 2)->unresolved == 0);
+    assert_true(motion_fits(scene, 1) && motion_fits(scene, 2));
     assert_ledger_balances(scene, 1e-11);
     fw_scene_destroy(scene);
 }
