@@ -133,12 +133,24 @@ typedef struct fw_pair_terms {
     fw_mask inside;
 } fw_pair_terms;
 
+/* What a loop is compiled for: which potential, and whether it fades before the cut or just ends.
+ */
+typedef struct fw_pair_form {
+    fw_pair_kind kind;
+    bool fades;
+} fw_pair_form;
+
 /* The energy is only made where it is asked for. */
-FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_kind kind, bool energies,
+FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_form form, bool energies,
                                    const fw_pair_lanes *pair)
 {
+    const fw_pair_kind kind = form.kind;
     fw_pair_terms terms = {fw_splat(0), fw_pair_push(rule, kind, pair), pair->held};
     if (energies) terms.energy = rule->energy * fw_pair_energy(rule, kind, pair);
+    if (!form.fades) {
+        terms.inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+        return terms;
+    }
     const fw_mask beyond = fw_and(pair->held, fw_less(fw_splat(rule->inner_2), pair->r2));
     if (!fw_any(beyond)) return terms;
     terms.inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
@@ -194,8 +206,8 @@ typedef struct fw_phases {
 
 FW_INLINE fw_phases fw_phases_product(fw_phases a, fw_phases b)
 {
-    return (fw_phases){a.cosine * b.cosine - a.sine * b.sine,
-                       a.cosine * b.sine + a.sine * b.cosine};
+    return (fw_phases){fw_fma(a.cosine, b.cosine, -(a.sine * b.sine)),
+                       fw_fma(a.cosine, b.sine, a.sine * b.cosine)};
 }
 
 /* e^{i n phi}, for even n: by powers of (dx + i dy)/r, or for n = 6 from the cube of dx + i dy,
@@ -204,9 +216,11 @@ FW_INLINE fw_phases fw_phases_of(const fw_return_rule *rule, int fold, const fw_
 {
     const fw_vector xx = pair->dx * pair->dx, yy = pair->dy * pair->dy;
     if (fold == 6 || (fold == 0 && rule->fold == 6)) {
-        const fw_vector c3 = pair->dx * (xx - 3 * yy), s3 = pair->dy * (3 * xx - yy);
+        const fw_vector three = fw_splat(3);
+        const fw_vector c3 = pair->dx * fw_fma(-three, yy, xx);
+        const fw_vector s3 = pair->dy * fw_fma(three, xx, -yy);
         const fw_vector cube = pair->inverse * pair->inverse * pair->inverse;
-        return (fw_phases){(c3 * c3 - s3 * s3) * cube, 2 * c3 * s3 * cube};
+        return (fw_phases){fw_fma(c3, c3, -(s3 * s3)) * cube, 2 * c3 * s3 * cube};
     }
     fw_phases square = {(xx - yy) * pair->inverse, 2 * pair->dx * pair->dy * pair->inverse};
     if (fold == 4) return fw_phases_product(square, square);
@@ -221,6 +235,7 @@ FW_INLINE fw_phases fw_phases_of(const fw_return_rule *rule, int fold, const fw_
 /* Factors of sin n phi e_phi, of cos n phi e_r, both by r, and of cos n phi in the energy. */
 typedef struct fw_return_lanes {
     fw_vector tangential, radial, energy, weight;
+    bool fades;      /* in some lane; else `radial` is zero */
     fw_phases phase; /* e^{i n (phi - axes)} */
 } fw_return_lanes;
 
@@ -228,8 +243,12 @@ FW_INLINE fw_return_lanes fw_return_of(const fw_return_rule *rule, int fold,
                                        const fw_pair_lanes *pair, fw_mask inside)
 {
     const fw_vector one = fw_splat(1), none = fw_splat(0);
-    fw_return_lanes lanes = {-rule->amplitude * rule->distance * pair->inverse, none,
-                             fw_splat(-rule->depth), one, fw_phases_of(rule, fold, pair)};
+    fw_return_lanes lanes = {-rule->amplitude * rule->distance * pair->inverse,
+                             none,
+                             fw_splat(-rule->depth),
+                             one,
+                             false,
+                             fw_phases_of(rule, fold, pair)};
     lanes.phase = fw_phases_product(
         lanes.phase, (fw_phases){fw_splat(rule->axes.cosine), fw_splat(-rule->axes.sine)});
     const fw_mask fading = fw_and(inside, fw_less(fw_splat(rule->inner_2), pair->r2));
@@ -250,17 +269,22 @@ FW_INLINE fw_return_lanes fw_return_of(const fw_return_rule *rule, int fold,
         lanes.radial = fw_keep(fading, rule->depth * slope * (pair->inverse * r));
         lanes.energy = lanes.energy * value;
         lanes.weight = value;
+        lanes.fades = true;
     }
     return lanes;
 }
 
-/* The force along e_r and e_phi that this phase makes. */
-FW_INLINE fw_vector_pair fw_return_force_of(const fw_return_lanes *lanes, fw_vector cosine,
-                                            fw_vector sine, const fw_pair_lanes *pair)
+/* Adds the force along e_phi and e_r that this phase makes. */
+FW_INLINE void fw_return_add(const fw_return_lanes *lanes, fw_vector cosine, fw_vector sine,
+                             const fw_pair_lanes *pair, fw_mask inside, fw_vector_pair *sum)
 {
-    const fw_vector tangential = lanes->tangential * sine, radial = lanes->radial * cosine;
-    return (fw_vector_pair){radial * pair->dx - tangential * pair->dy,
-                            radial * pair->dy + tangential * pair->dx};
+    const fw_vector tangential = lanes->tangential * sine;
+    sum->x = fw_add_product(inside, -tangential, pair->dy, sum->x);
+    sum->y = fw_add_product(inside, tangential, pair->dx, sum->y);
+    if (!lanes->fades) return;
+    const fw_vector radial = lanes->radial * cosine;
+    sum->x = fw_add_product(inside, radial, pair->dx, sum->x);
+    sum->y = fw_add_product(inside, radial, pair->dy, sum->y);
 }
 
 #endif

@@ -12,15 +12,15 @@
 
 /* What the pairs of the lanes add up to. */
 typedef struct fw_lane_sums {
-    fw_vector push_x, push_y; /* of the potential, along one run, in its unit of energy */
-    fw_vector force_x, force_y;
-    fw_vector first_x, first_y, second_x, second_y, sum_cosine, sum_sine;
+    fw_vector_pair push; /* of the potential, along one run, in its unit of energy */
+    fw_vector_pair force, first, second;
+    fw_vector sum_cosine, sum_sine;
 } fw_lane_sums;
 
 /* What a loop is compiled for. fold 6 and 4 are, others (0) are read from the rule. */
 typedef enum fw_return_use { FW_NO_RETURN, FW_RETURN_FIXED, FW_RETURN_TURNING } fw_return_use;
 typedef struct fw_pair_use {
-    fw_pair_kind kind;
+    fw_pair_form form;
     fw_return_use bond;
     int fold;
 } fw_pair_use;
@@ -29,19 +29,15 @@ FW_INLINE void add_turning(const fw_return_rule *rule, const fw_pair_lanes *pair
                            const fw_return_lanes *bond, fw_mask inside, fw_lane_sums *sums)
 {
     const fw_vector cosine = bond->phase.cosine, sine = bond->phase.sine;
-    const fw_vector_pair first = fw_return_force_of(bond, cosine, sine, pair);
-    sums->first_x += fw_keep(inside, first.x);
-    sums->first_y += fw_keep(inside, first.y);
+    fw_return_add(bond, cosine, sine, pair, inside, &sums->first);
     if (rule->turning == FW_AXES_COROTATING) {
         /* sin(a - t) = sin a cos t - cos a sin t, cos(a - t) = cos a cos t + sin a sin t */
-        const fw_vector_pair second = fw_return_force_of(bond, sine, -cosine, pair);
-        sums->second_x += fw_keep(inside, second.x);
-        sums->second_y += fw_keep(inside, second.y);
+        fw_return_add(bond, sine, -cosine, pair, inside, &sums->second);
         sums->sum_cosine += fw_keep(inside, bond->weight * cosine);
         sums->sum_sine += fw_keep(inside, bond->weight * sine);
     } else {
-        sums->second_x += fw_keep(inside, bond->tangential * pair->dy);
-        sums->second_y += fw_keep(inside, -bond->tangential * pair->dx);
+        sums->second.x += fw_keep(inside, bond->tangential * pair->dy);
+        sums->second.y += fw_keep(inside, -bond->tangential * pair->dx);
         sums->sum_cosine += fw_keep(inside, bond->weight);
         sums->sum_sine += fw_keep(inside, bond->weight * sine);
     }
@@ -50,21 +46,17 @@ FW_INLINE void add_turning(const fw_return_rule *rule, const fw_pair_lanes *pair
 FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, const fw_pair_lanes *pair,
                         fw_lane_sums *sums)
 {
-    const fw_pair_terms terms = fw_pair_of(&task->pair, use.kind, false, pair);
-    sums->push_x = fw_add_product(terms.inside, terms.push, pair->dx, sums->push_x);
-    sums->push_y = fw_add_product(terms.inside, terms.push, pair->dy, sums->push_y);
+    const fw_pair_terms terms = fw_pair_of(&task->pair, use.form, false, pair);
+    sums->push.x = fw_add_product(terms.inside, terms.push, pair->dx, sums->push.x);
+    sums->push.y = fw_add_product(terms.inside, terms.push, pair->dy, sums->push.y);
     if (use.bond == FW_NO_RETURN) return;
     const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond.outer_2)));
     if (!fw_any(inside)) return;
     const fw_return_lanes bond = fw_return_of(&task->bond, use.fold, pair, inside);
-    if (use.bond == FW_RETURN_TURNING) {
+    if (use.bond == FW_RETURN_TURNING)
         add_turning(&task->bond, pair, &bond, inside, sums);
-    } else {
-        const fw_vector_pair pull =
-            fw_return_force_of(&bond, bond.phase.cosine, bond.phase.sine, pair);
-        sums->force_x += fw_keep(inside, pull.x);
-        sums->force_y += fw_keep(inside, pull.y);
-    }
+    else
+        fw_return_add(&bond, bond.phase.cosine, bond.phase.sine, pair, inside, &sums->force);
 }
 
 FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
@@ -81,15 +73,15 @@ FW_INLINE void add_either(const fw_pair_task *task, fw_pair_use use, double unit
                           const fw_slots *slots, uint32_t begin, uint32_t count, fw_slot_kind kind,
                           const fw_part *lanes, fw_lane_sums *sums)
 {
-    sums->push_x = sums->push_y = fw_splat(0);
+    sums->push = (fw_vector_pair){fw_splat(0), fw_splat(0)};
     if (kind == FW_WHOLE)
         add_run(task, use, slots, begin, count, FW_WHOLE, lanes, sums);
     else if (kind == FW_OFFSETS)
         add_run(task, use, slots, begin, count, FW_OFFSETS, lanes, sums);
     else
         add_run(task, use, slots, begin, count, FW_GATHERED, lanes, sums);
-    sums->force_x += unit * sums->push_x;
-    sums->force_y += unit * sums->push_y;
+    sums->force.x = fw_fma(fw_splat(unit), sums->push.x, sums->force.x);
+    sums->force.y = fw_fma(fw_splat(unit), sums->push.y, sums->force.y);
 }
 
 /* All neighbours, body after body. */
@@ -97,7 +89,7 @@ FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_pair_use use, cons
                                  const fw_slot_head *head, const fw_part *lanes)
 {
     fw_lane_sums sums = {0};
-    const fw_pair_use across = {use.kind, FW_NO_RETURN, 0};
+    const fw_pair_use across = {use.form, FW_NO_RETURN, 0};
     uint32_t begin = head->begin;
     for (int run = 0; run < FW_SLOT_RUNS; ++run) {
         const uint32_t count = head->count[run];
@@ -123,50 +115,55 @@ FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_use use, const fw_chu
             const fw_lane_sums sums =
                 sum_lanes(task, use, &chunk->near, &chunk->near.head[block], &lanes);
             const fw_mask held = fw_mask_of(mask, part);
-            fw_store_some(out->force_x + first, held, sums.force_x);
-            fw_store_some(out->force_y + first, held, sums.force_y);
+            fw_store_some(out->force_x + first, held, sums.force.x);
+            fw_store_some(out->force_y + first, held, sums.force.y);
             if (use.bond != FW_RETURN_TURNING) continue;
-            fw_store_some(out->first_x + first, held, sums.first_x);
-            fw_store_some(out->first_y + first, held, sums.first_y);
-            fw_store_some(out->second_x + first, held, sums.second_x);
-            fw_store_some(out->second_y + first, held, sums.second_y);
+            fw_store_some(out->first_x + first, held, sums.first.x);
+            fw_store_some(out->first_y + first, held, sums.first.y);
+            fw_store_some(out->second_x + first, held, sums.second.x);
+            fw_store_some(out->second_y + first, held, sums.second.y);
             fw_store_some(out->sum_cosine + first, held, sums.sum_cosine);
             fw_store_some(out->sum_sine + first, held, sums.sum_sine);
         }
     }
 }
 
-#define LOOP(name, kind, bond, fold)                                                               \
+#define LOOP(name, kind, fades, bond, fold)                                                        \
     static void name(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out)  \
     {                                                                                              \
-        sum_chunk(task, (fw_pair_use){kind, bond, fold}, chunk, out);                              \
+        sum_chunk(task, (fw_pair_use){{kind, fades}, bond, fold}, chunk, out);                     \
     }
-LOOP(lennard_jones, FW_LENNARD_JONES, FW_NO_RETURN, 0)
-LOOP(lennard_jones_fixed_6, FW_LENNARD_JONES, FW_RETURN_FIXED, 6)
-LOOP(lennard_jones_fixed_4, FW_LENNARD_JONES, FW_RETURN_FIXED, 4)
-LOOP(lennard_jones_fixed, FW_LENNARD_JONES, FW_RETURN_FIXED, 0)
-LOOP(lennard_jones_turning_6, FW_LENNARD_JONES, FW_RETURN_TURNING, 6)
-LOOP(lennard_jones_turning, FW_LENNARD_JONES, FW_RETURN_TURNING, 0)
-LOOP(morse, FW_MORSE, FW_NO_RETURN, 0)
-LOOP(morse_fixed_6, FW_MORSE, FW_RETURN_FIXED, 6)
-LOOP(morse_fixed, FW_MORSE, FW_RETURN_FIXED, 0)
-LOOP(morse_turning, FW_MORSE, FW_RETURN_TURNING, 0)
+LOOP(lennard_jones, FW_LENNARD_JONES, true, FW_NO_RETURN, 0)
+LOOP(lennard_jones_ends, FW_LENNARD_JONES, false, FW_NO_RETURN, 0)
+LOOP(lennard_jones_fixed_6, FW_LENNARD_JONES, true, FW_RETURN_FIXED, 6)
+LOOP(lennard_jones_ends_fixed_6, FW_LENNARD_JONES, false, FW_RETURN_FIXED, 6)
+LOOP(lennard_jones_fixed_4, FW_LENNARD_JONES, true, FW_RETURN_FIXED, 4)
+LOOP(lennard_jones_fixed, FW_LENNARD_JONES, true, FW_RETURN_FIXED, 0)
+LOOP(lennard_jones_turning_6, FW_LENNARD_JONES, true, FW_RETURN_TURNING, 6)
+LOOP(lennard_jones_turning, FW_LENNARD_JONES, true, FW_RETURN_TURNING, 0)
+LOOP(morse, FW_MORSE, true, FW_NO_RETURN, 0)
+LOOP(morse_fixed_6, FW_MORSE, true, FW_RETURN_FIXED, 6)
+LOOP(morse_fixed, FW_MORSE, true, FW_RETURN_FIXED, 0)
+LOOP(morse_turning, FW_MORSE, true, FW_RETURN_TURNING, 0)
 
+/* A loop that fades also does for cuts that have no width. */
 static void forces(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out)
 {
     const bool jones = task->pair.kind == FW_LENNARD_JONES;
+    const bool fades = task->pair.inner_2 < task->pair.outer_2;
     const bool turning = task->bond.turning != FW_AXES_LAB;
     const int fold = task->bond.fold;
     if (!(task->bond.amplitude > 0))
-        (jones ? lennard_jones : morse)(task, chunk, out);
+        (!jones ? morse : fades ? lennard_jones : lennard_jones_ends)(task, chunk, out);
     else if (turning)
         (!jones      ? morse_turning
          : fold == 6 ? lennard_jones_turning_6
                      : lennard_jones_turning)(task, chunk, out);
     else if (jones)
-        (fold == 6   ? lennard_jones_fixed_6
-         : fold == 4 ? lennard_jones_fixed_4
-                     : lennard_jones_fixed)(task, chunk, out);
+        (fold == 6 && fades ? lennard_jones_fixed_6
+         : fold == 6        ? lennard_jones_ends_fixed_6
+         : fold == 4        ? lennard_jones_fixed_4
+                            : lennard_jones_fixed)(task, chunk, out);
     else
         (fold == 6 ? morse_fixed_6 : morse_fixed)(task, chunk, out);
 }

@@ -26,11 +26,11 @@ FW_INLINE fw_pull pull_of(const fw_return_rule *rule, const fw_pair_lanes *pair,
 {
     const fw_return_lanes bond = fw_return_of(rule, 0, pair, inside);
     const fw_vector cosine = bond.phase.cosine, sine = bond.phase.sine;
-    const fw_vector_pair first = fw_return_force_of(&bond, cosine, sine, pair);
-    fw_vector_pair second = {fw_splat(0), fw_splat(0)};
+    fw_vector_pair first = {fw_splat(0), fw_splat(0)}, second = first;
+    fw_return_add(&bond, cosine, sine, pair, inside, &first);
     fw_vector energy_second = fw_splat(0);
     if (rule->turning == FW_AXES_COROTATING) {
-        second = fw_return_force_of(&bond, sine, -cosine, pair);
+        fw_return_add(&bond, sine, -cosine, pair, inside, &second);
         energy_second = bond.energy * sine;
     } else if (rule->turning == FW_AXES_SURFACE) {
         /* This adds a force that has no potential; what is left is V for fixed axes. */
@@ -67,7 +67,8 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted w
                         const fw_pair_lanes *pair, fw_lane_sums *sums)
 {
     const double unit = own ? task->pair.inside : task->pair.across;
-    const fw_pair_terms terms = fw_pair_of(&task->pair, kind, wanted.energy, pair);
+    const fw_pair_terms terms =
+        fw_pair_of(&task->pair, (fw_pair_form){kind, true}, wanted.energy, pair);
     const fw_vector push = fw_keep(terms.inside, unit * terms.push);
     fw_pull pull = {{fw_splat(0), fw_splat(0)}, fw_splat(0)};
     if (own) {
