@@ -77,7 +77,8 @@ static void words_that_are_no_name_are_looked_for(void **state)
     contains(seen.out, "\n  friction-heat ");
     contains(seen.out, "\n  energy-error "); /* whose meaning speaks of it */
     lacks(seen.out, "centre-of-mass");
-    lacks(seen.out, "Fields of");
+    lacks(seen.out, "Fields of a ");
+    contains(seen.out, "\nFields of whatever body is rubbed");
     seen = run_program("/", "quantities heat friction");
     lacks(seen.out, "energy-error");
     /* Those that only one model has. */

@@ -124,7 +124,7 @@ static const struct {
      "shape"},
     {"title: A sheet in a box", "title: [A, B]", "1:8: title is a list of 2, expected a text"},
     {"kind: motion", "kind: movie",
-     "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, field, strip, "
+     "19:16: pictures.fig1.kind is 'movie', expected one of motion, forces, contact, field, strip, "
      "structure, stages, histogram, series, profile, loop, slip, heat, analysis, sweep, map"},
     {"sites: right", "sites: rihgt",
      "14:30: forces.pull.sites is 'rihgt', expected all, a side, [[i, j], ...] or a mapping; did "
@@ -299,7 +299,8 @@ static const struct {
                       "written without point, exponent or leading zeros"},
     {"steps=3", "steps=3: unknown key 'steps', expected a key of a scenario: title, source, "
                 "figure, group, takes, "
-                "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
+                "about, parameters, materials, bodies, walls, forces, grips, phases, profile, "
+                "study, dynamics, "
                 "contact, run, record, "
                 "measure, expect, pictures, analysis"},
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
@@ -328,7 +329,8 @@ static const struct {
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
     {"a=b=c",
      "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, takes, "
-     "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, dynamics, "
+     "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, "
+     "dynamics, "
      "contact, run, record, "
      "measure, expect, pictures, analysis"},
 };
