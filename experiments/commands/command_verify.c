@@ -126,6 +126,13 @@ static fw_status verify_one(const char *word, const fw_arguments *arguments, tal
     fw_scenario *scenario;
     char name[FW_NAME_BYTES + 1];
     FW_TRY(fw_command_load(&scenario, word, arguments, name, error));
+    if (arguments->word_count == 0 && scenario->small.text && !arguments->full) {
+        if (sum->table)
+            fprintf(sum->table, "%s: left to --full, %s stands for it\n\n", name,
+                    scenario->small.text);
+        fw_scenario_destroy(scenario);
+        return FW_OK;
+    }
     fw_progress progress = fw_progress_begin(arguments->quiet ? NULL : stderr, name);
     const fw_run_options options = {.threads = fw_command_threads(arguments),
                                     .at_once = (int)arguments->threads,

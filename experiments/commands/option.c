@@ -126,6 +126,8 @@ const fw_option fw_option_add = {"--add", NULL, "NAME=VALUE",
                                  FW_INTO(additions)};
 const fw_option fw_option_names = {"--names", NULL, NULL, "only the names, one a line",
                                    FW_INTO(names)};
+const fw_option fw_option_full = {
+    "--full", NULL, NULL, "also the experiments that a small one stands for", FW_INTO(full)};
 const fw_option fw_option_help = {"--help", "-h", NULL, "this text", FW_INTO(help)};
 
 static bool is_named(const char *name, const char *word, size_t length)

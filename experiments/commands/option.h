@@ -32,7 +32,7 @@ typedef struct fw_arguments {
     const char *to;      /* the format of export */
     int64_t every, rate; /* frames, and frames in a second; 0: not given */
     bool list;
-    bool quiet, overwrite, no_plot, logarithmic, json, names, help;
+    bool quiet, overwrite, no_plot, logarithmic, json, names, full, help;
     bool given[FW_OPTIONS_MAX]; /* per option of the command */
 } fw_arguments;
 
@@ -79,8 +79,8 @@ extern const fw_option fw_option_folder, fw_option_picture_file, fw_option_table
     fw_option_no_plot, fw_option_kind, fw_option_field, fw_option_observable, fw_option_at,
     fw_option_logarithmic, fw_option_range, fw_option_along, fw_option_level, fw_option_picture,
     fw_option_verdicts, fw_option_axis, fw_option_list_cases, fw_option_case, fw_option_add,
-    fw_option_json, fw_option_names, fw_option_export_file, fw_option_to, fw_option_every,
-    fw_option_film_file, fw_option_film_kind, fw_option_rate, fw_option_help;
+    fw_option_json, fw_option_names, fw_option_full, fw_option_export_file, fw_option_to,
+    fw_option_every, fw_option_film_file, fw_option_film_kind, fw_option_rate, fw_option_help;
 
 struct fw_command;
 

@@ -9,7 +9,7 @@
 
 enum { PAIRS_MAX = 6 };
 
-static const double gap = 4, highest_view = 120, chart_height = 36, spot = .3; /* mm */
+static const double gap = 7, highest_view = 120, chart_height = 36, spot = .3; /* mm */
 
 typedef struct layout {
     const fw_figure_pairs_plan *plan;

@@ -31,6 +31,9 @@ static const fw_key scenario_keys[] = {
      .default_value = "own", .meaning = "what it is good for, for `fretwork list`"},
     {"takes", AT_NUMBER(fw_scenario, takes), ABOVE_ZERO, .default_meaning = "unknown",
      .unit = "seconds", .meaning = "how long a run took on two processors, for `fretwork list`"},
+    {"small", AT_NAME(fw_scenario, small), .default_meaning = "none",
+     .meaning = "named experiment that stands for this one where time is short: `fretwork verify` "
+                "without names leaves this one to `--full`"},
     {"about", AT_TEXT(fw_scenario, about), .default_meaning = "none",
      .meaning = "anything else a reader should know"},
     {"parameters", FW_FORM_CONSTANTS, NOT_STORED, .default_meaning = "none",

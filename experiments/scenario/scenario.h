@@ -48,7 +48,8 @@ struct fw_scenario {
     const char *about;  /* NULL: none given */
     const char *figure; /* NULL: none given */
     fw_scenario_group group;
-    double takes; /* measured seconds of a run; 0: unknown */
+    double takes;         /* measured seconds of a run; 0: unknown */
+    fw_schema_name small; /* what stands for it where time is short; text NULL: nothing does */
     int material_count;
     fw_scenario_material *materials;
     int body_count;
