@@ -43,6 +43,13 @@ typedef struct fw_partner {
 
 enum { FW_PARTNERS = 4 };
 
+/* Particles first .. first + count - 1: one of several bodies that share a solid and on which no
+ * potential acts across. */
+typedef struct fw_part {
+    const char *name;
+    int first, count;
+} fw_part;
+
 /* What contact decides for a particle. The solid moves it by exactly `displacement` (zero stays
  * zero, which no force could promise after rounding); `force` is the constraint force that does it.
  */
@@ -136,6 +143,12 @@ typedef struct fw_solid_model {
     void (*reverse)(fw_solid *solid);
     /* In which of several ways the solid is kept, "populations"; NULL: there is but one. */
     const char *(*form)(const fw_solid *solid);
+    /* Returns how many parts there are, and fills *part, unless NULL, with that one. NULL: the
+     * solid is one body. */
+    int (*parts)(const fw_solid *solid, int number, fw_part *part);
+    /* Makes the links for the present positions where they are not kept by the solid itself; called
+     * where bodies meet. FW_SYSTEM_FAILED without memory. */
+    fw_status (*list_links)(fw_solid *solid, bool *changed, fw_error *error);
     const fw_field *fields;
     bool solid_between_links; /* its links enclose matter: no other such body may enter it */
     bool bare_is_nothing;     /* a particle without links has no mass, and bars no way */
@@ -181,6 +194,13 @@ static inline void fw_solid_predict(const fw_solid *solid, const int *particles,
                                     fw_prediction *out)
 {
     solid->model->predict(solid, particles, count, out);
+}
+
+static inline int fw_solid_parts(const fw_solid *solid, int number, fw_part *part)
+{
+    if (solid->model->parts) return solid->model->parts(solid, number, part);
+    if (part) *part = (fw_part){NULL, 0, solid->count};
+    return 1;
 }
 
 static inline void fw_solid_place(fw_solid *solid)

@@ -145,11 +145,13 @@ int fw_scene_grip_count(const fw_scene *scene);
 fw_grip *fw_scene_grip(fw_scene *scene, int grip);
 const fw_grip *fw_scene_observe_grip(const fw_scene *scene, int grip);
 
-/* Do two bodies keep out of each other: matter between links, and the same clock? */
+/* Do two bodies keep out of each other: is there matter between their links? The same one: do its
+ * parts? */
 bool fw_scene_bodies_meet(const fw_scene *scene, int a, int b);
 /* Is there friction between them? */
 bool fw_scene_bodies_rub(const fw_scene *scene);
-const fw_body_ledger *fw_scene_body_ledger(const fw_scene *scene, int body);
+/* Of a body, or of one of those that share the solid. */
+const fw_body_ledger *fw_scene_body_ledger(const fw_scene *scene, int body, int part);
 const fw_contact_ledger *fw_scene_contact_ledger(const fw_scene *scene);
 const fw_wall_ledger *fw_scene_wall_ledger(const fw_scene *scene, int wall);
 fw_ledger fw_scene_ledger(const fw_scene *scene);

@@ -11,7 +11,18 @@ bool fw_scene_bodies_meet(const fw_scene *scene, int a, int b)
 {
     const fw_solid_model *first = scene->bodies[a].solid->model;
     const fw_solid_model *second = scene->bodies[b].solid->model;
-    return a != b && first->solid_between_links && second->solid_between_links;
+    if (a == b) return fw_solid_parts(scene->bodies[a].solid, 0, NULL) > 1;
+    return first->solid_between_links && second->solid_between_links;
+}
+
+int scene_part_of(const fw_solid *solid, int particle)
+{
+    fw_part part;
+    const int count = fw_solid_parts(solid, 0, &part);
+    int number = 0;
+    while (number + 1 < count && particle >= part.first + part.count)
+        fw_solid_parts(solid, ++number, &part);
+    return number;
 }
 
 static bool meets_any(const fw_scene *scene, int body)
@@ -36,6 +47,8 @@ static void clear_points(scene_edge *edge)
 static fw_status make_points(scene_edge *edge, const fw_solid *solid, fw_error *error)
 {
     clear_points(edge);
+    if (solid->model->list_links) /* what flows is looked at as it lies now */
+        for (int i = 0; i < solid->count; ++i) edge->home[i] = fw_solid_position(solid, i);
     FW_TRY(fw_contour_create(&edge->contour, solid, edge->home, error));
     const size_t count = (size_t)edge->contour.point_count + 1;
     edge->predictions = calloc(count, sizeof *edge->predictions);
@@ -52,7 +65,9 @@ static fw_status make_points(scene_edge *edge, const fw_solid *solid, fw_error *
 
 static fw_status make_edge(scene_body *body, bool rubs, fw_error *error)
 {
-    const fw_solid *solid = body->solid;
+    fw_solid *solid = body->solid;
+    bool changed;
+    if (solid->model->list_links) FW_TRY(solid->model->list_links(solid, &changed, error));
     body->edge = calloc(1, sizeof *body->edge);
     if (body->edge) body->edge->home = calloc((size_t)solid->count, sizeof *body->edge->home);
     if (!body->edge || !body->edge->home) return fw_fail_memory(error, "the contour of a body");
@@ -73,13 +88,44 @@ static void destroy_edge(scene_edge *edge)
     free(edge);
 }
 
+/* Segments of one part: chains come in the order of their first particles. */
+static fw_meeting_body member_of(const scene_body *body, const fw_part *part)
+{
+    const fw_contour *contour = &body->edge->contour;
+    fw_meeting_body member = {.solid = body->solid, .contour = contour};
+    while (member.first < contour->segment_count &&
+           contour->particles[contour->segments[member.first].from] < part->first)
+        ++member.first;
+    while (member.first + member.count < contour->segment_count &&
+           contour->particles[contour->segments[member.first + member.count].from] <
+               part->first + part->count)
+        ++member.count;
+    return member;
+}
+
+/* Members of a body follow each other. */
+static fw_part part_of(const fw_scene *scene, int member)
+{
+    const int *bodies = scene->joint->member_bodies;
+    int number = 0;
+    while (number < member && bodies[member - 1 - number] == bodies[member]) ++number;
+    fw_part part;
+    fw_solid_parts(scene->bodies[bodies[member]].solid, number, &part);
+    return part;
+}
+
+const char *scene_member_name(const fw_scene *scene, int member)
+{
+    const fw_part part = part_of(scene, member);
+    return part.name ? part.name : scene->bodies[scene->joint->member_bodies[member]].name;
+}
+
 static fw_status renew_search(fw_scene *scene, fw_error *error)
 {
     scene_joint *joint = scene->joint;
     for (int m = 0; m < joint->member_count; ++m) {
-        const scene_body *body = &scene->bodies[joint->member_bodies[m]];
-        joint->members[m] =
-            (fw_meeting_body){.solid = body->solid, .contour = &body->edge->contour};
+        const fw_part part = part_of(scene, m);
+        joint->members[m] = member_of(&scene->bodies[joint->member_bodies[m]], &part);
     }
     joint->search_is_new = true;
     fw_meeting_destroy(joint->search);
@@ -90,21 +136,31 @@ static fw_status renew_search(fw_scene *scene, fw_error *error)
 fw_status scene_make_edges(fw_scene *scene, fw_error *error)
 {
     int count = 0;
-    for (int b = 0; b < scene->body_count; ++b) count += meets_any(scene, b);
+    int slots = 0;
+    for (int b = 0; b < scene->body_count; ++b) {
+        const int parts = fw_solid_parts(scene->bodies[b].solid, 0, NULL);
+        count += meets_any(scene, b) ? parts : 0;
+        slots += parts;
+    }
     if (count == 0 && scene->piston_count == 0) return FW_OK;
     scene_joint *joint = scene->joint = calloc(1, sizeof *joint);
     if (!joint) return fw_fail_memory(error, "the contact of bodies");
     joint->members = calloc((size_t)count + 1, sizeof *joint->members);
     joint->member_bodies = calloc((size_t)count + 1, sizeof *joint->member_bodies);
-    joint->bodies = calloc((size_t)scene->body_count, sizeof *joint->bodies);
+    joint->slots = calloc((size_t)scene->body_count + 1, sizeof *joint->slots);
+    joint->bodies = calloc((size_t)slots + 1, sizeof *joint->bodies);
     joint->solver = fw_joint_create();
     joint->rubs = count > 0 && scene_bodies_rub(scene);
-    if (!joint->members || !joint->member_bodies || !joint->bodies || !joint->solver)
+    if (!joint->members || !joint->member_bodies || !joint->slots || !joint->bodies ||
+        !joint->solver)
         return fw_fail_memory(error, "the contact of bodies");
     for (int b = 0; b < scene->body_count; ++b) {
+        const int parts = fw_solid_parts(scene->bodies[b].solid, 0, NULL);
+        joint->slots[b] = joint->slot_count;
+        joint->slot_count += parts;
         if (!meets_any(scene, b)) continue;
         FW_TRY(make_edge(&scene->bodies[b], joint->rubs, error));
-        joint->member_bodies[joint->member_count++] = b;
+        for (int n = 0; n < parts; ++n) joint->member_bodies[joint->member_count++] = b;
     }
     if (count == 0) return FW_OK;
     FW_TRY(renew_search(scene, error));
@@ -117,8 +173,12 @@ fw_status scene_restore_edges(fw_scene *scene, fw_error *error)
 {
     if (!scene->joint) return FW_OK;
     scene_forget_ends(scene);
-    for (int m = 0; m < scene->joint->member_count; ++m) {
-        const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
+        bool changed;
+        if (!body->edge) continue;
+        if (body->solid->model->list_links)
+            FW_TRY(body->solid->model->list_links(body->solid, &changed, error));
         FW_TRY(make_points(body->edge, body->solid, error));
     }
     return scene->joint->search ? renew_search(scene, error) : FW_OK;
@@ -133,6 +193,7 @@ void scene_destroy_edges(fw_scene *scene)
     fw_meeting_destroy(joint->search);
     free(joint->members);
     free(joint->member_bodies);
+    free(joint->slots);
     free(joint->ends);
     free(joint->joint_ends);
     free(joint->rows);
@@ -179,7 +240,7 @@ static fw_status report_jump(const fw_scene *scene, int jumped, fw_error *error)
     return fw_fail(error, FW_DIVERGED,
                    "step %lld: the edge of body %s near (%g, %g) came there in one step from so "
                    "far that it may have passed another body, expected less than a spacing",
-                   (long long)scene->clock.step, body->name, at.x, at.y);
+                   (long long)scene->clock.step, scene_member_name(scene, run.body), at.x, at.y);
 }
 
 /* Segments have other numbers now. */
@@ -196,9 +257,10 @@ static void forget_rubbing(const fw_scene *scene, int changed)
 static double longest_prediction(const fw_scene *scene)
 {
     double squared = 0;
-    for (int m = 0; m < scene->joint->member_count; ++m) {
-        const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
         const scene_edge *edge = body->edge;
+        if (!edge) continue;
         scene_predict_points(body->solid, edge->contour.particles, edge->contour.point_count,
                              edge->predictions);
         for (int point = 0; point < edge->contour.point_count; ++point) {
@@ -215,13 +277,17 @@ fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
     scene_forget_ends(scene);
     if (!scene->joint->search) return FW_OK;
     bool changed = false;
-    for (int m = 0; m < scene->joint->member_count; ++m) {
-        const scene_body *body = &scene->bodies[scene->joint->member_bodies[m]];
-        if (body->edge->revision == body->solid->boundary_revision) continue;
+    for (int b = 0; b < scene->body_count; ++b) {
+        const scene_body *body = &scene->bodies[b];
+        bool relinked = false;
+        if (!body->edge) continue;
+        if (body->solid->model->list_links)
+            FW_TRY(body->solid->model->list_links(body->solid, &relinked, error));
+        if (!relinked && body->edge->revision == body->solid->boundary_revision) continue;
         fw_solid_place(body->solid); /* which lists the links that are left */
         FW_TRY(make_points(body->edge, body->solid, error));
         changed = true;
-        forget_rubbing(scene, scene->joint->member_bodies[m]);
+        forget_rubbing(scene, b);
     }
     if (changed) FW_TRY(renew_search(scene, error));
     int jumped;

@@ -294,7 +294,10 @@ static void book_row(fw_scene *scene, const fw_joint_row *row)
     const scene_joint *joint = scene->joint;
     for (int k = 0; k < fw_joint_end_count(row); ++k) {
         const scene_end *end = &joint->ends[row->end[k]];
-        fw_body_ledger *ledger = &joint->bodies[end->body];
+        const scene_body *body = &scene->bodies[end->body];
+        fw_body_ledger *ledger =
+            &joint->bodies[joint->slots[end->body] +
+                           scene_part_of(body->solid, body->edge->contour.particles[end->point])];
         ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(row->lambda, row->weight[k]));
         if (row->rub.traction != 0)
             ledger->force =
@@ -308,12 +311,12 @@ void scene_book_joint(fw_scene *scene)
     scene_joint *joint = scene->joint;
     if (!joint) return;
     bool touches = false;
-    for (int b = 0; b < scene->body_count && scene_is_second_tick(scene); ++b) {
+    for (int b = 0; b < joint->slot_count && scene_is_second_tick(scene); ++b) {
         fw_body_ledger *ledger = &joint->bodies[b];
         ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
     }
     if (scene_is_second_tick(scene)) return;
-    for (int b = 0; b < scene->body_count; ++b) {
+    for (int b = 0; b < joint->slot_count; ++b) {
         fw_body_ledger *ledger = &joint->bodies[b];
         ledger->reaction = fw_vec2_scale(0.5, ledger->force);
         ledger->force = (fw_vec2){0, 0};
@@ -325,7 +328,7 @@ void scene_book_joint(fw_scene *scene)
         book_row(scene, row);
         touches = true;
     }
-    for (int b = 0; b < scene->body_count; ++b) {
+    for (int b = 0; b < joint->slot_count; ++b) {
         fw_body_ledger *ledger = &joint->bodies[b];
         ledger->reaction = fw_vec2_add(ledger->reaction, fw_vec2_scale(0.5, ledger->force));
         ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
@@ -348,10 +351,10 @@ void scene_book_on_grips(fw_scene *scene, int body)
     }
 }
 
-const fw_body_ledger *fw_scene_body_ledger(const fw_scene *scene, int body)
+const fw_body_ledger *fw_scene_body_ledger(const fw_scene *scene, int body, int part)
 {
     static const fw_body_ledger untouched;
-    return scene->joint ? &scene->joint->bodies[body] : &untouched;
+    return scene->joint ? &scene->joint->bodies[scene->joint->slots[body] + part] : &untouched;
 }
 
 const fw_contact_ledger *fw_scene_contact_ledger(const fw_scene *scene)

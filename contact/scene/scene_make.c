@@ -342,7 +342,8 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list)
         fw_state_list_add(list, "contact", FW_F64, sizeof scene->joint->ledger / sizeof(double),
                           &scene->joint->ledger);
         fw_state_list_add(list, "bodies", FW_F64,
-                          (size_t)scene->body_count * sizeof *scene->joint->bodies / sizeof(double),
+                          (size_t)scene->joint->slot_count * sizeof *scene->joint->bodies /
+                              sizeof(double),
                           scene->joint->bodies);
         return "bodies";
     }

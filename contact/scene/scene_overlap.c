@@ -11,11 +11,17 @@ static const double ON_EDGE = 1e-12;
 /* How far behind a segment its matter is looked for, in lengths of the segment. */
 static const double BEHIND = 1e-2;
 
-static fw_box frame_of(const scene_body *body)
+static fw_vec2 place_of(const fw_meeting_body *body, int point)
+{
+    return fw_solid_position(body->solid, body->contour->particles[point]);
+}
+
+/* Every point of a body begins a segment. */
+static fw_box frame_of(const fw_meeting_body *body)
 {
     fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (int point = 0; point < body->edge->contour.point_count; ++point) {
-        const fw_vec2 at = scene_place_of(body, point);
+    for (int n = body->first; n < body->first + body->count; ++n) {
+        const fw_vec2 at = place_of(body, body->contour->segments[n].from);
         box.low = (fw_vec2){fmin(box.low.x, at.x), fmin(box.low.y, at.y)};
         box.high = (fw_vec2){fmax(box.high.x, at.x), fmax(box.high.y, at.y)};
     }
@@ -33,15 +39,14 @@ static double distance_to(fw_vec2 at, fw_vec2 from, fw_vec2 to)
 
 /* How deep a place lies in the matter of a body; 0: it lies outside. A ray to the right leaves
  * matter as often as it enters it, and once more where it starts in it. */
-static double depth_in(const scene_body *body, fw_vec2 at)
+static double depth_in(const fw_meeting_body *body, fw_vec2 at)
 {
-    const fw_contour *contour = &body->edge->contour;
     double nearest = INFINITY;
     bool inside = false;
-    for (int n = 0; n < contour->segment_count; ++n) {
-        const fw_contour_segment *s = &contour->segments[n];
+    for (int n = body->first; n < body->first + body->count; ++n) {
+        const fw_contour_segment *s = &body->contour->segments[n];
         if (s->two_sided) continue;
-        const fw_vec2 from = scene_place_of(body, s->from), to = scene_place_of(body, s->to);
+        const fw_vec2 from = place_of(body, s->from), to = place_of(body, s->to);
         nearest = fmin(nearest, distance_to(at, from, to));
         if ((from.y > at.y) == (to.y > at.y)) continue;
         const double side = fw_vec2_cross(fw_vec2_subtract(to, from), fw_vec2_subtract(at, from));
@@ -50,7 +55,7 @@ static double depth_in(const scene_body *body, fw_vec2 at)
     return inside ? nearest : 0;
 }
 
-static bool lies_deeper(const scene_body *in, fw_vec2 at, fw_box common, double *depth)
+static bool lies_deeper(const fw_meeting_body *in, fw_vec2 at, fw_box common, double *depth)
 {
     if (at.x < common.low.x || at.x > common.high.x || at.y < common.low.y || at.y > common.high.y)
         return false;
@@ -61,9 +66,9 @@ static bool lies_deeper(const scene_body *in, fw_vec2 at, fw_box common, double 
 }
 
 /* In the matter that a segment bounds. */
-static fw_vec2 behind_middle(const scene_body *body, const fw_contour_segment *s)
+static fw_vec2 behind_middle(const fw_meeting_body *body, const fw_contour_segment *s)
 {
-    const fw_vec2 from = scene_place_of(body, s->from), to = scene_place_of(body, s->to);
+    const fw_vec2 from = place_of(body, s->from), to = place_of(body, s->to);
     const fw_vec2 along = fw_vec2_subtract(to, from);
     const fw_vec2 middle = fw_vec2_scale(0.5, fw_vec2_add(from, to));
     return fw_vec2_add(middle, fw_vec2_scale(-BEHIND, fw_vec2_turn(along)));
@@ -72,15 +77,18 @@ static fw_vec2 behind_middle(const scene_body *body, const fw_contour_segment *s
 /* The particle at which a body lies deepest in another one; -1: it does not. Points may lie on the
  * other's edge, all of them where one body fills the place of the other: so the matter behind the
  * middle of each segment is looked for, too. */
-static int find_deepest(const scene_body *body, const scene_body *in, fw_box common, double *depth)
+static int find_deepest(const fw_meeting_body *body, const fw_meeting_body *in, fw_box common,
+                        double *depth)
 {
     int deepest = -1;
     *depth = 0;
-    const fw_contour *contour = &body->edge->contour;
-    for (int point = 0; point < contour->point_count; ++point)
-        if (lies_deeper(in, scene_place_of(body, point), common, depth)) deepest = point;
-    for (int n = 0; n < contour->segment_count; ++n) {
-        const fw_contour_segment *s = &contour->segments[n];
+    const fw_contour_segment *segments = body->contour->segments;
+    const int end = body->first + body->count;
+    for (int n = body->first; n < end; ++n)
+        if (lies_deeper(in, place_of(body, segments[n].from), common, depth))
+            deepest = segments[n].from;
+    for (int n = body->first; n < end; ++n) {
+        const fw_contour_segment *s = &segments[n];
         if (!s->two_sided && lies_deeper(in, behind_middle(body, s), common, depth))
             deepest = s->from;
     }
@@ -115,11 +123,11 @@ static bool coincide(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d)
 
 /* Of two segments of two bodies. A chain of single particles has no side of its own: on an edge it
  * could not be told on which side of it it belongs. */
-static const char *find_fault(const scene_body *first, const fw_contour_segment *s,
-                              const scene_body *second, const fw_contour_segment *t)
+static const char *find_fault(const fw_meeting_body *first, const fw_contour_segment *s,
+                              const fw_meeting_body *second, const fw_contour_segment *t)
 {
-    const fw_vec2 a = scene_place_of(first, s->from), b = scene_place_of(first, s->to);
-    const fw_vec2 c = scene_place_of(second, t->from), d = scene_place_of(second, t->to);
+    const fw_vec2 a = place_of(first, s->from), b = place_of(first, s->to);
+    const fw_vec2 c = place_of(second, t->from), d = place_of(second, t->to);
     if (cross(a, b, c, d)) return "their edges cross";
     if ((s->two_sided || t->two_sided) && coincide(a, b, c, d))
         return "a link of single particles lies on the other's edge";
@@ -134,26 +142,27 @@ static fw_status refuse_crossing(fw_scene *scene, fw_error *error)
     for (int n = 0; n < count; ++n) {
         const fw_meeting_run a = fw_meeting_observe_run(joint->search, pairs[n].a),
                              b = fw_meeting_observe_run(joint->search, pairs[n].b);
-        const scene_body *first = &scene->bodies[joint->member_bodies[a.body]];
-        const scene_body *second = &scene->bodies[joint->member_bodies[b.body]];
+        const fw_meeting_body *first = &joint->members[a.body];
+        const fw_meeting_body *second = &joint->members[b.body];
         for (int i = 0; i < a.count; ++i)
             for (int k = 0; k < b.count; ++k) {
-                const fw_contour_segment *s = &first->edge->contour.segments[a.first + i];
-                const fw_contour_segment *t = &second->edge->contour.segments[b.first + k];
+                const fw_contour_segment *s = &first->contour->segments[a.first + i];
+                const fw_contour_segment *t = &second->contour->segments[b.first + k];
                 const char *fault = find_fault(first, s, second, t);
-                const fw_vec2 from = scene_place_of(first, s->from);
+                const fw_vec2 from = place_of(first, s->from);
                 if (!fault) continue;
                 scene->refused = 1 + joint->member_bodies[b.body];
                 return fw_fail(error, FW_BAD_INPUT,
                                "body %s starts in body %s: %s near (%g, %g), expected bodies side "
                                "by side",
-                               second->name, first->name, fault, from.x, from.y);
+                               scene_member_name(scene, b.body), scene_member_name(scene, a.body),
+                               fault, from.x, from.y);
             }
     }
     return FW_OK;
 }
 
-/* Looks at a pair of bodies, of which one may lie in the other within the common part of both
+/* Looks at a pair of members, of which one may lie in the other within the common part of both
  * frames. */
 typedef fw_status pair_look(const fw_scene *scene, int body, int in, fw_box common, void *context,
                             fw_error *error);
@@ -166,18 +175,16 @@ static fw_status look_at_pairs(const fw_scene *scene, pair_look *look, void *con
     fw_box *frames = calloc((size_t)joint->member_count, sizeof *frames);
     if (!frames) return fw_fail_memory(error, "a look at where bodies overlap");
     fw_status status = FW_OK;
-    for (int m = 0; m < joint->member_count; ++m)
-        frames[m] = frame_of(&scene->bodies[joint->member_bodies[m]]);
+    for (int m = 0; m < joint->member_count; ++m) frames[m] = frame_of(&joint->members[m]);
     for (int m = 0; m < joint->member_count; ++m)
         for (int n = 0; n < m && status == FW_OK; ++n) {
-            const int a = joint->member_bodies[m], b = joint->member_bodies[n];
             const fw_box common = {
                 {fmax(frames[m].low.x, frames[n].low.x), fmax(frames[m].low.y, frames[n].low.y)},
                 {fmin(frames[m].high.x, frames[n].high.x),
                  fmin(frames[m].high.y, frames[n].high.y)}};
             if (common.low.x > common.high.x || common.low.y > common.high.y) continue;
-            status = look(scene, a, b, common, context, error);
-            if (status == FW_OK) status = look(scene, b, a, common, context, error);
+            status = look(scene, m, n, common, context, error);
+            if (status == FW_OK) status = look(scene, n, m, common, context, error);
         }
     free(frames);
     return status;
@@ -186,17 +193,19 @@ static fw_status look_at_pairs(const fw_scene *scene, pair_look *look, void *con
 static fw_status refuse_inside(const fw_scene *scene, int number, int other, fw_box common,
                                void *context, fw_error *error)
 {
-    const scene_body *body = &scene->bodies[number], *in = &scene->bodies[other];
+    const fw_meeting_body *body = &scene->joint->members[number];
+    const fw_meeting_body *in = &scene->joint->members[other];
     int *refused = context;
     double depth;
     const int point = find_deepest(body, in, common, &depth);
     if (point < 0) return FW_OK;
-    const fw_vec2 at = scene_place_of(body, point);
-    *refused = 1 + number;
+    const fw_vec2 at = place_of(body, point);
+    *refused = 1 + scene->joint->member_bodies[number];
     return fw_fail(error, FW_BAD_INPUT,
                    "body %s starts in body %s: at its particle %d near (%g, %g) it lies %g inside, "
                    "expected bodies side by side",
-                   body->name, in->name, body->edge->contour.particles[point], at.x, at.y, depth);
+                   scene_member_name(scene, number), scene_member_name(scene, other),
+                   body->contour->particles[point], at.x, at.y, depth);
 }
 
 fw_status scene_refuse_overlaps(fw_scene *scene, fw_error *error)
@@ -218,7 +227,7 @@ static fw_status note_depth(const fw_scene *scene, int number, int other, fw_box
 {
     double depth, *most = context;
     (void)error;
-    find_deepest(&scene->bodies[number], &scene->bodies[other], common, &depth);
+    find_deepest(&scene->joint->members[number], &scene->joint->members[other], common, &depth);
     *most = fmax(*most, depth);
     return FW_OK;
 }

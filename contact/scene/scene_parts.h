@@ -83,9 +83,11 @@ typedef struct scene_joint {
     fw_meeting *search;       /* NULL where no bodies meet */
     bool rubs;                /* any body rubs on any other */
     bool search_is_new;       /* it knows of no step yet */
-    fw_meeting_body *members; /* one per body that meets others */
+    fw_meeting_body *members; /* one per body that meets others, and per part of one */
     int *member_bodies;
     int member_count;
+    int *slots; /* per body of the scene: its first one in `bodies` */
+    int slot_count;
     int predicted; /* busy runs of `search` whose points are predicted */
     int changes;   /* rows added or closed in this tick */
     double reach;  /* how far points may go for the pairs of `search` to be complete */
@@ -101,7 +103,7 @@ typedef struct scene_joint {
     scene_reach *reached;
     fw_joint_outcome outcome; /* of this tick */
     fw_contact_ledger ledger;
-    fw_body_ledger *bodies; /* per body of the scene */
+    fw_body_ledger *bodies; /* per part of each body of the scene */
 } scene_joint;
 
 /* Forces of contacts and grips on the particles of a body, and which of them are not zero. */
@@ -223,6 +225,10 @@ static inline fw_vec2 scene_place_of(const scene_body *body, int point)
     return fw_solid_position(body->solid, body->edge->contour.particles[point]);
 }
 
+/* The part of its solid that a particle belongs to. */
+int scene_part_of(const fw_solid *solid, int particle);
+/* Name of a member: of a body, or of its part. */
+const char *scene_member_name(const fw_scene *scene, int member);
 /* FW_BAD_INPUT: bodies start in each other. */
 fw_status scene_refuse_overlaps(fw_scene *scene, fw_error *error);
 /* Contours of bodies that meet others, made when the scene begins. FW_BAD_INPUT: bodies start in

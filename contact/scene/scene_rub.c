@@ -39,8 +39,10 @@ fw_friction scene_friction_between(const fw_scene *scene, int a, int b)
 bool scene_bodies_rub(const fw_scene *scene)
 {
     for (int a = 0; a < scene->body_count; ++a)
-        for (int b = 0; b < a; ++b)
-            if (scene_friction_between(scene, a, b).kinetic > 0) return true;
+        for (int b = 0; b <= a; ++b)
+            if (fw_scene_bodies_meet(scene, a, b) &&
+                scene_friction_between(scene, a, b).kinetic > 0)
+                return true;
     return false;
 }
 

@@ -136,14 +136,24 @@ static bool has_reverse(const fw_contour *contour, const halves *h, const fw_con
     return false;
 }
 
+/* In the order of the particles that halves lead to, which does not hang on how the body lies; -1:
+ * all are seen. */
+static int first_unseen(const halves *h, int particle)
+{
+    int first = -1;
+    for (int half = h->begin[particle]; half < h->begin[particle + 1]; ++half)
+        if (!h->seen[half] && (first < 0 || h->heads[half] < h->heads[first])) first = half;
+    return first;
+}
+
 static void walk_all(fw_contour *contour, const halves *h, const fw_solid *solid,
                      const fw_vec2 *home)
 {
     for (int p = 0; p < solid->count; ++p) {
         if (h->begin[p] == h->begin[p + 1] && !solid->model->bare_is_nothing)
             add_single(contour, p);
-        for (int half = h->begin[p]; half < h->begin[p + 1]; ++half)
-            if (!h->seen[half] && !is_cell(h, home, p, half)) walk_around(contour, h, p, half);
+        for (int half; (half = first_unseen(h, p)) >= 0;)
+            if (!is_cell(h, home, p, half)) walk_around(contour, h, p, half);
     }
     for (int n = 0; n < contour->segment_count; ++n) {
         fw_contour_segment *s = &contour->segments[n];

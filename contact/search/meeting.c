@@ -79,8 +79,8 @@ static fw_box extent_of(const fw_meeting_body *bodies, int body_count)
 {
     fw_box box = nothing();
     for (int b = 0; b < body_count; ++b)
-        for (int point = 0; point < bodies[b].contour->point_count; ++point)
-            box = joined(box, place_of(&bodies[b], point));
+        for (int n = bodies[b].first; n < bodies[b].first + bodies[b].count; ++n)
+            box = joined(box, place_of(&bodies[b], bodies[b].contour->segments[n].from));
     return box;
 }
 
@@ -88,8 +88,8 @@ static void cut_into_runs(fw_meeting *meeting, const fw_meeting_body *bodies, in
 {
     int count = 0;
     for (int b = 0; b < body_count; ++b)
-        for (int first = 0; first < bodies[b].contour->segment_count; first += RUN) {
-            const int left = bodies[b].contour->segment_count - first;
+        for (int done = 0; done < bodies[b].count; done += RUN) {
+            const int left = bodies[b].count - done, first = bodies[b].first + done;
             meeting->runs[count++] =
                 (fw_meeting_run){.body = b, .first = first, .count = left < RUN ? left : RUN};
         }
@@ -103,7 +103,7 @@ fw_status fw_meeting_create(fw_meeting **meeting, const fw_meeting_body *bodies,
     *meeting = made;
     if (!made) return fw_fail_memory(error, "the search between bodies");
     size_t runs = 1;
-    for (int b = 0; b < body_count; ++b) runs += (size_t)bodies[b].contour->segment_count / RUN + 1;
+    for (int b = 0; b < body_count; ++b) runs += (size_t)bodies[b].count / RUN + 1;
     made->runs = calloc(runs, sizeof *made->runs);
     made->here = calloc(runs, sizeof *made->here);
     made->margin = calloc(runs, sizeof *made->margin);

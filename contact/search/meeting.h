@@ -20,6 +20,7 @@
 typedef struct fw_meeting_body {
     const fw_solid *solid;
     const fw_contour *contour;
+    int first, count; /* its segments: those of one of the bodies that share the solid */
 } fw_meeting_body;
 
 /* Segments first ... first + count - 1 of a body's contour, and the points they begin at. */

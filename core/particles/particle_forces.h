@@ -35,6 +35,7 @@ struct fw_particles {
     double *first_x, *first_y, *second_x, *second_y, *sum_cosine, *sum_sine;
     double *virial[4]; /* of each particle: scratch */
     fw_particle_energies *energies;
+    int (*other_links)[2]; /* scratch */
 };
 
 /* What the kernels are told about the particles of a body. */
@@ -69,6 +70,10 @@ double fw_particles_hottest_at(const fw_langevin *solid, double time_step);
 /* Stable for bodies of such particles. */
 double fw_particles_longest_time_step(const fw_pair_potential *potential, double strength,
                                       const fw_return_force *force, double mass);
+
+/* As fw_solid_model.parts and .list_links: particle_links.c. */
+int fw_particles_parts(const fw_solid *solid, int number, fw_part *part);
+fw_status fw_particles_list_links(fw_solid *solid, bool *changed, fw_error *error);
 
 extern const fw_field fw_particle_fields[];
 

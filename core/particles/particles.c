@@ -50,6 +50,7 @@ static void destroy(fw_solid *solid)
     for (int a = 0; a < FW_SUMS_MAX; ++a) free(particles->in_lists_order[a]);
     if (particles->energies) free(particles->energies->values);
     free(particles->energies);
+    free(particles->other_links);
     fw_langevin_release(&particles->langevin);
     free(particles);
 }
@@ -99,7 +100,10 @@ const fw_solid_model fw_particles_model = {
     .energies = energies,
     .state = state,
     .restored = restored,
+    .parts = fw_particles_parts,
+    .list_links = fw_particles_list_links,
     .fields = fw_particle_fields,
+    .solid_between_links = true,
 };
 
 bool fw_solid_is_particles(const fw_solid *solid)

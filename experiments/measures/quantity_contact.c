@@ -2,12 +2,15 @@
 /* quantity_contact.c - what can be measured of bodies that touch each other. Keeps no state. */
 #include "experiments/measures/quantity.h"
 
-#define LINKED "lattice-boltzmann linear-lattice elastic-automaton"
+#define LINKED "lattice-boltzmann linear-lattice elastic-automaton movable-particles"
 
-/* Of the bodies of these models each is a solid of its own. */
 static const fw_body_ledger *ledger_of(const fw_experiment *experiment, fw_subject subject)
 {
-    return fw_scene_body_ledger(experiment->scene, experiment->bodies[subject.body].solid);
+    const fw_body_range *range = &experiment->bodies[subject.body];
+    const fw_solid *solid = fw_body_range_solid(experiment->scene, range);
+    const int group = fw_body_range_group(experiment->scene, range);
+    const bool is_part = group >= 0 && fw_solid_parts(solid, 0, NULL) > 1;
+    return fw_scene_body_ledger(experiment->scene, range->solid, is_part ? group : 0);
 }
 
 static void body_force(const fw_experiment *experiment, fw_subject subject, double *out)

@@ -147,7 +147,8 @@ static void bodies_in_a_room_stay_in_it_and_out_of_each_other(void **state)
         assert_true(fw_scene_contact_ledger(scene)->unconverged <= 2);
         assert_ledger_closes(scene, 1e-11);
         fw_vec2 sum = {0, 0};
-        for (int b = 0; b < 3; ++b) sum = fw_vec2_add(sum, fw_scene_body_ledger(scene, b)->impulse);
+        for (int b = 0; b < 3; ++b)
+            sum = fw_vec2_add(sum, fw_scene_body_ledger(scene, b, 0)->impulse);
         assert_close(sum.x, 0, 1e-11);
         assert_close(sum.y, 0, 1e-11);
         fw_scene_destroy(scene);
@@ -353,8 +354,8 @@ static void piston_presses_bodies_on_each_other(void **state)
         assert_true(fw_scene_penetration(scene, -1) < 1e-13);
     }
     assert_ledger_balances(scene, 1e-11);
-    assert_close(fw_scene_body_ledger(scene, 0)->reaction.y, -0.2, 1e-6);
-    assert_close(fw_scene_body_ledger(scene, 1)->reaction.y, 0.2, 1e-6);
+    assert_close(fw_scene_body_ledger(scene, 0, 0)->reaction.y, -0.2, 1e-6);
+    assert_close(fw_scene_body_ledger(scene, 1, 0)->reaction.y, 0.2, 1e-6);
     assert_close(fw_scene_wall_ledger(scene, 0)->reaction.y, 0.2, 1e-6);
     assert_true(motion_fits(scene, 1));
     fw_scene_destroy(scene);

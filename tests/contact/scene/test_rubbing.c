@@ -52,10 +52,10 @@ static void what_sticks_does_not_creep(void **state)
     fw_scene *scene = two_beams(0.3, (fw_path){.velocity = {1e-5, 0}, .from = 1000, .until = 2000});
     run(scene, 6000);
     const double heat = fw_scene_contact_ledger(scene)->heat;
-    const fw_vec2 force = fw_scene_body_ledger(scene, 1)->reaction;
+    const fw_vec2 force = fw_scene_body_ledger(scene, 1, 0)->reaction;
     assert_close(force.x, -0.01 * 20 / 8, 1e-4); /* 20 columns, 8 links in a row */
     run(scene, 4000);
-    assert_close(fw_scene_body_ledger(scene, 1)->reaction.x, force.x, 1e-14);
+    assert_close(fw_scene_body_ledger(scene, 1, 0)->reaction.x, force.x, 1e-14);
     assert_close(fw_scene_contact_ledger(scene)->heat, heat, 1e-15);
     assert_close(fw_scene_contact_ledger(scene)->unconverged, 0, 2);
     assert_energy_closes(scene, 1e-12);
@@ -72,7 +72,7 @@ static void what_slides_obeys_the_cone(void **state)
         run(scene, 3600);
         const double before = fw_scene_contact_ledger(scene)->heat;
         run(scene, 400);
-        const fw_vec2 force = fw_scene_body_ledger(scene, 1)->reaction;
+        const fw_vec2 force = fw_scene_body_ledger(scene, 1, 0)->reaction;
         assert_close(force.x / force.y, -friction, 0.015 * friction);
         const double heat = fw_scene_contact_ledger(scene)->heat - before;
         assert_close(heat, friction * 0.2 * 0.04, 0.01 * heat);
@@ -94,7 +94,7 @@ static void what_sticks_bears_more_than_what_slides(void **state)
     double most = 0;
     for (int t = 0; t < 3600; ++t) {
         run(scene, 1);
-        most = fmax(most, -fw_scene_body_ledger(scene, 1)->reaction.x);
+        most = fmax(most, -fw_scene_body_ledger(scene, 1, 0)->reaction.x);
     }
     assert_true(most > 1.3 * 0.2 * 0.2 && most < 0.4 * 0.2);
     const double before = fw_scene_contact_ledger(scene)->heat;

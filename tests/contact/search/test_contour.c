@@ -154,7 +154,8 @@ static void no_pair_is_missed_wherever_bodies_are(void **state)
                 solids[b]->x[i] += offsets[o] + 12 * shift.x;
                 solids[b]->y[i] -= offsets[o] + 12 * shift.y;
             }
-            bodies[b] = (fw_meeting_body){.solid = solids[b], .contour = &contours[b]};
+            bodies[b] = (fw_meeting_body){
+                .solid = solids[b], .contour = &contours[b], .count = contours[b].segment_count};
         }
         fw_meeting *meeting;
         must(fw_meeting_create(&meeting, bodies, BODIES, &error));
@@ -192,7 +193,8 @@ static void nobody_jumps_over_another_body_unseen(void **state)
         solids[b] = masked("####\n####\n####\n");
         contours[b] = contour_of(solids[b]);
         for (int i = 0; i < solids[b]->count; ++i) solids[b]->x[i] += 20 * b;
-        bodies[b] = (fw_meeting_body){.solid = solids[b], .contour = &contours[b]};
+        bodies[b] = (fw_meeting_body){
+            .solid = solids[b], .contour = &contours[b], .count = contours[b].segment_count};
     }
     fw_meeting *meeting;
     must(fw_meeting_create(&meeting, bodies, 2, &error));
