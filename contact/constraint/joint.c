@@ -13,6 +13,8 @@
 enum { FEW = 30, FEW_ON_PISTONS = 6 };
 /* Of the fixed point of weights; in each of them, of normal forces and friction. */
 enum { ROUNDS = 100, TURNS = 3 };
+/* Rounds of turns before both are found at once; and how often that may fail. */
+enum { PATIENCE = 12, FAILURES = 5 };
 /* Where the furthest end moves no further than by this, in units of length, the fixed point is
  * there: rounding of displacements of a spacing. Or no further than NEARLY, if gaps are kept. */
 #define ARRIVED 1e-13
@@ -303,20 +305,35 @@ static void store_lambda(const fw_joint *joint, fw_joint_row *rows, const int *l
         rows[list[n]].lambda = joint->line_of[n] < 0 ? 0 : joint->lambda[joint->line_of[n]];
 }
 
-/* Normal forces for the present weights, and friction with them, in turn; normal forces last, so
- * that nothing passes. */
+static void want_with_friction(fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *rows,
+                               const int *list, int count)
+{
+    for (int n = 0; n < count; ++n)
+        if (joint->line_of[n] >= 0)
+            joint->lines[joint->line_of[n]].wanted = wanted_of(ends, &rows[list[n]]);
+}
+
+/* Normal forces for the present weights, and friction with them, in turn or, where `failures` are
+ * few, at once; normal forces last, so that nothing passes. */
 static fw_status solve_forces(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
                               const int *list, int count, int moving, joint_system *system,
-                              bool *solved, double *change, fw_error *error)
+                              int *failures, bool *solved, double *change, fw_error *error)
 {
-    const int turns = joint_rubs(rows, list, count) ? TURNS : 0;
+    const bool rubs = joint_rubs(rows, list, count);
+    bool found = false;
+    if (rubs && *failures < FAILURES) {
+        for (int e = 0; e < moving; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
+        want_with_friction(joint, ends, rows, list, count);
+        FW_TRY(joint_couple(joint, ends, rows, list, count, system, moving, &found, error));
+        if (found) want_with_friction(joint, ends, rows, list, count);
+        *failures += !found;
+    }
+    const int turns = rubs && !found ? TURNS : 0;
     for (int turn = 0; turn < turns; ++turn) {
         FW_TRY(solve_system(joint, system, solved, error));
         store_lambda(joint, rows, list, count);
         FW_TRY(joint_rub(joint, ends, rows, list, count, system, moving, error));
-        for (int n = 0; n < count; ++n)
-            if (joint->line_of[n] >= 0)
-                joint->lines[joint->line_of[n]].wanted = wanted_of(ends, &rows[list[n]]);
+        want_with_friction(joint, ends, rows, list, count);
     }
     FW_TRY(solve_system(joint, system, solved, error));
     store_lambda(joint, rows, list, count);
@@ -335,13 +352,15 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
     const bool iterates = follows || depends_on_displacement(rows, list, count, springs);
     double change = INFINITY, part = 1;
     bool arrived = false, solved = true;
+    int failures = FAILURES;
     for (int round = 0; round < ROUNDS && !arrived && solved; ++round) {
-        if (round > 1) part = next_part(joint, ends, moving, part);
+        if (round == PATIENCE && !follows) failures = 0;
+        if (round > 1) part = round == PATIENCE ? 1 : next_part(joint, ends, moving, part);
         if (round > 0) relax(joint, ends, moving, springs, part);
         make_system(joint, ends, rows, list, count, moving, true, &system);
         const double before = change;
-        FW_TRY(
-            solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
+        FW_TRY(solve_forces(joint, ends, rows, list, count, moving, &system, &failures, &solved,
+                            &change, error));
         outcome->iterations += 1;
         arrived = !iterates || change <= (follows ? LED : ARRIVED) ||
                   (follows && change <= ARRIVED && change >= before) ||
@@ -355,13 +374,13 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
         part = next_part(joint, ends, moving, part);
         relax(joint, ends, moving, springs, part);
         make_system(joint, ends, rows, list, count, moving, false, &system);
-        FW_TRY(
-            solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
+        FW_TRY(solve_forces(joint, ends, rows, list, count, moving, &system, &failures, &solved,
+                            &change, error));
     }
     if (joint_bar_all_that_feed(ends, rows, list, count)) {
         make_system(joint, ends, rows, list, count, moving, true, &system);
-        FW_TRY(
-            solve_forces(joint, ends, rows, list, count, moving, &system, &solved, &change, error));
+        FW_TRY(solve_forces(joint, ends, rows, list, count, moving, &system, &failures, &solved,
+                            &change, error));
         joint_find_slips(ends, rows, list, count);
     }
     outcome->islands += 1;

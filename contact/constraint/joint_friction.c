@@ -64,7 +64,8 @@ void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_jo
     }
 }
 
-/* Displacements of the ends without friction, and by momentum alone. */
+/* Displacements of the ends without friction, and by momentum alone. Without z also without normal
+ * forces. */
 static void collect(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
                     const fw_vec2 *z, fw_vec2 smooth[3], fw_vec2 inertial[3])
 {
@@ -72,9 +73,10 @@ static void collect(const fw_joint *joint, const fw_joint_end *ends, const fw_jo
         const fw_joint_end *end = &ends[row->end[k]];
         smooth[k] = inertial[k] = end->free;
         if (!joint_moves(end)) continue;
+        inertial[k] = end->inertial;
+        if (!z) continue;
         smooth[k] = fw_vec2_add(
             end->free, joint_apply(joint_root_of(end->mobility), z[joint->local[row->end[k]]]));
-        inertial[k] = end->inertial;
     }
 }
 
@@ -109,6 +111,20 @@ static void find_tractions(fw_joint *joint, joint_system *system, int bandwidth)
     if (power_of(joint, system) > 0) solve_for(joint, system, bandwidth, 0);
 }
 
+/* Target and slip of a row that rubs; how far it would slip with z, and no friction. */
+static void set_tangent(fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row,
+                        const fw_vec2 *z, int line)
+{
+    fw_joint_rub *rub = &row->rub;
+    fw_vec2 smooth[3], inertial[3];
+    collect(joint, ends, row, z, smooth, inertial);
+    rub->inertial = along(row, inertial);
+    const double change = rub->stuck_before ? rub->inertial - rub->inertial_before : 0;
+    joint->target[line] =
+        rub->firm ? 0 : fw_friction_filter(rub->stuck_before, rub->inertial, change);
+    joint->slip[line] = along(row, smooth);
+}
+
 /* The tangents of the island as lines, each with its limit and target. Returns how many. */
 static int make_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
                          const int *list, int count, const fw_vec2 *z)
@@ -117,32 +133,45 @@ static int make_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
         fw_joint_rub *rub = &row->rub;
-        fw_vec2 smooth[3], inertial[3];
         joint->tangent_of[n] = -1;
         rub->traction = 0;
         rub->stuck = false;
         if (!(rub->coefficient > 0)) continue;
-        collect(joint, ends, row, z, smooth, inertial);
+        set_tangent(joint, ends, row, z, lines);
         rub->limit =
             rub->barred ? 0 : 0.5 * fw_joint_coefficient(rub) * (row->lambda + rub->before);
-        rub->inertial = along(row, inertial);
         if (!(rub->limit > 0) ||
             !joint_make_line(joint, ends, row, rub->weight, &joint->tangents[lines]))
             continue;
-        const double change = rub->stuck_before ? rub->inertial - rub->inertial_before : 0;
-        joint->target[lines] =
-            rub->firm ? 0 : fw_friction_filter(rub->stuck_before, rub->inertial, change);
-        joint->slip[lines] = along(row, smooth);
         joint->limit[lines] = rub->limit;
         joint->tangent_of[n] = lines++;
     }
     return lines;
 }
 
-/* What the tractions add to the displacements of the ends. */
-static void share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
-                      const int *list, int count)
+int joint_make_all_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
+                            const int *list, int count)
 {
+    int lines = 0;
+    for (int n = 0; n < count; ++n) {
+        fw_joint_row *row = &rows[list[n]];
+        joint->tangent_of[n] = -1;
+        if (!(row->rub.coefficient > 0) || row->rub.barred ||
+            !joint_make_line(joint, ends, row, row->rub.weight, &joint->tangents[lines])) {
+            row->rub.traction = row->rub.limit = 0;
+            row->rub.stuck = false;
+            continue;
+        }
+        set_tangent(joint, ends, row, NULL, lines);
+        joint->tangent_of[n] = lines++;
+    }
+    return lines;
+}
+
+void joint_share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                     int count, int moving)
+{
+    for (int e = 0; e < moving; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
     for (int n = 0; n < count; ++n) {
         if (joint->tangent_of[n] < 0) continue;
         fw_joint_row *row = &rows[list[n]];
@@ -166,13 +195,15 @@ fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, con
                            .first_wide = normal->first_wide,
                            .wide_count = normal->wide_count};
     system.line_count = make_tangents(joint, ends, rows, list, count, normal->z);
-    for (int e = 0; e < moving; ++e) ends[joint->global[e]].rubbed = (fw_vec2){0, 0};
-    if (system.line_count == 0) return FW_OK;
+    if (system.line_count == 0) {
+        joint_share_out(joint, ends, rows, list, count, moving);
+        return FW_OK;
+    }
     const int bandwidth = joint_bandwidth(&system, joint->first);
     FW_TRY(joint_reserve_room(
         joint, joint_interior_room(system.line_count, bandwidth, system.wide_count), error));
     find_tractions(joint, &system, bandwidth);
-    share_out(joint, ends, rows, list, count);
+    joint_share_out(joint, ends, rows, list, count, moving);
     return FW_OK;
 }
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* joint_parts.h - the inside of the joint solver, shared by joint.c (normal contact),
- * joint_weights.c, joint_leads.c and joint_friction.c, and by nobody else. */
+ * joint_weights.c, joint_leads.c, joint_friction.c and joint_couple.c, and by nobody else. */
 #ifndef FW_JOINT_PARTS_H
 #define FW_JOINT_PARTS_H
 
@@ -75,6 +75,16 @@ void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_jo
  * system, in which so many ends move. */
 fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
                     int count, const joint_system *normal, int moving, fw_error *error);
+/* The same at once, with the normal forces, where that can be done: then `found`. */
+fw_status joint_couple(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                       int count, const joint_system *normal, int moving, bool *found,
+                       fw_error *error);
+/* Of all rows that rub and are not barred, without normal forces. Returns how many. */
+int joint_make_all_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
+                            const int *list, int count);
+/* What the tractions add to the displacements of the ends. */
+void joint_share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                     int count, int moving);
 /* How far points slide along segments on the present displacements. */
 void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
 /* Rows that slip at their static limit slide from now on. Returns whether there are any. */

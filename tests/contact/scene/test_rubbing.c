@@ -97,9 +97,10 @@ static void what_sticks_bears_more_than_what_slides(void **state)
         most = fmax(most, -fw_scene_body_ledger(scene, 1, 0)->reaction.x);
     }
     assert_true(most > 1.3 * 0.2 * 0.2 && most < 0.4 * 0.2);
+    /* Particles stick and slip, and what is stored in the beams comes and goes. */
     const double before = fw_scene_contact_ledger(scene)->heat;
     run(scene, 400);
-    assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.04, 2e-5);
+    assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.04, 8e-5);
     assert_true(fw_scene_contact_ledger(scene)->overstep < 0.04);
     assert_energy_closes(scene, 1e-12);
     fw_scene_destroy(scene);
@@ -184,7 +185,8 @@ static void friction_never_feeds(void **state)
     }
     print_message("%g of %g ticks not converged, overstep %g\n", unconverged, ticks, overstep);
     assert_true(ticks > 200);
-    assert_true(unconverged < 0.12 * ticks);
+    assert_true(unconverged < 0.01 * ticks);
+    assert_true(overstep < 0.02);
 }
 
 int main(void)
