@@ -14,7 +14,7 @@ enum { FEW = 30, FEW_ON_PISTONS = 6 };
 /* Of the fixed point of weights; in each of them, of normal forces and friction. */
 enum { ROUNDS = 100, TURNS = 3 };
 /* Rounds of turns before both are found at once; and how often that may fail. */
-enum { PATIENCE = 12, FAILURES = 5 };
+enum { PATIENCE = 12, FAILURES = 2 };
 /* Where the furthest end moves no further than by this, in units of length, the fixed point is
  * there: rounding of displacements of a spacing. Or no further than NEARLY, if gaps are kept. */
 #define ARRIVED 1e-13
@@ -353,6 +353,7 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
     double change = INFINITY, part = 1;
     bool arrived = false, solved = true;
     int failures = FAILURES;
+    joint->settled = true;
     for (int round = 0; round < ROUNDS && !arrived && solved; ++round) {
         if (round == PATIENCE && !follows) failures = 0;
         if (round > 1) part = round == PATIENCE ? 1 : next_part(joint, ends, moving, part);
@@ -366,6 +367,7 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
                   (follows && change <= ARRIVED && change >= before) ||
                   (change <= NEARLY && !springs && !follows &&
                    keeps_gaps(joint, ends, moving, rows, list, count));
+        arrived = arrived && joint->settled;
         if (arrived) arrived = !joint_break_loose(ends, rows, list, count);
         if (arrived) arrived = !joint_bar_feeding(ends, rows, list, count);
     }

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Unknowns beyond which it is not tried: a step takes their third power. */
-enum { UNKNOWNS = 120 };
+enum { UNKNOWNS = 64 };
 /* So many times all states are changed, then one at a time. */
 enum { AT_ONCE = 15, STEPS = 60, PARTS = 40 };
 /* Pivots below this part of the first one are dependences, not numbers. */
@@ -302,7 +302,7 @@ fw_status joint_couple(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, 
     couple p = open_couple(normal->line_count, unknowns, joint->room);
     fill(&p, joint, rows, list, count);
     if (!find_part(&p, joint->lines)) return FW_OK;
-    *found = true;
+    *found = joint->settled = true;
     for (int n = 0; n < p.normals; ++n) joint->lambda[n] = p.x[n] * p.scale[n];
     for (int k = 0; k < count; ++k) {
         if (joint->tangent_of[k] < 0) continue;

@@ -84,7 +84,7 @@ static void solve_for(fw_joint *joint, joint_system *system, int bandwidth, doub
 {
     for (int n = 0; n < system->line_count; ++n)
         system->lines[n].wanted = part * joint->target[n] - joint->slip[n];
-    joint_solve_box(system, joint->limit, bandwidth, joint->room);
+    joint->settled = joint_solve_box(system, joint->limit, bandwidth, joint->room);
 }
 
 static double power_of(const fw_joint *joint, const joint_system *system)
@@ -195,6 +195,7 @@ fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, con
                            .first_wide = normal->first_wide,
                            .wide_count = normal->wide_count};
     system.line_count = make_tangents(joint, ends, rows, list, count, normal->z);
+    joint->settled = true;
     if (system.line_count == 0) {
         joint_share_out(joint, ends, rows, list, count, moving);
         return FW_OK;

@@ -22,6 +22,7 @@ struct fw_joint {
     joint_line *tangents; /* of friction, and per line of it ... */
     double *limit, *traction, *target, *slip;
     int *tangent_of; /* per row of the island, or -1 */
+    bool settled;    /* tractions of the island were found */
     double *room;
     size_t room_size;
     const fw_joint_springs *springs; /* of this call; or NULL */
