@@ -19,6 +19,25 @@
 /* For how many seconds steps are taken for real. */
 static const double REHEARSAL_SECONDS = 0.4;
 
+/* --- time --- */
+
+/* Seconds of a run: making it and measuring its start, each step, and what it writes. */
+typedef struct run_cost {
+    double begin, step, write;
+} run_cost;
+
+/* Files are opened, sealed and closed; a frame has a dozen entries; the rest goes by bytes. As it
+ * was measured on one machine, for runs so short that this is most of what they take. */
+static double seconds_to_write(const fw_results_size *size)
+{
+    return 0.02 + 4e-5 * (double)size->frames + 2e-9 * (size->file + size->checkpoint);
+}
+
+static double seconds_beside_steps(const run_cost *cost)
+{
+    return cost->begin + cost->write;
+}
+
 /* --- sizes --- */
 
 static void print_bytes(const char *what, double bytes, const char *more)
@@ -116,6 +135,7 @@ typedef struct check_plan {
     const fw_scenario *scenario;
     int64_t run_count;
     double step_count; /* of all runs together */
+    run_cost cost;     /* of one of them; its steps are known last */
 } check_plan;
 
 /* What a run would warn of at its start; the speed was reported in better words. */
@@ -128,12 +148,25 @@ static fw_status warn_as_run(const fw_experiment *experiment, int *warnings, fw_
     return status;
 }
 
-static fw_status check_run(fw_run *run, const char *name, const check_plan *plan,
+/* Last, since it moves what was looked at so far. */
+static fw_status rehearse(fw_run *run, const fw_results_size *size, run_cost *cost, fw_error *error)
+{
+    cost->write = seconds_to_write(size);
+    return fw_run_rehearse(run, REHEARSAL_SECONDS, &cost->step, error);
+}
+
+static double seconds_of_all(const check_plan *plan)
+{
+    return plan->cost.step * plan->step_count +
+           seconds_beside_steps(&plan->cost) * (double)plan->run_count;
+}
+
+static fw_status check_run(fw_run *run, const char *name, check_plan *plan,
                            const fw_arguments *arguments, fw_error *error)
 {
     const fw_experiment *experiment = fw_run_experiment(run);
+    run_cost *cost = &plan->cost;
     fw_results_size size;
-    double step;
     int warnings = 0;
     FW_TRY(fw_run_size(run, &size, error));
     const double memory = fw_memory_needed(experiment->scenario);
@@ -148,15 +181,15 @@ static fw_status check_run(fw_run *run, const char *name, const check_plan *plan
     FW_TRY(warn_as_run(experiment, &warnings, error));
     if (arguments->output) printf("  %-14s %s\n", "picture", arguments->output);
     fflush(stdout);
-    /* Last, since it moves what was looked at so far. */
-    FW_TRY(fw_run_rehearse(run, REHEARSAL_SECONDS, &step, error));
+    FW_TRY(rehearse(run, &size, cost, error));
     printf("  %-14s ", "time");
-    print_time(step * (double)experiment->scenario->run.steps);
-    printf(", about, with %d thread%s (%.3g ms a step), beside what writing takes\n",
-           fw_command_threads(arguments), fw_command_threads(arguments) > 1 ? "s" : "", 1e3 * step);
+    print_time(cost->step * (double)experiment->scenario->run.steps + seconds_beside_steps(cost));
+    printf(", about, with %d thread%s (%.3g ms a step), %.2g s of it to begin and to write\n",
+           fw_command_threads(arguments), fw_command_threads(arguments) > 1 ? "s" : "",
+           1e3 * cost->step, seconds_beside_steps(cost));
     if (plan->run_count > 1) {
         printf("  %-14s ", "in all");
-        print_time(step * plan->step_count);
+        print_time(seconds_of_all(plan));
         printf(", about, for the %lld runs, shared by as many processors as run them\n",
                (long long)plan->run_count);
     }
@@ -168,10 +201,10 @@ static fw_status check_run(fw_run *run, const char *name, const check_plan *plan
 }
 
 /* {name, title, bodies: [{name, particles}], walls, steps, frames, samples, numbers_per_sample,
- * file_bytes, checkpoint_bytes, memory_bytes, runs, threads, seconds_per_step, seconds: of all runs
- * one after the other, warnings: [...]}. */
+ * file_bytes, checkpoint_bytes, memory_bytes, runs, threads, seconds_to_begin, seconds_per_step,
+ * seconds_to_write: of one run, seconds: of all runs one after the other, warnings: [...]}. */
 static void write_json(const fw_experiment *experiment, const char *name, const check_plan *plan,
-                       const fw_results_size *size, double step, int threads, const char *warnings)
+                       const fw_results_size *size, int threads, const char *warnings)
 {
     const fw_scenario *scenario = experiment->scenario;
     fw_json json = {.out = stdout};
@@ -196,8 +229,10 @@ static void write_json(const fw_experiment *experiment, const char *name, const 
     fw_json_integer(&json, "memory_bytes", (int64_t)fw_memory_needed(scenario));
     fw_json_integer(&json, "runs", plan->run_count);
     fw_json_integer(&json, "threads", threads);
-    fw_json_number(&json, "seconds_per_step", step);
-    fw_json_number(&json, "seconds", step * plan->step_count);
+    fw_json_number(&json, "seconds_to_begin", plan->cost.begin);
+    fw_json_number(&json, "seconds_per_step", plan->cost.step);
+    fw_json_number(&json, "seconds_to_write", plan->cost.write);
+    fw_json_number(&json, "seconds", seconds_of_all(plan));
     fw_json_begin(&json, "warnings", '[');
     while (warnings && *warnings) {
         char line[512];
@@ -210,12 +245,11 @@ static void write_json(const fw_experiment *experiment, const char *name, const 
     fw_json_end(&json, '}');
 }
 
-static fw_status check_run_as_json(fw_run *run, const char *name, const check_plan *plan,
+static fw_status check_run_as_json(fw_run *run, const char *name, check_plan *plan,
                                    const fw_arguments *arguments, fw_error *error)
 {
     const fw_experiment *experiment = fw_run_experiment(run);
     fw_results_size size;
-    double step;
     char *said = NULL;
     size_t length = 0;
     FW_TRY(fw_run_size(run, &size, error));
@@ -223,23 +257,23 @@ static fw_status check_run_as_json(fw_run *run, const char *name, const check_pl
     fw_warning warning = {.out = open_memstream(&said, &length)};
     if (!warning.out) return fw_fail_memory(error, "the warnings");
     fw_status status = fw_warning_look(&warning, experiment, error);
-    if (status == FW_OK) status = fw_run_rehearse(run, REHEARSAL_SECONDS, &step, error);
+    if (status == FW_OK) status = rehearse(run, &size, &plan->cost, error);
     if (status == FW_OK)
-        write_json(experiment, name, plan, &size, step, fw_command_threads(arguments),
-                   warning.text);
+        write_json(experiment, name, plan, &size, fw_command_threads(arguments), warning.text);
     fclose(warning.out);
     free(said);
     fw_warning_clear(&warning);
     return status;
 }
 
-static fw_status check_scenario(const fw_scenario *scenario, const char *name,
-                                const check_plan *plan, const fw_arguments *arguments,
-                                fw_error *error)
+static fw_status check_scenario(const fw_scenario *scenario, const char *name, check_plan *plan,
+                                const fw_arguments *arguments, fw_error *error)
 {
     const fw_run_options options = {.threads = fw_command_threads(arguments), .name = name};
+    const double begun = fw_progress_clock();
     fw_run *run;
     FW_TRY(fw_run_begin(&run, scenario, &options, error));
+    plan->cost.begin = fw_progress_clock() - begun;
     const fw_status status =
         (arguments->json ? check_run_as_json : check_run)(run, name, plan, arguments, error);
     fw_run_destroy(run);

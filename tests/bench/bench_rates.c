@@ -207,6 +207,26 @@ static fw_solid *breakable_automaton(int side)
     return automaton_of(side, 1e3);
 }
 
+static fw_solid *linear(int side)
+{
+    fw_linear_lattice_def def = fw_linear_lattice_def_default();
+    fw_sites sites = square_of(side);
+    fw_vec2 *velocities = malloc((size_t)sites.count * sizeof *velocities);
+    for (int l = 0; l < sites.count; ++l)
+        velocities[l] = (fw_vec2){1e-3 * sin(0.01 * sites.site[l].i), 1e-3};
+    def.sites = &sites;
+    def.velocities = velocities;
+    fw_solid *solid;
+    fw_error error;
+    if (fw_linear_lattice_create(&solid, &def, &error) != FW_OK) {
+        puts(error.sentence);
+        exit(1);
+    }
+    free(velocities);
+    fw_sites_clear(&sites);
+    return solid;
+}
+
 static const fw_case cases[] = {
     {"particles-long-verlet", 320, long_verlet, 0, NULL, 0},
     {"particles-long-langevin", 320, long_langevin, 0, NULL, 0},
@@ -226,6 +246,7 @@ static const fw_case cases[] = {
     {"fading-rubbing-long", 320, fading_long_rubbing, 0, NULL, 0},
     {"fading-rubbing-short", 320, fading_short_rubbing, 0, NULL, 0},
     {"fading-melt", 320, fading_melt, 0, NULL, 0},
+    {"linear-lattice", 320, linear, 0, NULL, 0},
     {"lb-populations", 2048, populations, 192, NULL, 0},
     {"lb-stream", 2048, lb, 48, NULL, 1},
     {"lb-sweep", 2048, lb, 48, NULL, 16},

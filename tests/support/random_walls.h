@@ -152,9 +152,9 @@ static inline void set_stage(stage *s, dice *d, fw_vec2 middle, double size, dou
     for (int i = 0; i < s->wall_count; ++i) {
         wall_recipe recipe;
         random_wall(&recipe, d, dice_point(d, middle, size), size * dice_scale(d, -1.5, 0), speed);
-        fw_error error;
-        if (fw_wall_create(&s->walls[i], i, &recipe.def, &error) != FW_OK)
-            fail_msg("%s", error.sentence);
+        fw_error reason;
+        if (fw_wall_create(&s->walls[i], i, &recipe.def, &reason) != FW_OK)
+            fail_msg("%s", reason.sentence);
         fw_box bounds = fw_wall_bounds(s->walls[i]);
         s->extent.low.x = fmin(s->extent.low.x, bounds.low.x);
         s->extent.low.y = fmin(s->extent.low.y, bounds.low.y);

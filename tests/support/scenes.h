@@ -24,6 +24,7 @@ typedef struct body_options {
     fw_vec2 origin, velocity;
     double rest_mass, mu, angle;
     fw_sym2 rest_matrix;
+    fw_lb_form form; /* populations, where nothing is said */
 } body_options;
 
 /* An LB body called "sheet". */
@@ -40,6 +41,7 @@ static inline void add_body(fw_scene *scene, body_options o)
     def.velocity = velocity;
     def.rest_mass = o.rest_matrix.xx != 0 ? o.rest_matrix : fw_sym2_scalar(o.rest_mass);
     def.mu = o.mu > 0 ? o.mu : 1;
+    def.form = o.form;
     fw_solid *solid;
     must(fw_lb_solid_create(&solid, &def, &error));
     int body;
