@@ -59,7 +59,7 @@ static bool is_named(const char *word, const char *path, const fw_key *key)
 typedef struct search {
     const fw_arguments *arguments;
     const char *word; /* the name or path of keys, or NULL: all keys that speak of the words */
-    int found;
+    int found, others;
     fw_suggestion suggestion; /* among names of keys */
     fw_json json;
 } search;
@@ -126,6 +126,21 @@ static void print_key(void *object, const char *path, const fw_key *key)
     if (key->subsection) print_inside(key);
 }
 
+/* Keys of other names that speak of the word, a line each, no longer than this. */
+enum { OTHER_SIZE = 100 };
+static void print_other(void *object, const char *path, const fw_key *key)
+{
+    search *s = object;
+    char expected[EXPECTED_SIZE];
+    fw_schema_expected(key, expected, sizeof expected);
+    const char *const texts[] = {key->name, key->meaning, expected};
+    if (is_named(s->word, path, key) || !fw_lookup_fits(s->arguments, texts, 3)) return;
+    if (s->others == 0) printf("\nOthers that speak of it:\n");
+    s->others += 1;
+    const bool is_long = strlen(key->meaning) > OTHER_SIZE;
+    printf("  %s: %.*s%s\n", path, OTHER_SIZE, key->meaning, is_long ? " ..." : "");
+}
+
 /* {path, key, value, unit, required, alternative, default, otherwise, needs, meaning} */
 static void write_key(void *object, const char *path, const fw_key *key)
 {
@@ -190,5 +205,7 @@ fw_status fw_command_reference(const fw_arguments *arguments, fw_error *error)
     if (arguments->json) return write_json(&s, error);
     if (arguments->word_count == 0) return fw_schema_print(&fw_scenario_section, stdout, error);
     fw_schema_walk(&fw_scenario_section, print_key, &s);
+    /* A path means one key; a name may be a word of others. */
+    if (s.word && !strchr(s.word, '.')) fw_schema_walk(&fw_scenario_section, print_other, &s);
     return s.found > 0 ? FW_OK : refuse(&s, error);
 }

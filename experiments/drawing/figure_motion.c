@@ -21,7 +21,10 @@ typedef struct motion_layout {
     double legend_top, legend_width;
 } motion_layout;
 
-/* The map without its palest end, which is faint on white. */
+/* The map without its darkest end, which is hardly told from the path, nor its palest, which is
+ * faint on white. */
+static const double FIRST_COLOUR = .16;
+
 static fw_colour colour_of_instant(const fw_figure_motion_plan *plan, int number)
 {
     int count = plan->view_count;
@@ -30,7 +33,8 @@ static fw_colour colour_of_instant(const fw_figure_motion_plan *plan, int number
         double first = (double)plan->views[0].step, last = (double)plan->views[count - 1].step;
         part = last > first ? ((double)plan->views[number].step - first) / (last - first) : 0;
     }
-    return fw_palette_at(FW_PALETTE_SEQUENTIAL, count > NAMED_INSTANTS ? part : .93 * part);
+    const double last = count > NAMED_INSTANTS ? 1 : .93;
+    return fw_palette_at(FW_PALETTE_SEQUENTIAL, FIRST_COLOUR + (last - FIRST_COLOUR) * part);
 }
 
 /* Mixed with so much white, and so opaque. */

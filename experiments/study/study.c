@@ -225,6 +225,29 @@ static int threads_of(const fw_study *study)
     return wanted < most ? wanted : most;
 }
 
+static bool is_signal(fw_status status)
+{
+    return status == FW_INTERRUPTED || status == FW_TERMINATED || status == FW_HUNG_UP;
+}
+
+/* Of several runs at a time: steps of all of them, as the progress counts them. */
+static fw_status report_signal(const fw_study *study, fw_status status, fw_error *error)
+{
+    const fw_replica *first = &study->replicas[0];
+    long long done = 0;
+    for (int n = 0; n < study->run_count; ++n)
+        done += fw_scene_steps(fw_run_experiment(study->replicas[n].run)->scene);
+    const long long all = (long long)study->run_count * first->scenario->run.steps;
+    if (!first->options.directory)
+        return fw_fail(error, status, "interrupted after %lld of %lld steps of %d runs", done, all,
+                       study->run_count);
+    return fw_fail(error, status,
+                   "interrupted after %lld of %lld steps of %d runs; `fretwork resume %s` goes on "
+                   "with that of seed %lld and begins the other%s again",
+                   done, all, study->run_count, first->options.directory,
+                   (long long)first->scenario->run.seed, study->run_count > 2 ? "s" : "");
+}
+
 static fw_status run_all(fw_study *study, fw_error *error)
 {
     if (study->run_count == 1) {
@@ -239,6 +262,8 @@ static fw_status run_all(fw_study *study, fw_error *error)
     fw_progress_end(study->replicas[0].options.progress);
     for (int n = 0; n < study->run_count; ++n) {
         if (study->replicas[n].status == FW_OK) continue;
+        if (study->run_count > 1 && is_signal(study->replicas[n].status))
+            return report_signal(study, study->replicas[n].status, error);
         *error = study->replicas[n].error;
         return study->replicas[n].status;
     }

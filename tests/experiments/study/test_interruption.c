@@ -65,6 +65,22 @@ static void signals_leave_a_run_that_goes_on(void **state)
     skip_unseen();
 }
 
+/* What is counted are the steps that the progress counts: of all runs. */
+static void signals_to_a_study_count_all_runs(void **state)
+{
+    char folder[64];
+    (void)state;
+    make_quick_folder(folder, sizeof folder);
+    running run = start_program(folder, BOUNCE "both --set study.seeds=2");
+    await_file(folder, "both/checkpoint-B");
+    kill(run.process, SIGTERM);
+    outcome seen = await_program(run);
+    expect_end(&seen, 143,
+               " of 48000 steps of 2 runs; `fretwork resume both` goes on with that of seed 1 and "
+               "begins the other again");
+    remove_folder(folder);
+}
+
 static void killed_run_goes_on_from_its_last_checkpoint(void **state)
 {
     char folder[64];
@@ -221,6 +237,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(signals_leave_a_run_that_goes_on),
+        cmocka_unit_test(signals_to_a_study_count_all_runs),
         cmocka_unit_test(killed_run_goes_on_from_its_last_checkpoint),
         cmocka_unit_test(run_without_a_checkpoint_begins_again),
         cmocka_unit_test(file_torn_while_it_was_closed_is_mended),
