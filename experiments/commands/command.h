@@ -58,6 +58,7 @@ fw_status fw_command_collect(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_verify(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_film(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_report(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_table(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_export(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_profile(const fw_arguments *arguments, fw_error *error);

@@ -86,9 +86,10 @@ static fw_status list_folder(const fw_arguments *arguments, fw_error *error)
     fw_scenario *scenario;
     const char *directory = arguments->words[0];
     if (arguments->settings.count > 0 || arguments->overwrite || arguments->seed >= 0)
-        return fw_fail(error, FW_BAD_INPUT,
-                       "%s holds a sweep, whose cases are listed as they are: expected --list alone",
-                       directory);
+        return fw_fail(
+            error, FW_BAD_INPUT,
+            "%s holds a sweep, whose cases are listed as they are: expected --list alone",
+            directory);
     FW_TRY(fw_sweep_load(&scenario, directory, error));
     print_cases(scenario, directory);
     fw_scenario_destroy(scenario);
@@ -99,7 +100,8 @@ static fw_status list_cases(const fw_arguments *arguments, fw_error *error)
 {
     fw_scenario *scenario;
     char name[FW_NAME_BYTES + 1], standard[FW_NAME_BYTES + 16];
-    if (!arguments->output && fw_sweep_is_in(arguments->words[0])) return list_folder(arguments, error);
+    if (!arguments->output && fw_sweep_is_in(arguments->words[0]))
+        return list_folder(arguments, error);
     FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
     snprintf(standard, sizeof standard, "results/%s", name);
     const char *directory = arguments->output ? arguments->output : standard;

@@ -41,6 +41,9 @@ const fw_option fw_option_every = {"--every",
 const fw_option fw_option_film_file = {"--output",      "-o",
                                        "FILE",          "the film, which ends in " FW_FILM_ENDINGS,
                                        FW_INTO(output), .complete = FW_COMPLETE_FILE};
+const fw_option fw_option_report_file = {"--output",      "-o",
+                                         "FILE",          "the page, which ends in .html",
+                                         FW_INTO(output), .complete = FW_COMPLETE_FILE};
 const fw_option fw_option_film_kind = {
     "--kind",      NULL,
     "KIND",        "motion, or field: by a field as colour (where one was recorded)",

@@ -3,12 +3,12 @@
  * times, each a file of its own in the folder NAME.frames: particles as points, links as lines.
  * Numbers are the results file's, byte by byte. Keeps no state. Start reading at
  * fw_export_vtp(). */
-#include "base64.h"
+#include "experiments/text/base64.h"
 #include "experiments/storage/folder.h"
 #include "experiments/storage/regular_file.h"
 #include "experiments/storage/whole_file.h"
 #include "exported.h"
-#include "xml.h"
+#include "experiments/text/xml.h"
 
 #include <string.h>
 

@@ -5,7 +5,7 @@
 #include "experiments/storage/regular_file.h"
 #include "experiments/storage/whole_file.h"
 #include "exported.h"
-#include "xml.h"
+#include "experiments/text/xml.h"
 
 #include <stdlib.h>
 #include <string.h>

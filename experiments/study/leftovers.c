@@ -10,7 +10,7 @@
 #include "experiments/storage/sealed_file.h"
 #include "experiments/study/study.h"
 #include "experiments/study/sweep.h"
-#include "summary.h"
+#include "experiments/study/summary.h"
 #include "sweep_seeds.h"
 #include "sweep_threshold.h"
 

@@ -8,7 +8,7 @@
 #include "experiments/setup/memory.h"
 #include "experiments/storage/csv.h"
 #include "experiments/storage/folder.h"
-#include "summary.h"
+#include "experiments/study/summary.h"
 
 #include <math.h>
 #include <omp.h>
@@ -379,10 +379,11 @@ static fw_status write_profile(fw_study *study, const char *directory, fw_error 
     return fw_csv_keep(directory, FW_LAYER_FILE, write_layers, study, error);
 }
 
-/* Of several seeds, and of a case, which a sweep that goes on reads back. */
+/* Of whatever expects something, and of a case, which a sweep that goes on reads back. */
 static fw_status write_summary(const fw_study *study, const char *directory, fw_error *error)
 {
-    if (study->seed_count == 1 && !study->scenario->study.sweep.is_case) return FW_OK;
+    const fw_scenario *scenario = study->scenario;
+    if (scenario->expectation_count == 0 && !scenario->study.sweep.is_case) return FW_OK;
     return fw_summary_write(directory, study->scenario, fw_study_measurement(study), error);
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* summary.c - verdicts over seeds as comma-separated values. Keeps no state. Start reading at
  * fw_summary_write(). */
-#include "summary.h"
+#include "experiments/study/summary.h"
 
 #include "experiments/storage/csv.h"
 #include "experiments/storage/manifest.h"

@@ -11,7 +11,7 @@
 #include "experiments/study/interrupt.h"
 #include "experiments/study/study.h"
 #include "experiments/text/text.h"
-#include "summary.h"
+#include "experiments/study/summary.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -9,7 +9,7 @@
 #include "experiments/study/study.h"
 #include "experiments/text/number.h"
 #include "experiments/text/text.h"
-#include "summary.h"
+#include "experiments/study/summary.h"
 #include "sweep_outcome.h"
 
 #include "core/array.h"

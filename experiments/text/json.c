@@ -24,9 +24,10 @@ static void write_character(FILE *out, unsigned char c)
 
 static void write_string(FILE *out, const char *text)
 {
+    const char *const end = text + strlen(text);
     fputc('"', out);
     while (*text) {
-        size_t size = fw_text_character(text, strlen(text));
+        size_t size = fw_text_character(text, (size_t)(end - text));
         if (size == 0) {
             fputs("\\ufffd", out);
             text += 1;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* xml.c - the five characters that mean something. Keeps no state. */
-#include "xml.h"
+#include "experiments/text/xml.h"
 
 void fw_xml_write_text(FILE *out, const char *text)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* base64.c - three bytes are four letters. */
-#include "base64.h"
+#include "experiments/text/base64.h"
 
 #include <string.h>
 
