@@ -165,6 +165,11 @@ int64_t fw_scene_unresolved(const fw_scene *scene);
 double fw_scene_penetration(const fw_scene *scene, int body);
 /* The same for bodies that keep out of each other: how deep any particle lies in another body. */
 double fw_scene_body_penetration(const fw_scene *scene);
+/* Does the edge of the body cross itself, and where? Self-contact is not looked for. `home`: where
+ * its particles were before it was deformed. Goes with n log n of its boundary particles, but for
+ * the first time. FW_SYSTEM_FAILED without memory. */
+fw_status fw_scene_find_fold(fw_scene *scene, int body, const fw_vec2 *home, bool *found,
+                             fw_vec2 *where, fw_error *error);
 /* Adds the forces of walls, grips and other bodies to x and y, one number per particle of the body:
  * the reactions [F(t) + F(t-1)]/2 where fw_scene_keep_forces() was called, else F of the last tick.
  */

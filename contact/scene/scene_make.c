@@ -38,6 +38,7 @@ void fw_scene_destroy(fw_scene *scene)
         free(body->gripped);
         free(body->constraints);
         free(body->carries);
+        fw_contour_clear(&body->fold);
         scene_destroy_records(body);
     }
     scene_destroy_edges(scene);

@@ -239,3 +239,25 @@ double fw_scene_body_penetration(const fw_scene *scene)
     if (!scene->joint || !scene->joint->search) return 0;
     return look_at_pairs(scene, note_depth, &most, NULL) == FW_OK ? most : NAN;
 }
+
+fw_status fw_scene_find_fold(fw_scene *scene, int number, const fw_vec2 *home, bool *found,
+                             fw_vec2 *where, fw_error *error)
+{
+    scene_body *body = &scene->bodies[number];
+    fw_solid *solid = body->solid;
+    int segment;
+    *found = false;
+    if (!solid->model->solid_between_links || solid->model->list_links) return FW_OK;
+    if (!body->edge && (!body->fold.points || body->fold_revision != solid->boundary_revision)) {
+        fw_contour_clear(&body->fold);
+        fw_solid_place(solid); /* which lists the links that are left */
+        FW_TRY(fw_contour_create(&body->fold, solid, home, error));
+        body->fold_revision = solid->boundary_revision;
+    }
+    const fw_contour *contour = body->edge ? &body->edge->contour : &body->fold;
+    FW_TRY(fw_contour_find_fold(contour, solid, &segment, error));
+    *found = segment >= 0;
+    if (*found)
+        *where = fw_solid_position(solid, contour->particles[contour->segments[segment].from]);
+    return FW_OK;
+}

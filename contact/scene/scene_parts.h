@@ -139,6 +139,8 @@ typedef struct scene_body {
     int constraint_count;
     fw_carry *carries;    /* after the tick; room for all particles */
     scene_edge *edge;     /* NULL where it meets no other body */
+    fw_contour fold;      /* of a body without an edge, once somebody looked whether it folds ... */
+    int fold_revision;    /* ... of the solid when it was made */
     scene_felt *felt;     /* NULL where nobody asked for it */
     scene_rubbed *rubbed; /* per particle, part of the state; NULL where nothing rubs it */
 } scene_body;

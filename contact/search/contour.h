@@ -32,4 +32,9 @@ fw_status fw_contour_create(fw_contour *contour, const fw_solid *solid, const fw
                             fw_error *error);
 void fw_contour_clear(fw_contour *contour);
 
+/* A segment of the solid's contour that crosses another one of it, or -1: then the body is folded.
+ * FW_SYSTEM_FAILED without memory. */
+fw_status fw_contour_find_fold(const fw_contour *contour, const fw_solid *solid, int *segment,
+                               fw_error *error);
+
 #endif

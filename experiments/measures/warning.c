@@ -3,7 +3,6 @@
  * fw_warning_look(). */
 #include "experiments/measures/warning.h"
 
-#include "experiments/setup/overlap.h"
 #include "experiments/setup/phase.h"
 #include "experiments/setup/solids.h"
 
@@ -37,26 +36,24 @@ static void warn(fw_warning *warning, const char *format, ...)
     sprintf(longer + used, "%s\n", line);
 }
 
-static fw_status look_for_meetings(fw_warning *warning, const fw_experiment *experiment,
-                                   fw_error *error)
+/* Each of these bodies has a solid to itself. */
+static fw_status look_for_folds(fw_warning *warning, const fw_experiment *experiment,
+                                fw_error *error)
 {
-    for (int a = 0; a < experiment->body_count; ++a)
-        for (int b = a + 1; b < experiment->body_count; ++b) {
-            bool found;
-            fw_vec2 where;
-            const int first = experiment->bodies[a].solid, second = experiment->bodies[b].solid;
-            if (first == second || fw_scene_bodies_meet(experiment->scene, first, second)) continue;
-            FW_TRY(fw_overlap_find(experiment->scene, &experiment->bodies[a],
-                                   &experiment->bodies[b], &found, &where, error));
-            if (!found) continue;
-            warn(warning,
-                 "step %lld: bodies %s and %s pass through each other near (%g, %g): "
-                 "solids of these models meet walls only",
-                 (long long)fw_scene_steps(experiment->scene), experiment->bodies[a].name,
-                 experiment->bodies[b].name, where.x, where.y);
-            warning->met = true;
-            return FW_OK;
-        }
+    for (int b = 0; b < experiment->body_count; ++b) {
+        bool found;
+        fw_vec2 where;
+        FW_TRY(fw_scene_find_fold(experiment->scene, experiment->bodies[b].solid,
+                                  experiment->start[b], &found, &where, error));
+        if (!found) continue;
+        warn(warning,
+             "step %lld: the edge of body %s crosses itself near (%g, %g): the body is folded, and "
+             "contact of a body with itself is not looked for",
+             (long long)fw_scene_steps(experiment->scene), experiment->bodies[b].name, where.x,
+             where.y);
+        warning->folded = true;
+        return FW_OK;
+    }
     return FW_OK;
 }
 
@@ -172,5 +169,5 @@ fw_status fw_warning_look(fw_warning *warning, const fw_experiment *experiment, 
     warning->looked = true;
     if (!warning->hurried && fw_scene_wall_count(experiment->scene) > 0)
         look_for_haste(warning, experiment);
-    return warning->met ? FW_OK : look_for_meetings(warning, experiment, error);
+    return warning->folded ? FW_OK : look_for_folds(warning, experiment, error);
 }

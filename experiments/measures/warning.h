@@ -12,7 +12,7 @@ typedef struct fw_warning {
     FILE *out;    /* NULL: looks for nothing */
     int count;    /* how many there were */
     char *text;   /* a line each, without "warning: "; NULL: none */
-    bool met;     /* bodies were seen to pass through each other, and it was said */
+    bool folded;  /* a body was folded, and it was said */
     bool hurried; /* an LB body was too fast, and it was said */
     bool looked;  /* not for the first time */
 } fw_warning;

@@ -99,24 +99,6 @@ static fw_status add_force(fw_experiment *experiment, int number, fw_error *erro
     return status;
 }
 
-static fw_status refuse_overlap(const fw_experiment *experiment, int a, int b, fw_error *error)
-{
-    const int first = experiment->bodies[a].solid, second = experiment->bodies[b].solid;
-    bool found;
-    fw_vec2 where;
-    /* Within one solid the energy of overlapping particles was looked at already, and the scene
-     * itself refuses bodies that are to keep out of each other. */
-    if (first == second || fw_scene_bodies_meet(experiment->scene, first, second)) return FW_OK;
-    FW_TRY(fw_overlap_find(experiment->scene, &experiment->bodies[a], &experiment->bodies[b],
-                           &found, &where, error));
-    if (!found) return FW_OK;
-    return fw_scenario_fail(experiment->scenario, experiment->scenario->bodies[b].place, error,
-                            "body %s starts in body %s: both have a particle near (%g, %g), "
-                            "expected at least half a spacing between them",
-                            experiment->bodies[b].name, experiment->bodies[a].name, where.x,
-                            where.y);
-}
-
 /* The scene speaks of solids; of bodies that share one it could not say which is meant. */
 static fw_status refuse_walls(const fw_experiment *experiment, int number, fw_error *error)
 {
@@ -232,9 +214,6 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(make_sites(experiment, b, error));
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(add_body(experiment, b, error));
     FW_TRY(refuse_reversal(experiment, error));
-    for (int a = 0; a < scenario->body_count; ++a)
-        for (int b = a + 1; b < scenario->body_count; ++b)
-            FW_TRY(refuse_overlap(experiment, a, b, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
         FW_TRY(fw_scenario_fail_again(scenario, wall->place,

@@ -53,13 +53,13 @@ static fw_status measure(fw_run *run, fw_error *error)
                                  run->measurement->times[last], row, error);
 }
 
-enum { LOOKED = 1, HURRIED = 2, MET = 4 };
+enum { LOOKED = 1, HURRIED = 2, FOLDED = 4 };
 
 /* What was said is not said again by a run that goes on. */
 static int64_t warned(const fw_run *run)
 {
     return (run->warning.looked ? LOOKED : 0) | (run->warning.hurried ? HURRIED : 0) |
-           (run->warning.met ? MET : 0);
+           (run->warning.folded ? FOLDED : 0);
 }
 
 /* Says what is new to the user, and keeps it in the results. */
@@ -192,7 +192,7 @@ static fw_status resume(fw_run *run, char *note, fw_error *error)
                               run->options.directory, run->options.threads, &written, note, error));
     run->warning.looked = written.warned & LOOKED;
     run->warning.hurried = written.warned & HURRIED;
-    run->warning.met = written.warned & MET;
+    run->warning.folded = written.warned & FOLDED;
     FW_TRY(fw_playback_open(&playback, run->options.directory, error));
     char *warnings = strdup(playback->warnings);
     fw_status status = warnings ? FW_OK : fw_fail_memory(error, "warnings");

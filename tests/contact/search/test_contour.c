@@ -97,6 +97,28 @@ static void triangles_are_cells_too(void **state)
     fw_sites_clear(&sites);
 }
 
+/* One corner is carried over the opposite edge; and back. */
+static void folds_are_found(void **state)
+{
+    (void)state;
+    fw_solid *solid = masked("####\n####\n####\n####");
+    fw_contour contour = contour_of(solid);
+    int segment;
+    must(fw_contour_find_fold(&contour, solid, &segment, &error));
+    assert_int_equal(segment, -1);
+    const double home = solid->x[0];
+    solid->x[0] += 4.5;
+    solid->y[0] += 1.5;
+    must(fw_contour_find_fold(&contour, solid, &segment, &error));
+    assert_true(segment >= 0);
+    solid->x[0] = home + 0.5;
+    solid->y[0] -= 1.5;
+    must(fw_contour_find_fold(&contour, solid, &segment, &error));
+    assert_int_equal(segment, -1);
+    fw_contour_clear(&contour);
+    fw_solid_destroy(solid);
+}
+
 /* --- pairs of runs --- */
 
 enum { BODIES = 12 };
@@ -219,6 +241,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(contours_go_around_matter),
         cmocka_unit_test(triangles_are_cells_too),
+        cmocka_unit_test(folds_are_found),
         cmocka_unit_test(no_pair_is_missed_wherever_bodies_are),
         cmocka_unit_test(nobody_jumps_over_another_body_unseen),
     };
