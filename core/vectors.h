@@ -188,6 +188,16 @@ FW_INLINE fw_mask fw_less(fw_vector a, fw_vector b)
 #endif
 }
 
+/* The same where `among` is true; false elsewhere. */
+FW_INLINE fw_mask fw_less_among(fw_mask among, fw_vector a, fw_vector b)
+{
+#if defined(__AVX512F__)
+    return _mm512_mask_cmp_pd_mask(among, (__m512d)a, (__m512d)b, _CMP_LT_OQ);
+#else
+    return among & (fw_mask)(a < b);
+#endif
+}
+
 /* Bits of the first `count` lanes of a block, or of all where there are more. */
 FW_INLINE uint8_t fw_first_lanes(int count)
 {

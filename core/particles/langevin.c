@@ -282,6 +282,16 @@ static double travel_of(fw_langevin *solid, const fw_constraint *constraints, in
     return 2 * sqrt(stray);
 }
 
+void fw_langevin_kick(const fw_move_task *kick, int first, int count)
+{
+    if (!kick) return;
+    const fw_langevin_kernels *kernels = FW_KERNELS_CHOSEN(fw_langevin_loops);
+    const int end = first + count;
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int begin = first; begin < end; begin += BLOCK)
+        kernels->kick(kick, begin, begin + BLOCK < end ? begin + BLOCK : end);
+}
+
 fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
                               int constraint_count, fw_error *error)
 {
@@ -306,12 +316,8 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
         head->x[i] = solid->held_at[k].x + constraints[k].displacement.x;
         head->y[i] = solid->held_at[k].y + constraints[k].displacement.y;
     }
-    FW_TRY(solid->find_forces(solid, travel_of(solid, constraints, constraint_count), error));
-#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int b = 0; b < blocks; ++b) {
-        const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
-        kernels->kick(&task, begin, end);
-    }
+    const double travel = travel_of(solid, constraints, constraint_count);
+    FW_TRY(solid->find_forces(solid, travel, &task, error));
     for (int k = 0; k < constraint_count; ++k)
         solid->constraint_x[constraints[k].particle] =
             solid->constraint_y[constraints[k].particle] = 0;
@@ -366,5 +372,5 @@ fw_status fw_langevin_refresh(fw_solid *head, fw_error *error)
 {
     fw_langevin *solid = (fw_langevin *)head;
     head->tick = solid->controls.time_step;
-    return solid->find_forces(solid, INFINITY, error);
+    return solid->find_forces(solid, INFINITY, NULL, error);
 }

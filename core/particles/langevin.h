@@ -16,6 +16,7 @@
 #include "core/solid.h"
 
 typedef struct fw_langevin fw_langevin;
+struct fw_move_task; /* a step in numbers, for kernels */
 
 /* What may change between steps; part of the state. */
 typedef struct fw_langevin_controls {
@@ -32,9 +33,11 @@ struct fw_langevin {
     double *force_x, *force_y; /* the solid's own forces at its present positions */
     double *mass;              /* to be filled by the model before fw_langevin_start() */
     /* Makes force_x/y for the positions of the head; the only part in which models differ. No two
-     * particles have come closer by more than `travel` since the last time. FW_SYSTEM_FAILED
-     * without memory. */
-    fw_status (*find_forces)(fw_langevin *solid, double travel, fw_error *error);
+     * particles have come closer by more than `travel` since the last time. Then follows the second
+     * kick of the step, by fw_langevin_kick() or where each force is made; NULL: none.
+     * FW_SYSTEM_FAILED without memory. */
+    fw_status (*find_forces)(fw_langevin *solid, double travel, const struct fw_move_task *kick,
+                             fw_error *error);
     /* The largest temperature that steps of that length follow; NULL: any. */
     double (*hottest)(const fw_langevin *solid, double time_step);
 
@@ -58,6 +61,9 @@ fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *erro
 /* To be called once positions, velocities, masses and controls stand: finds the first forces. */
 fw_status fw_langevin_start(fw_langevin *solid, fw_error *error);
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
+
+/* The second kick of particles first to first + count - 1; for models. kick NULL: nothing. */
+void fw_langevin_kick(const struct fw_move_task *kick, int first, int count);
 
 /* Turns every velocity round: without damping the way back is the way it came. */
 void fw_langevin_reverse(fw_solid *solid);

@@ -4,9 +4,10 @@
  * Start reading at move_lanes(). */
 #include "langevin_kernels.h"
 
+#include "kick_vectors.h"
+
 #include "core/noise.h"
 #include "core/noise_vectors.h"
-#include "core/vectors.h"
 
 /* Sums in lanes, FW_PARTS registers each. */
 typedef struct fw_lane_ledger {
@@ -18,30 +19,6 @@ typedef struct fw_lane_ledger {
 FW_INLINE fw_vector square_of(fw_vector_pair v)
 {
     return v.x * v.x + v.y * v.y;
-}
-
-/* All forces at particles `at` and on. */
-FW_INLINE fw_vector_pair force_at(const fw_move_task *task, bool loaded, int at)
-{
-    fw_vector_pair force = fw_load_pair(task->force_x, task->force_y, at);
-    if (loaded) {
-        force.x += fw_load(task->external_x + at);
-        force.y += fw_load(task->external_y + at);
-    }
-    if (task->constraint_x) {
-        force.x += fw_load(task->constraint_x + at);
-        force.y += fw_load(task->constraint_y + at);
-    }
-    return force;
-}
-
-/* v1 = v + dt/2m F */
-FW_INLINE fw_vector_pair kicked_at(const fw_move_task *task, bool loaded, int at)
-{
-    const fw_vector_pair force = force_at(task, loaded, at);
-    const fw_vector push = task->baoab.half * fw_load(task->inverse_mass + at);
-    return (fw_vector_pair){fw_load(task->velocity_x + at) + push * force.x,
-                            fw_load(task->velocity_y + at) + push * force.y};
 }
 
 /* The noise xi of FW_NOISE_RUN particles. */
@@ -63,7 +40,8 @@ FW_INLINE fw_vector_pair mixed_of(const fw_move_task *task, fw_vector_pair kicke
 FW_INLINE void move_lanes(const fw_move_task *task, bool thermostat, bool loaded, int at, int part,
                           fw_mask held, fw_vector_pair noise, fw_lane_ledger *ledger)
 {
-    const fw_vector_pair kicked = kicked_at(task, loaded, at);
+    const fw_vector_pair force = fw_load_pair(task->force_x, task->force_y, at);
+    const fw_vector_pair kicked = fw_kicked(task, loaded, at, force); /* v1 = v + dt/2m F */
     fw_vector_pair mixed = kicked;
     if (thermostat) {
         mixed = mixed_of(task, kicked, at, noise);
@@ -150,9 +128,7 @@ FW_INLINE void kick_all(const fw_move_task *task, bool loaded, int begin, int en
 {
     for (int at = begin; at < end; at += FW_WIDTH) {
         const fw_mask held = fw_mask_of(fw_first_lanes(end - at), 0);
-        const fw_vector_pair kicked = kicked_at(task, loaded, at);
-        fw_store_some(task->velocity_x + at, held, kicked.x);
-        fw_store_some(task->velocity_y + at, held, kicked.y);
+        fw_kick(task, loaded, at, held, fw_load_pair(task->force_x, task->force_y, at));
     }
 }
 

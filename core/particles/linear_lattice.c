@@ -80,18 +80,22 @@ static fw_linear_task task_of(const fw_linear_lattice *lattice)
     return task;
 }
 
-static fw_status find_forces(fw_langevin *solid, double travel, fw_error *error)
+static fw_status find_forces(fw_langevin *solid, double travel, const struct fw_move_task *kick,
+                             fw_error *error)
 {
     (void)travel;
     (void)error;
     enum { SOME = 64 }; /* blocks that a thread takes at a time */
     const fw_linear_task task = task_of((const fw_linear_lattice *)solid);
     const fw_linear_kernels *kernels = FW_KERNELS_CHOSEN(fw_linear_loops);
-    const int blocks = (solid->head.count + FW_LANES - 1) / FW_LANES;
-#pragma omp parallel for schedule(static) if (solid->head.count > PARALLEL_FROM)
-    for (int begin = 0; begin < blocks; begin += SOME)
-        kernels->forces(&task, begin, begin + SOME < blocks ? begin + SOME : blocks, solid->force_x,
-                        solid->force_y);
+    const int count = solid->head.count, blocks = (count + FW_LANES - 1) / FW_LANES;
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int begin = 0; begin < blocks; begin += SOME) {
+        const int end = begin + SOME < blocks ? begin + SOME : blocks;
+        kernels->forces(&task, begin, end, solid->force_x, solid->force_y);
+        const int first = begin * FW_LANES, past = end * FW_LANES < count ? end * FW_LANES : count;
+        fw_langevin_kick(kick, first, past - first);
+    }
     return FW_OK;
 }
 

@@ -148,12 +148,12 @@ FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_form form, 
     fw_pair_terms terms = {fw_splat(0), fw_pair_push(rule, kind, pair), pair->held};
     if (energies) terms.energy = rule->energy * fw_pair_energy(rule, kind, pair);
     if (!form.fades) {
-        terms.inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+        terms.inside = fw_less_among(pair->held, pair->r2, fw_splat(rule->outer_2));
         return terms;
     }
-    const fw_mask beyond = fw_and(pair->held, fw_less(fw_splat(rule->inner_2), pair->r2));
+    const fw_mask beyond = fw_less_among(pair->held, fw_splat(rule->inner_2), pair->r2);
     if (!fw_any(beyond)) return terms;
-    terms.inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+    terms.inside = fw_less_among(pair->held, pair->r2, fw_splat(rule->outer_2));
     const fw_mask fading = fw_and(beyond, terms.inside);
     if (fw_any(fading)) {
         const fw_vector r = fw_root(pair->r2);
@@ -193,7 +193,7 @@ FW_INLINE fw_vector fw_pair_curvature(const fw_pair_rule *rule, fw_pair_kind kin
                             60 * scale * slope * (both * both) -
                             60 * scale * scale * energy * (both * (1 - 2 * at.x));
     const fw_mask fading = fw_less(fw_splat(rule->inner_2), pair->r2);
-    const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(rule->outer_2)));
+    const fw_mask inside = fw_less_among(pair->held, pair->r2, fw_splat(rule->outer_2));
     return fw_keep(inside, fw_select(fading, faded, bare));
 }
 
@@ -251,7 +251,7 @@ FW_INLINE fw_return_lanes fw_return_of(const fw_return_rule *rule, int fold,
                              fw_phases_of(rule, fold, pair)};
     lanes.phase = fw_phases_product(
         lanes.phase, (fw_phases){fw_splat(rule->axes.cosine), fw_splat(-rule->axes.sine)});
-    const fw_mask fading = fw_and(inside, fw_less(fw_splat(rule->inner_2), pair->r2));
+    const fw_mask fading = fw_less_among(inside, fw_splat(rule->inner_2), pair->r2);
     if (rule->constant) {
         const fw_vector r = fw_root(pair->r2);
         const fw_weights at = fw_weights_at(&rule->cut, r);

@@ -103,7 +103,7 @@ void fw_particles_bring_back(const fw_particles *particles, int g, int count,
 
 /* --- forces --- */
 
-static void find_all(fw_particles *particles, int g)
+static void find_all(fw_particles *particles, int g, const struct fw_move_task *kick)
 {
     const fw_pair_task task = fw_particles_task(particles, g);
     double *const arrays[] = {particles->langevin.force_x, particles->langevin.force_y,
@@ -119,7 +119,7 @@ static void find_all(fw_particles *particles, int g)
     const int end = fw_neighbour_lists_first(particles->lists, g + 1);
 #pragma omp parallel for schedule(static) if (particles->groups[g].count > PARALLEL_FROM)
     for (int c = fw_neighbour_lists_first(particles->lists, g); c < end; ++c)
-        kernels->forces(&task, fw_neighbour_lists_chunk(particles->lists, c), &out);
+        kernels->forces(&task, fw_neighbour_lists_chunk(particles->lists, c), &out, kick);
     fw_particles_bring_back(particles, g, used, to, arrays);
 }
 
@@ -140,7 +140,8 @@ static void turn_together(fw_particles *particles, fw_particle_group *group)
     }
 }
 
-fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *error)
+fw_status fw_particles_find_forces(fw_langevin *solid, double travel,
+                                   const struct fw_move_task *kick, fw_error *error)
 {
     fw_particles *particles = (fw_particles *)solid;
     particles->energies->known = false;
@@ -148,8 +149,13 @@ fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *
         fw_neighbour_lists_refresh(particles->lists, solid->head.x, solid->head.y, travel, error));
     if (!begin_order(particles)) return fw_fail_memory(error, "forces");
     for (int g = 0; g < particles->group_count; ++g) {
-        find_all(particles, g);
-        if (turns(&particles->groups[g])) turn_together(particles, &particles->groups[g]);
+        fw_particle_group *group = &particles->groups[g];
+        const bool turning = turns(group);
+        /* A force that is whole where it is made kicks at once. */
+        const bool whole = !turning && !fw_neighbour_lists_renumbered(particles->lists, g);
+        find_all(particles, g, whole ? kick : NULL);
+        if (turning) turn_together(particles, group);
+        if (!whole) fw_langevin_kick(kick, group->first, group->count);
     }
     return FW_OK;
 }

@@ -56,7 +56,8 @@ const double *fw_particles_own_energies(const fw_particles *particles);
 void fw_particles_stiffness(const fw_particles *particles, double *stiffness);
 
 /* As fw_langevin.find_forces. */
-fw_status fw_particles_find_forces(fw_langevin *solid, double travel, fw_error *error);
+fw_status fw_particles_find_forces(fw_langevin *solid, double travel,
+                                   const struct fw_move_task *kick, fw_error *error);
 
 /* Whatever fw_particles_create refuses before it builds. */
 fw_status fw_particles_check(const fw_particles_def *def, fw_error *error);

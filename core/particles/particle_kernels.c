@@ -8,6 +8,7 @@
  * add_pair(). */
 #include "particle_kernels.h"
 
+#include "kick_vectors.h"
 #include "pair_vectors.h"
 
 /* What the pairs of the lanes add up to. */
@@ -50,7 +51,7 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, const fw_pair
     sums->push.x = fw_add_product(terms.inside, terms.push, pair->dx, sums->push.x);
     sums->push.y = fw_add_product(terms.inside, terms.push, pair->dy, sums->push.y);
     if (use.bond == FW_NO_RETURN) return;
-    const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond.outer_2)));
+    const fw_mask inside = fw_less_among(pair->held, pair->r2, fw_splat(task->bond.outer_2));
     if (!fw_any(inside)) return;
     const fw_return_lanes bond = fw_return_of(&task->bond, use.fold, pair, inside);
     if (use.bond == FW_RETURN_TURNING)
@@ -59,9 +60,15 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_use use, const fw_pair
         fw_return_add(&bond, bond.phase.cosine, bond.phase.sine, pair, inside, &sums->force);
 }
 
-FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
-                       uint32_t begin, uint32_t count, fw_slot_kind kind, const fw_part *lanes,
-                       fw_lane_sums *sums)
+/* Do particles of the body act upon each other? */
+FW_INLINE bool acts_inside(const fw_pair_task *task, fw_pair_use use)
+{
+    return use.bond != FW_NO_RETURN || task->pair.inside > 0;
+}
+
+FW_INLINE void add_slots(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
+                         uint32_t begin, uint32_t count, fw_slot_kind kind, const fw_part *lanes,
+                         fw_lane_sums *sums)
 {
     for (uint32_t s = begin; s < begin + count; ++s) {
         const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, kind, lanes);
@@ -69,74 +76,99 @@ FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, const fw_slots
     }
 }
 
-FW_INLINE void add_either(const fw_pair_task *task, fw_pair_use use, double unit,
-                          const fw_slots *slots, uint32_t begin, uint32_t count, fw_slot_kind kind,
-                          const fw_part *lanes, fw_lane_sums *sums)
+/* Along a run. `unit` is that of the potential. */
+FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, double unit,
+                       const fw_slots *slots, uint32_t begin, uint32_t count, fw_slot_kind kind,
+                       const fw_part *lanes, fw_lane_sums *sums)
 {
     sums->push = (fw_vector_pair){fw_splat(0), fw_splat(0)};
     if (kind == FW_WHOLE)
-        add_run(task, use, slots, begin, count, FW_WHOLE, lanes, sums);
+        add_slots(task, use, slots, begin, count, FW_WHOLE, lanes, sums);
     else if (kind == FW_OFFSETS)
-        add_run(task, use, slots, begin, count, FW_OFFSETS, lanes, sums);
+        add_slots(task, use, slots, begin, count, FW_OFFSETS, lanes, sums);
     else
-        add_run(task, use, slots, begin, count, FW_GATHERED, lanes, sums);
+        add_slots(task, use, slots, begin, count, FW_GATHERED, lanes, sums);
     sums->force.x = fw_fma(fw_splat(unit), sums->push.x, sums->force.x);
     sums->force.y = fw_fma(fw_splat(unit), sums->push.y, sums->force.y);
 }
 
 /* All neighbours, body after body. */
-FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
-                                 const fw_slot_head *head, const fw_part *lanes)
+FW_INLINE void add_runs(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
+                        const fw_slot_head *head, const fw_part *lanes, fw_lane_sums *sums)
 {
-    fw_lane_sums sums = {0};
     const fw_pair_use across = {use.form, FW_NO_RETURN, 0};
     uint32_t begin = head->begin;
     for (int run = 0; run < FW_SLOT_RUNS; ++run) {
         const uint32_t count = head->count[run];
         const bool whole = run == FW_RUN_OWN && head->whole;
         const fw_slot_kind kind = head->gathered[run] ? FW_GATHERED : whole ? FW_WHOLE : FW_OFFSETS;
-        if (run == FW_RUN_OWN && (use.bond != FW_NO_RETURN || task->pair.inside > 0))
-            add_either(task, use, task->pair.inside, slots, begin, count, kind, lanes, &sums);
+        if (run == FW_RUN_OWN && acts_inside(task, use))
+            add_run(task, use, task->pair.inside, slots, begin, count, kind, lanes, sums);
         if (run != FW_RUN_OWN && task->pair.across > 0)
-            add_either(task, across, task->pair.across, slots, begin, count, kind, lanes, &sums);
+            add_run(task, across, task->pair.across, slots, begin, count, kind, lanes, sums);
         begin += count;
     }
-    return sums;
 }
 
-FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_use use, const fw_chunk *chunk,
-                         const fw_force_arrays *out)
+/* Most blocks lie inside their body: they have one run, and its slots are whole. */
+FW_INLINE bool is_plain(const fw_pair_task *task, fw_pair_use use, const fw_slot_head *head)
 {
-    for (int block = 0; block < fw_chunk_blocks(chunk); ++block) {
-        const uint8_t mask = fw_chunk_lanes(chunk, block);
-        for (int part = 0; part < FW_PARTS; ++part) {
-            const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
-            const fw_part lanes = fw_part_at(task, first, part);
-            const fw_lane_sums sums =
-                sum_lanes(task, use, &chunk->near, &chunk->near.head[block], &lanes);
-            const fw_mask held = fw_mask_of(mask, part);
-            fw_store_some(out->force_x + first, held, sums.force.x);
-            fw_store_some(out->force_y + first, held, sums.force.y);
-            if (use.bond != FW_RETURN_TURNING) continue;
-            fw_store_some(out->first_x + first, held, sums.first.x);
-            fw_store_some(out->first_y + first, held, sums.first.y);
-            fw_store_some(out->second_x + first, held, sums.second.x);
-            fw_store_some(out->second_y + first, held, sums.second.y);
-            fw_store_some(out->sum_cosine + first, held, sums.sum_cosine);
-            fw_store_some(out->sum_sine + first, held, sums.sum_sine);
-        }
+    return head->whole && head->count[0] == 0 && head->count[FW_RUN_OWN + 1] == 0 &&
+           acts_inside(task, use);
+}
+
+FW_INLINE void sum_block(const fw_pair_task *task, fw_pair_use use, bool plain,
+                         const fw_chunk *chunk, int block, const fw_force_arrays *out,
+                         const fw_move_task *kick)
+{
+    const fw_slots *slots = &chunk->near;
+    const fw_slot_head *head = &slots->head[block];
+    const uint8_t mask = fw_chunk_lanes(chunk, block);
+    for (int part = 0; part < FW_PARTS; ++part) {
+        const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
+        const fw_part lanes = fw_part_at(task, first, part);
+        fw_lane_sums sums = {0};
+        if (plain)
+            add_run(task, use, task->pair.inside, slots, head->begin, head->count[FW_RUN_OWN],
+                    FW_WHOLE, &lanes, &sums);
+        else
+            add_runs(task, use, slots, head, &lanes, &sums);
+        const fw_mask held = fw_mask_of(mask, part);
+        fw_store_some(out->force_x + first, held, sums.force.x);
+        fw_store_some(out->force_y + first, held, sums.force.y);
+        if (kick) fw_kick(kick, kick->external_x != NULL, first, held, sums.force);
+        if (use.bond != FW_RETURN_TURNING) continue;
+        fw_store_some(out->first_x + first, held, sums.first.x);
+        fw_store_some(out->first_y + first, held, sums.first.y);
+        fw_store_some(out->second_x + first, held, sums.second.x);
+        fw_store_some(out->second_y + first, held, sums.second.y);
+        fw_store_some(out->sum_cosine + first, held, sums.sum_cosine);
+        fw_store_some(out->sum_sine + first, held, sums.sum_sine);
     }
 }
 
+/* Blocks that are not plain have a function of their own: it leaves the registers to the others. */
 #define LOOP(name, kind, fades, bond, fold)                                                        \
-    static void name(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out)  \
+    static __attribute__((noinline)) void name##_block(                                            \
+        const fw_pair_task *task, const fw_chunk *chunk, int block, const fw_force_arrays *out,    \
+        const fw_move_task *kick)                                                                  \
     {                                                                                              \
-        sum_chunk(task, (fw_pair_use){{kind, fades}, bond, fold}, chunk, out);                     \
+        const fw_pair_use use = {{kind, fades}, bond, fold};                                       \
+        sum_block(task, use, false, chunk, block, out, kick);                                      \
+    }                                                                                              \
+    static void name(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out,  \
+                     const fw_move_task *kick)                                                     \
+    {                                                                                              \
+        const fw_pair_use use = {{kind, fades}, bond, fold};                                       \
+        for (int block = 0; block < fw_chunk_blocks(chunk); ++block)                               \
+            if (is_plain(task, use, &chunk->near.head[block]))                                     \
+                sum_block(task, use, true, chunk, block, out, kick);                               \
+            else                                                                                   \
+                name##_block(task, chunk, block, out, kick);                                       \
     }
 LOOP(lennard_jones, FW_LENNARD_JONES, true, FW_NO_RETURN, 0)
 LOOP(lennard_jones_ends, FW_LENNARD_JONES, false, FW_NO_RETURN, 0)
 LOOP(lennard_jones_fixed_6, FW_LENNARD_JONES, true, FW_RETURN_FIXED, 6)
-LOOP(lennard_jones_ends_fixed_6, FW_LENNARD_JONES, false, FW_RETURN_FIXED, 6)
 LOOP(lennard_jones_fixed_4, FW_LENNARD_JONES, true, FW_RETURN_FIXED, 4)
 LOOP(lennard_jones_fixed, FW_LENNARD_JONES, true, FW_RETURN_FIXED, 0)
 LOOP(lennard_jones_turning_6, FW_LENNARD_JONES, true, FW_RETURN_TURNING, 6)
@@ -146,26 +178,27 @@ LOOP(morse_fixed_6, FW_MORSE, true, FW_RETURN_FIXED, 6)
 LOOP(morse_fixed, FW_MORSE, true, FW_RETURN_FIXED, 0)
 LOOP(morse_turning, FW_MORSE, true, FW_RETURN_TURNING, 0)
 
-/* A loop that fades also does for cuts that have no width. */
-static void forces(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out)
+/* A loop that fades also does for cuts that have no width; only where nothing else is to do is one
+ * that need not ask for it sooner done. */
+static void forces(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out,
+                   const fw_move_task *kick)
 {
     const bool jones = task->pair.kind == FW_LENNARD_JONES;
-    const bool fades = task->pair.inner_2 < task->pair.outer_2;
+    const bool fades = task->pair.cut.inner < task->pair.cut.outer;
     const bool turning = task->bond.turning != FW_AXES_LAB;
     const int fold = task->bond.fold;
     if (!(task->bond.amplitude > 0))
-        (!jones ? morse : fades ? lennard_jones : lennard_jones_ends)(task, chunk, out);
+        (!jones ? morse : fades ? lennard_jones : lennard_jones_ends)(task, chunk, out, kick);
     else if (turning)
         (!jones      ? morse_turning
          : fold == 6 ? lennard_jones_turning_6
-                     : lennard_jones_turning)(task, chunk, out);
+                     : lennard_jones_turning)(task, chunk, out, kick);
     else if (jones)
-        (fold == 6 && fades ? lennard_jones_fixed_6
-         : fold == 6        ? lennard_jones_ends_fixed_6
-         : fold == 4        ? lennard_jones_fixed_4
-                            : lennard_jones_fixed)(task, chunk, out);
+        (fold == 6   ? lennard_jones_fixed_6
+         : fold == 4 ? lennard_jones_fixed_4
+                     : lennard_jones_fixed)(task, chunk, out, kick);
     else
-        (fold == 6 ? morse_fixed_6 : morse_fixed)(task, chunk, out);
+        (fold == 6 ? morse_fixed_6 : morse_fixed)(task, chunk, out, kick);
 }
 
 const fw_particle_kernels FW_KERNELS_HERE(fw_particles_kernels) = {.forces = forces};

@@ -57,9 +57,13 @@ typedef struct fw_sum_arrays {
     double *virial[4];           /* xx, xy, yx, yy of (r_i - r_j) (x) F_ij/2 */
 } fw_sum_arrays;
 
+struct fw_move_task;
+
 typedef struct fw_particle_kernels {
-    /* Sums over the near slots of a chunk. Return forces of fixed axes are part of the force. */
-    void (*forces)(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out);
+    /* Sums over the near slots of a chunk. Return forces of fixed axes are part of the force. The
+     * force of each particle kicks it at once (langevin_kernels.h); NULL: not. */
+    void (*forces)(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out,
+                   const struct fw_move_task *kick);
 } fw_particle_kernels;
 
 FW_KERNELS(fw_particle_kernels, fw_particles_kernels);

@@ -72,7 +72,7 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted w
     const fw_vector push = fw_keep(terms.inside, unit * terms.push);
     fw_pull pull = {{fw_splat(0), fw_splat(0)}, fw_splat(0)};
     if (own) {
-        const fw_mask inside = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond.outer_2)));
+        const fw_mask inside = fw_less_among(pair->held, pair->r2, fw_splat(task->bond.outer_2));
         if (fw_any(inside)) pull = pull_of(&task->bond, pair, inside);
     }
     if (wanted.energy) sums->energy += fw_keep(terms.inside, unit * terms.energy) + pull.energy;
@@ -81,7 +81,7 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted w
         sums->return_y += pull.force.y;
     }
     if (wanted.lengths && own) {
-        const fw_mask bond = fw_and(pair->held, fw_less(pair->r2, fw_splat(task->bond_2)));
+        const fw_mask bond = fw_less_among(pair->held, pair->r2, fw_splat(task->bond_2));
         const fw_vector square = pull.force.x * pull.force.x + pull.force.y * pull.force.y;
         sums->length += fw_keep(bond, fw_root(square));
         sums->bonds += fw_keep(bond, fw_splat(1));
