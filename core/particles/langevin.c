@@ -9,6 +9,7 @@
 #include "langevin_kernels.h"
 
 #include "core/noise.h"
+#include "core/threads.h"
 
 #include <assert.h>
 #include <math.h>
@@ -211,22 +212,28 @@ static fw_prediction prediction_of(const fw_langevin *solid, const fw_baoab *bao
         .mobility = fw_sym2_scalar(baoab->half * push * (1 + baoab->keep))};
 }
 
+enum { SOME = 128 }; /* whose noise is drawn together */
+
+static void predict_some(const fw_langevin *solid, const fw_baoab *baoab, const int *particles,
+                         int count, fw_prediction *out)
+{
+    double noise_x[SOME] = {0}, noise_y[SOME] = {0};
+    if (baoab->shake > 0)
+        fw_noise_gaussians_of_some(solid->seed, particles, (uint64_t)solid->head.ticks,
+                                   FW_NOISE_THERMOSTAT, count, noise_x, noise_y);
+    for (int k = 0; k < count; ++k)
+        out[k] = prediction_of(solid, baoab, particles[k], (fw_vec2){noise_x[k], noise_y[k]});
+}
+
 void fw_langevin_predict(const fw_solid *head, const int *particles, int count, fw_prediction *out)
 {
-    enum { SOME = 128 }; /* whose noise is drawn together */
     const fw_langevin *solid = (const fw_langevin *)head;
     const fw_baoab baoab = baoab_of(&solid->controls);
-#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int begin = 0; begin < count; begin += SOME) {
-        const int some = count - begin < SOME ? count - begin : SOME;
-        double noise_x[SOME] = {0}, noise_y[SOME] = {0};
-        if (baoab.shake > 0)
-            fw_noise_gaussians_of_some(solid->seed, particles + begin, (uint64_t)head->ticks,
-                                       FW_NOISE_THERMOSTAT, some, noise_x, noise_y);
-        for (int k = 0; k < some; ++k)
-            out[begin + k] = prediction_of(solid, &baoab, particles[begin + k],
-                                           (fw_vec2){noise_x[k], noise_y[k]});
-    }
+    FW_SHARED_LOOP(
+        count > PARALLEL_FROM, for (int begin = 0; begin < count; begin += SOME) {
+            const int some = count - begin < SOME ? count - begin : SOME;
+            predict_some(solid, &baoab, particles + begin, some, out + begin);
+        });
 }
 
 static void add_to_ledger(fw_langevin *solid, int blocks)
@@ -287,9 +294,9 @@ void fw_langevin_kick(const fw_move_task *kick, int first, int count)
     if (!kick) return;
     const fw_langevin_kernels *kernels = FW_KERNELS_CHOSEN(fw_langevin_loops);
     const int end = first + count;
-#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int begin = first; begin < end; begin += BLOCK)
-        kernels->kick(kick, begin, begin + BLOCK < end ? begin + BLOCK : end);
+    FW_SHARED_LOOP(count > PARALLEL_FROM,
+                   for (int begin = first; begin < end; begin += BLOCK)
+                       kernels->kick(kick, begin, begin + BLOCK < end ? begin + BLOCK : end););
 }
 
 fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
@@ -305,11 +312,11 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
         solid->constraint_y[i] = constraints[k].force.y;
         solid->held_at[k] = (fw_vec2){head->x[i], head->y[i]};
     }
-#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
-    for (int b = 0; b < blocks; ++b) {
-        const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
-        kernels->move(&task, begin, end, &solid->sums[b]);
-    }
+    FW_SHARED_LOOP(
+        count > PARALLEL_FROM, for (int b = 0; b < blocks; ++b) {
+            const int begin = b * BLOCK, end = begin + BLOCK < count ? begin + BLOCK : count;
+            kernels->move(&task, begin, end, &solid->sums[b]);
+        });
     /* The force brings a held particle where it belongs up to rounding; here it is put there. */
     for (int k = 0; k < constraint_count; ++k) {
         const int i = constraints[k].particle;

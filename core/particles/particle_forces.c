@@ -4,6 +4,8 @@
  * at fw_particles_find_forces(). */
 #include "particle_forces.h"
 
+#include "core/threads.h"
+
 #include <math.h>
 
 enum { PARALLEL_FROM = 1024 }; /* particles; below it threads cost more than they bring */
@@ -117,9 +119,10 @@ static void find_all(fw_particles *particles, int g, const struct fw_move_task *
     if (used > 2) out = (fw_force_arrays){to[0], to[1], to[2], to[3], to[4], to[5], to[6], to[7]};
     const fw_particle_kernels *kernels = FW_KERNELS_CHOSEN(fw_particles_kernels);
     const int end = fw_neighbour_lists_first(particles->lists, g + 1);
-#pragma omp parallel for schedule(static) if (particles->groups[g].count > PARALLEL_FROM)
-    for (int c = fw_neighbour_lists_first(particles->lists, g); c < end; ++c)
-        kernels->forces(&task, fw_neighbour_lists_chunk(particles->lists, c), &out, kick);
+    FW_SHARED_LOOP(
+        particles->groups[g].count > PARALLEL_FROM,
+        for (int c = fw_neighbour_lists_first(particles->lists, g); c < end; ++c)
+            kernels->forces(&task, fw_neighbour_lists_chunk(particles->lists, c), &out, kick););
     fw_particles_bring_back(particles, g, used, to, arrays);
 }
 
