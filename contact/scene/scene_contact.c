@@ -267,6 +267,14 @@ static int compare_constraints(const void *left, const void *right)
     return (a->particle > b->particle) - (a->particle < b->particle);
 }
 
+/* Particles of each grip ascend, and often those of one grip follow those of another. */
+static bool constraints_ascend(const scene_body *body)
+{
+    for (int n = 1; n < body->constraint_count; ++n)
+        if (body->constraints[n - 1].particle > body->constraints[n].particle) return false;
+    return true;
+}
+
 void scene_collect_constraints(fw_scene *scene, int number)
 {
     scene_body *body = &scene->bodies[number];
@@ -285,8 +293,9 @@ void scene_collect_constraints(fw_scene *scene, int number)
     }
     if (body->gripped) {
         scene_book_on_grips(scene, number);
-        qsort(body->constraints, (size_t)body->constraint_count, sizeof *body->constraints,
-              compare_constraints);
+        if (!constraints_ascend(body))
+            qsort(body->constraints, (size_t)body->constraint_count, sizeof *body->constraints,
+                  compare_constraints);
     }
     scene_record_forces(scene, number);
 }
