@@ -4,6 +4,7 @@
 #include "tests/support/laws.h"
 
 #include "experiments/pictures/plot_sweep_parts.h"
+#include "experiments/storage/hdf5_file.h"
 #include "tests/support/program.h"
 
 enum { COLUMNS = 5, ROWS = 4 };
@@ -17,7 +18,7 @@ static void the_line_of_a_plane_is_straight(void **state)
     (void)state;
     for (int n = 0; n < ROWS * COLUMNS; ++n) {
         values[n] = 1 + n % COLUMNS + 2 * (n / COLUMNS);
-        errors[n] = 0.1;
+        errors[n] = 0.1 * (1 + n % COLUMNS + n / COLUMNS);
     }
     const double level = 5.3;
     assert_fine(fw_plot_sweep_level_of_grid(&line, level, COLUMNS, ROWS, values, errors, &error));
@@ -35,7 +36,8 @@ static void the_line_of_a_plane_is_straight(void **state)
         const double x = line.mark_x[n], y = line.mark_y[n];
         const bool upright = x == floor(x);
         const double t = upright ? y - floor(y) : x - floor(x);
-        const double expected = 0.1 * hypot(1 - t, t) / (upright ? 2 : 1);
+        const double near = 0.1 * (1 + floor(x) + floor(y)), next = near + 0.1;
+        const double expected = hypot((1 - t) * near, t * next) / (upright ? 2 : 1);
         assert_close(upright ? line.mark_error[n] : line.mark_spread[n], expected, 1e-12);
         assert_true(isnan(upright ? line.mark_spread[n] : line.mark_error[n]));
     }
@@ -94,6 +96,40 @@ static const char gas[] =
     "  against: {kind: sweep, observables: [thermostat-heat], along: kinetic-energy}\n"
     "  map: {kind: map, observables: [kinetic-energy], along: T, level: 0.01}\n";
 
+/* HDF5 has what the tables have. */
+static void expect_archive(const char *folder)
+{
+    char path[128];
+    double T[18], n[18], seed[18], cases[18], mean[6], energy[18];
+    fw_hdf5 *file;
+    snprintf(path, sizeof path, "%s/it/sweep.h5", folder);
+    assert_fine(fw_hdf5_open(&file, path, false, &error));
+    const struct {
+        const char *path;
+        double *values;
+        uint64_t count;
+    } wanted[] = {{"seeds/parameters/T", T, 18},
+                  {"seeds/parameters/n", n, 18},
+                  {"seeds/seed", seed, 18},
+                  {"seeds/case", cases, 18},
+                  {"seeds/numbers/thermostat-heat, at the end", energy, 18},
+                  {"cases/numbers/thermostat-heat, at the end/mean", mean, 6}};
+    for (size_t k = 0; k < sizeof wanted / sizeof wanted[0]; ++k) {
+        const fw_dataset dataset = fw_hdf5_find(file, wanted[k].path);
+        fw_hdf5_read(file, dataset, FW_F64, 0, wanted[k].count, wanted[k].values);
+        fw_hdf5_release(dataset);
+    }
+    assert_fine(fw_hdf5_check(file, &error));
+    assert_fine(fw_hdf5_close(file, &error));
+    for (int r = 0; r < 18; ++r) {
+        static const double temperatures[] = {1, 2, 4};
+        assert_true(T[r] == temperatures[r / 6] && n[r] == 3 + r / 3 % 2);
+        assert_true(seed[r] == 1 + r % 3 && cases[r] == r / 3);
+    }
+    for (int c = 0; c < 6; ++c)
+        assert_close((energy[3 * c] + energy[3 * c + 1] + energy[3 * c + 2]) / 3, mean[c], 1e-15);
+}
+
 static void seeds_have_rows_whose_means_are_those_of_the_cases(void **state)
 {
     char folder[64];
@@ -112,6 +148,9 @@ static void seeds_have_rows_whose_means_are_those_of_the_cases(void **state)
                   " printf \"%.12g %.6g\\n\", m, sqrt((q/3 - m^2)/2)}' > seeds;"
                   " grep '^2,4,' it/sweep.csv |"
                   " awk -F, '{printf \"%.12g %.6g\\n\", $3, $4}' | cmp - seeds");
+    shell(folder, "grep '^4,3,' it/sweep-seeds.csv | awk -F, '{s += $5} END {printf \"%.12g\\n\","
+                  " s/3}' > seeds; grep '^4,3,' it/sweep.csv | grep -q \",$(cut -c1-9 seeds)\"");
+    expect_archive(folder);
     /* One after the other, and again: the same file. */
     seen = run_program(folder, "run gas.yaml -q -o again -j 1");
     expect_end(&seen, 0, "");

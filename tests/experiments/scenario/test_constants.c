@@ -140,6 +140,21 @@ static void a_sweep_varies_a_name_as_settings_would(void **state)
     skip_unseen();
 }
 
+/* Settings of a case may use what rests on the name that varies. */
+static void settings_see_the_names_of_their_case(void **state)
+{
+    fw_scenario *one,
+        *sweep = scenario_of(FLIGHTS("parameters: {v: 3, V: 7*v}\n", "v", "40", "1",
+                                     ", set: [run.steps=rint(10*V), 'expect.0.within=v + V']"),
+                             NULL);
+    (void)state;
+    assert_fine(fw_scenario_read_case(&one, sweep, 1, &error));
+    assert_int_equal(one->run.steps, 7);
+    assert_close(one->expectations[0].within, 0.8, 1e-15);
+    fw_scenario_destroy(one);
+    fw_scenario_destroy(sweep);
+}
+
 static void a_control_changes_a_name_of_its_case(void **state)
 {
     char text[1024];
@@ -340,6 +355,7 @@ int main(void)
         cmocka_unit_test(a_setting_changes_what_rests_on_a_name),
         cmocka_unit_test(formulas_are_printed_with_their_values),
         cmocka_unit_test(a_sweep_varies_a_name_as_settings_would),
+        cmocka_unit_test(settings_see_the_names_of_their_case),
         cmocka_unit_test(a_control_changes_a_name_of_its_case),
         cmocka_unit_test(every_mistake_gets_its_sentence),
         cmocka_unit_test(a_case_without_a_value_is_named),
