@@ -34,7 +34,6 @@ static bool meets_any(const fw_scene *scene, int body)
 
 static void clear_points(scene_edge *edge)
 {
-    fw_contour_clear(&edge->contour);
     free(edge->predictions);
     free(edge->paths);
     free(edge->end);
@@ -49,7 +48,12 @@ static fw_status make_points(scene_edge *edge, const fw_solid *solid, fw_error *
     clear_points(edge);
     if (solid->model->list_links) /* what flows is looked at as it lies now */
         for (int i = 0; i < solid->count; ++i) edge->home[i] = fw_solid_position(solid, i);
-    FW_TRY(fw_contour_create(&edge->contour, solid, edge->home, error));
+    if (solid->model->list_links || !edge->contour.points) {
+        fw_contour_clear(&edge->contour);
+        FW_TRY(fw_contour_create(&edge->contour, solid, edge->home, error));
+    } else {
+        FW_TRY(fw_contour_renew(&edge->contour, solid, edge->home, error));
+    }
     const size_t count = (size_t)edge->contour.point_count + 1;
     edge->predictions = calloc(count, sizeof *edge->predictions);
     edge->paths = calloc(count, sizeof *edge->paths);
@@ -83,6 +87,7 @@ static void destroy_edge(scene_edge *edge)
 {
     if (!edge) return;
     clear_points(edge);
+    fw_contour_clear(&edge->contour);
     free(edge->home);
     free(edge->rubs);
     free(edge);

@@ -249,9 +249,8 @@ fw_status fw_scene_find_fold(fw_scene *scene, int number, const fw_vec2 *home, b
     *found = false;
     if (!solid->model->solid_between_links || solid->model->list_links) return FW_OK;
     if (!body->edge && (!body->fold.points || body->fold_revision != solid->boundary_revision)) {
-        fw_contour_clear(&body->fold);
         fw_solid_place(solid); /* which lists the links that are left */
-        FW_TRY(fw_contour_create(&body->fold, solid, home, error));
+        FW_TRY(fw_contour_renew(&body->fold, solid, home, error));
         body->fold_revision = solid->boundary_revision;
     }
     const fw_contour *contour = body->edge ? &body->edge->contour : &body->fold;

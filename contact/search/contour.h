@@ -19,10 +19,11 @@ typedef struct fw_contour_segment {
 
 typedef struct fw_contour {
     int point_count, segment_count;
-    int *particles;               /* per point */
-    uint8_t *tips;                /* per point: 1 where a chain of single particles ends */
-    fw_contour_segment *segments; /* chain after chain, along each */
-    int *points;                  /* per particle of the solid: its point, or -1 */
+    int *particles;                   /* per point */
+    uint8_t *tips;                    /* per point: 1 where a chain of single particles ends */
+    fw_contour_segment *segments;     /* chain after chain, along each */
+    int *points;                      /* per particle of the solid: its point, or -1 */
+    struct fw_contour_halves *halves; /* private: once it was renewed */
 } fw_contour;
 
 /* Of the solid's present links. `home` says, per particle, where links lead around it: places in
@@ -30,6 +31,11 @@ typedef struct fw_contour {
  * memory, with an empty contour. */
 fw_status fw_contour_create(fw_contour *contour, const fw_solid *solid, const fw_vec2 *home,
                             fw_error *error);
+/* The same contour as one made anew, after links broke. From the second time on that goes with the
+ * points, but for a comparison of all links, if links have only gone and their order stayed. On
+ * failure the contour is empty or as it was. */
+fw_status fw_contour_renew(fw_contour *contour, const fw_solid *solid, const fw_vec2 *home,
+                           fw_error *error);
 void fw_contour_clear(fw_contour *contour);
 
 /* A segment of the solid's contour that crosses another one of it, or -1: then the body is folded.

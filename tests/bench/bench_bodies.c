@@ -2,6 +2,7 @@
 /* What it costs that bodies keep out of each other: microseconds per step of two bodies apart from
  * each other, beside the same bodies in scenes of their own, one and one in turn; of two whose
  * faces are pressed together; and of a crowd. Prints a table. */
+#include "core/automaton/elastic_automaton.h"
 #include "tests/support/scenes.h"
 
 #include <stdio.h>
@@ -111,6 +112,47 @@ static void crowd(int side)
     fw_scene_destroy(scene);
 }
 
+/* A crack runs through a body, one bond a step; another body is far from it, or there is none. */
+static double crack(int side, bool meets, bool runs)
+{
+    enum { STEPS = 61 };
+    double took[STEPS];
+    fw_scene *scene = empty_scene(1e9);
+    fw_sites sites;
+    must(fw_sites_rectangle(&sites, side, side, &error));
+    fw_elastic_automaton_def def = fw_elastic_automaton_def_default();
+    def.sites = &sites;
+    def.break_at = 1;
+    fw_solid *solid[2];
+    for (int b = 0; b < 1 + meets; ++b) {
+        int body;
+        must(fw_elastic_automaton_create(&solid[b], &def, &error));
+        must(fw_scene_adopt_body(scene, "slab", solid[b], &body, &error));
+        if (b > 0) break;
+        fw_sites_clear(&sites);
+        must(fw_sites_rectangle(&sites, 4, 4, &error));
+        def.lattice.origin.x = 3.0 * side;
+    }
+    begin(scene);
+    for (int n = 0; n < STEPS; ++n) {
+        const int at = side / 2 * side + n;
+        if (runs) (void)fw_elastic_automaton_break(solid[0], at, FW_NORTH);
+        took[n] = one_step(scene);
+    }
+    qsort(took, STEPS, sizeof *took, compare_doubles);
+    fw_scene_destroy(scene);
+    fw_sites_clear(&sites);
+    return took[STEPS / 2];
+}
+
+static void cracks(int side)
+{
+    printf("a body of %d x %d: alone %.0f us a step, beside another one %.0f; while a crack runs "
+           "%.0f and %.0f\n",
+           side, side, crack(side, false, false), crack(side, true, false),
+           crack(side, false, true), crack(side, true, true));
+}
+
 int main(void)
 {
     apart(200);
@@ -119,5 +161,7 @@ int main(void)
     faces(0.37);
     crowd(10);
     crowd(32);
+    cracks(200);
+    cracks(700);
     return 0;
 }

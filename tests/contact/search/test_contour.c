@@ -97,6 +97,50 @@ static void triangles_are_cells_too(void **state)
     fw_sites_clear(&sites);
 }
 
+/* The same numbers as one made anew, whatever has broken: links, until particles are by themselves.
+ */
+static void renewed_contour_is_one_made_anew(void **state)
+{
+    (void)state;
+    fw_solid *solid = masked("#########\n#########\n###..####\n###..####\n#########\n####.....\n"
+                             "####.###.\n#########");
+    fw_vec2 *home = calloc((size_t)solid->count, sizeof *home);
+    for (int i = 0; i < solid->count; ++i) home[i] = fw_solid_position(solid, i);
+    fw_contour renewed = {0};
+    must(fw_contour_renew(&renewed, solid, home, &error));
+    uint64_t seed = 3;
+    while (solid->link_count > 0) {
+        const int gone = 1 + (int)(seed >> 62);
+        for (int n = 0; n < gone && solid->link_count > 0; ++n) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            const int at = (int)((seed >> 33) % (uint64_t)solid->link_count);
+            solid->link_count -= 1;
+            memmove(solid->links + at, solid->links + at + 1,
+                    (size_t)(solid->link_count - at) * sizeof *solid->links);
+        }
+        fw_contour anew;
+        must(fw_contour_renew(&renewed, solid, home, &error));
+        must(fw_contour_create(&anew, solid, home, &error));
+        assert_int_equal(renewed.point_count, anew.point_count);
+        assert_int_equal(renewed.segment_count, anew.segment_count);
+        assert_memory_equal(renewed.particles, anew.particles,
+                            (size_t)anew.point_count * sizeof *anew.particles);
+        assert_memory_equal(renewed.tips, anew.tips, (size_t)anew.point_count);
+        assert_memory_equal(renewed.points, anew.points,
+                            (size_t)solid->count * sizeof *anew.points);
+        for (int n = 0; n < anew.segment_count; ++n) {
+            assert_int_equal(renewed.segments[n].from, anew.segments[n].from);
+            assert_int_equal(renewed.segments[n].to, anew.segments[n].to);
+            assert_int_equal(renewed.segments[n].two_sided, anew.segments[n].two_sided);
+        }
+        fw_contour_clear(&anew);
+    }
+    assert_int_equal(renewed.point_count, solid->count);
+    fw_contour_clear(&renewed);
+    fw_solid_destroy(solid);
+    free(home);
+}
+
 /* One corner is carried over the opposite edge; and back. */
 static void folds_are_found(void **state)
 {
@@ -242,6 +286,7 @@ int main(void)
         cmocka_unit_test(contours_go_around_matter),
         cmocka_unit_test(triangles_are_cells_too),
         cmocka_unit_test(folds_are_found),
+        cmocka_unit_test(renewed_contour_is_one_made_anew),
         cmocka_unit_test(no_pair_is_missed_wherever_bodies_are),
         cmocka_unit_test(nobody_jumps_over_another_body_unseen),
     };
