@@ -62,7 +62,8 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
     const fw_arguments *a = arguments;
     const char *directory = a->words[0];
     if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
-        !a->range && !a->along && !a->level && !a->logarithmic)
+        !a->range && !a->along && !a->level && !a->logarithmic && !a->width && !a->dots &&
+        !a->bare && !a->letter)
         return fw_plot_all(directory, stdout, error);
     plot_lists *lists = calloc(1, sizeof *lists);
     if (!lists) return fw_fail_memory(error, "what to draw");
@@ -73,6 +74,10 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
                          .field = a->field,
                          .logarithmic = a->logarithmic,
                          .along = a->along,
+                         .width = (double)a->width,
+                         .resolution = (double)a->dots,
+                         .bare = a->bare,
+                         .letter = a->letter,
                          .steps = lists->steps};
     fw_status status = fw_column_names_read(a->observable, &lists->text, &lists->names,
                                             &wish.observable_count, error);

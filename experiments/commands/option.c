@@ -44,6 +44,20 @@ const fw_option fw_option_film_file = {"--output",      "-o",
 const fw_option fw_option_report_file = {"--output",      "-o",
                                          "FILE",          "the page, which ends in .html",
                                          FW_INTO(output), .complete = FW_COMPLETE_FILE};
+const fw_option fw_option_width = {
+    "--width",      NULL,
+    "MM",           "width of the picture in mm (160); a column of a journal has 86",
+    FW_INTO(width), .least = 40,
+    .most = 1000};
+const fw_option fw_option_dots = {
+    "--dpi",       NULL,        "N",         "dots per inch of a PNG file (200)",
+    FW_INTO(dots), .least = 20, .most = 2400};
+const fw_option fw_option_bare = {"--bare", NULL, NULL,
+                                  "without title and caption, which the paper around it has",
+                                  FW_INTO(bare)};
+const fw_option fw_option_letter = {"--letter", NULL, "LETTER",
+                                    "in the place of the title, as 'a' of a figure's panel",
+                                    FW_INTO(letter)};
 const fw_option fw_option_film_kind = {
     "--kind",      NULL,
     "KIND",        "motion, or field: by a field as colour (where one was recorded)",

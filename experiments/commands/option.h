@@ -12,7 +12,7 @@
 #include <stdio.h>
 
 /* What the command line said, options and words apart. */
-enum { FW_SETTINGS_MAX = 256, FW_WORDS_MAX = 1024, FW_OPTIONS_MAX = 16 };
+enum { FW_SETTINGS_MAX = 256, FW_WORDS_MAX = 1024, FW_OPTIONS_MAX = 24 };
 
 typedef struct fw_option_list {
     int count;
@@ -29,7 +29,10 @@ typedef struct fw_arguments {
     int64_t threads; /* 0: not given */
     int64_t seed;    /* -1: not given */
     const char *one_case;
-    const char *to;      /* the format of export */
+    const char *to; /* the format of export */
+    const char *letter;
+    int64_t width, dots; /* mm and dots per inch; 0: not given */
+    bool bare;
     int64_t every, rate; /* frames, and frames in a second; 0: not given */
     bool list;
     bool quiet, overwrite, no_plot, logarithmic, json, names, full, help;
@@ -81,7 +84,8 @@ extern const fw_option fw_option_folder, fw_option_picture_file, fw_option_table
     fw_option_verdicts, fw_option_axis, fw_option_list_cases, fw_option_case, fw_option_add,
     fw_option_json, fw_option_names, fw_option_full, fw_option_export_file, fw_option_to,
     fw_option_every, fw_option_film_file, fw_option_film_kind, fw_option_rate,
-    fw_option_report_file, fw_option_help;
+    fw_option_report_file, fw_option_width, fw_option_dots, fw_option_bare, fw_option_letter,
+    fw_option_help;
 
 struct fw_command;
 

@@ -176,6 +176,8 @@ fw_status fw_canvas_save(fw_canvas *canvas, fw_error *error)
     cairo_status_t status = cairo_status(canvas->context);
     if (!status && canvas->format == PNG) {
         status = cairo_surface_write_to_png_stream(canvas->surface, keep_bytes, &canvas->store);
+        if (!status && !fw_canvas_add_dots(&canvas->store, canvas->resolution))
+            status = CAIRO_STATUS_NO_MEMORY;
     } else if (!status) {
         cairo_surface_finish(canvas->surface);
         status = cairo_surface_status(canvas->surface);

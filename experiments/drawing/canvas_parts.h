@@ -6,6 +6,7 @@
 #include "experiments/drawing/canvas.h"
 
 #include <cairo.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 #define FW_MM_PER_POINT (25.4 / 72)
@@ -36,6 +37,8 @@ struct fw_canvas {
 cairo_t *fw_canvas_context(cairo_surface_t *surface, double units_per_mm);
 /* The point, or the nearest one that cairo can count. */
 fw_vec2 fw_canvas_within_reach(fw_vec2 point);
+/* Says in the bytes of a PNG file how many dots an inch has; false without memory. */
+bool fw_canvas_add_dots(byte_store *store, double resolution);
 void fw_canvas_set_colour(fw_canvas *canvas, fw_colour colour);
 
 #endif

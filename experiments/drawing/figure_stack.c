@@ -87,17 +87,19 @@ static void share_rows(columns *all)
 static double size_columns(const fw_page *page, columns *all)
 {
     double taken = 20, width = 0, shrink = 1;
+    /* Charts of a narrow page are lower, too. */
+    const double lower = fmin(1, fmax(.6, page->width / fw_page_default().width));
     for (int round = 0; round < 4; ++round) {
         double room = page->width - 2 * FW_PAGE_MARGIN - taken;
         double highest = 0;
         width = fmax(room / all->count, 20);
         for (int k = 0; k < all->count; ++k) {
-            highest = fmax(highest, fw_stack_size(&all->stacks[k], width));
+            highest = fmax(highest, fw_stack_size(&all->stacks[k], width, lower));
         }
         shrink = highest > views_max ? views_max / highest : 1;
         taken = (all->count - 1) * column_gap;
         for (int k = 0; k < all->count; ++k) {
-            double views = fw_stack_size(&all->stacks[k], shrink * width);
+            double views = fw_stack_size(&all->stacks[k], shrink * width, lower);
             bool last = k + 1 == all->count;
             double right = fw_stack_overhang(&all->stacks[k]);
             if (last && all->has_bar) {

@@ -52,20 +52,30 @@ static double set_text(const fw_page *page, fw_canvas *canvas, const char *text,
     return height;
 }
 
+static const char *title_of(const fw_page *page)
+{
+    return page->letter ? page->letter : page->bare ? NULL : page->title;
+}
+
+static const char *caption_of(const fw_page *page)
+{
+    return page->bare ? NULL : page->caption;
+}
+
 double fw_page_top(const fw_page *page)
 {
-    double title = set_text(page, NULL, page->title, 0, FW_TITLE_SIZE, true, fw_colour_ink());
+    double title = set_text(page, NULL, title_of(page), 0, FW_TITLE_SIZE, true, fw_colour_ink());
     return FW_PAGE_MARGIN + title + (title > 0 ? 1.2 : 0);
 }
 
 fw_status fw_page_open(const fw_page *page, double bottom, fw_canvas **canvas, fw_error *error)
 {
-    double caption = set_text(page, NULL, page->caption, 0, FW_SMALL_SIZE, false, quiet_ink);
+    double caption = set_text(page, NULL, caption_of(page), 0, FW_SMALL_SIZE, false, quiet_ink);
     double gap = caption > 0 ? 2.5 : 0;
     FW_TRY(fw_canvas_create(canvas, page->file, page->width,
                             bottom + gap + caption + FW_PAGE_MARGIN, page->resolution, error));
-    set_text(page, *canvas, page->title, FW_PAGE_MARGIN, FW_TITLE_SIZE, true, fw_colour_ink());
-    set_text(page, *canvas, page->caption, bottom + gap, FW_SMALL_SIZE, false, quiet_ink);
+    set_text(page, *canvas, title_of(page), FW_PAGE_MARGIN, FW_TITLE_SIZE, true, fw_colour_ink());
+    set_text(page, *canvas, caption_of(page), bottom + gap, FW_SMALL_SIZE, false, quiet_ink);
     return FW_OK;
 }
 

@@ -11,6 +11,8 @@ typedef struct fw_page {
     double resolution;   /* dots per inch */
     const char *title;   /* may be NULL */
     const char *caption; /* may be NULL; broken into lines where it is long */
+    bool bare;           /* neither is drawn: the paper around it says it */
+    const char *letter;  /* of a panel, "a", in the place of the title; may be NULL */
 } fw_page;
 
 /* 160 mm wide, 200 dots per inch. */

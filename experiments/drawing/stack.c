@@ -101,7 +101,7 @@ static double chart_height(const stack_plan *plan, const fw_chart *chart)
     return plan->chart_count == 1 ? 84 : plan->chart_count == 2 ? 52 : 38;
 }
 
-double fw_stack_size(fw_stack *stack, double width)
+double fw_stack_size(fw_stack *stack, double width, double shrink)
 {
     const stack_plan *plan = stack->plan;
     double views_height = 0;
@@ -112,7 +112,7 @@ double fw_stack_size(fw_stack *stack, double width)
         panel->box.width = width;
         panel->box.height = k < plan->view_count
                                 ? scale * (panel->y.range.high - panel->y.range.low)
-                                : chart_height(plan, &plan->charts[k - plan->view_count]);
+                                : shrink * chart_height(plan, &plan->charts[k - plan->view_count]);
         if (k < plan->view_count) views_height += panel->box.height + (k > 0 ? panel_gap : 0);
         fw_axis_prepare(&panel->x, width, true);
         fw_axis_prepare(&panel->y, panel->box.height, false);

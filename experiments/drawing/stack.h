@@ -33,9 +33,9 @@ fw_status fw_stack_create(fw_stack *stack, const fw_figure_stack_plan *plan, con
                           fw_error *error);
 void fw_stack_release(fw_stack *stack);
 
-/* Boxes of this width: their heights, ticks, and room to the left. Returns the height of its views
- * together. */
-double fw_stack_size(fw_stack *stack, double width);
+/* Boxes of this width, charts by the factor `shrink` lower than usual: their heights, ticks, and
+ * room to the left. Returns the height of its views together. */
+double fw_stack_size(fw_stack *stack, double width, double shrink);
 /* Room to the right that numbers take. */
 double fw_stack_overhang(const fw_stack *stack);
 /* Sets all boxes, the first with its legend below `top`; `head` mm are left above the first box,

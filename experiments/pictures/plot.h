@@ -21,8 +21,11 @@ typedef struct fw_plot_wish {
     int step_count;                 /* 0: the picture's own, or chosen */
     bool logarithmic;               /* axes of a series' values */
     double range[2];                /* ends of the colours; equal: those of the whole result */
-    const char *along;              /* of a sweep: parameter or number along x, or NULL */
-    const double *level;            /* of a map: where a line is drawn, or NULL */
+    double width, resolution;       /* mm, dots per inch; 0: 160 and 200 */
+    bool bare;                      /* without title and caption, for a paper's own */
+    const char *letter;  /* in the place of the title: "a" of a figure's panel; or NULL */
+    const char *along;   /* of a sweep: parameter or number along x, or NULL */
+    const double *level; /* of a map: where a line is drawn, or NULL */
 } fw_plot_wish;
 
 /* Draws one picture and says on `out` where it lies. FW_BAD_INPUT: there are no results, or they do

@@ -359,16 +359,26 @@ static fw_status choose_analysis(draft *d, fw_error *error)
                    d->result->directory);
 }
 
+fw_page fw_plot_page(const fw_plot_wish *wish)
+{
+    fw_page page = fw_page_default();
+    if (wish->width > 0) page.width = wish->width;
+    if (wish->resolution > 0) page.resolution = wish->resolution;
+    page.bare = wish->bare;
+    page.letter = wish->letter;
+    return page;
+}
+
 static fw_status choose_page(draft *d, fw_error *error)
 {
     fw_plot_choice *choice = d->choice;
     fw_page *page = &d->picture->page;
     const fw_scenario *scenario = d->result->scenario;
     const fw_picture_kind kind = d->picture->asked.kind;
-    *page = fw_page_default();
-    page->title = d->own && d->own->title ? d->own->title : scenario->title;
     const bool of_paper = kind == FW_PICTURE_MOTION || kind == FW_PICTURE_FORCES ||
                           needs(kind) & FW_PICTURE_NEEDS_PROFILE;
+    *page = fw_plot_page(d->wish);
+    page->title = d->own && d->own->title ? d->own->title : scenario->title;
     if (d->own && of_paper && scenario->figure && scenario->source)
         fw_text_append(choice->caption, sizeof choice->caption, "Compare %s.%s", scenario->source,
                        choice->notes[0] ? " " : "");

@@ -166,7 +166,7 @@ static fw_status draw(const fw_plot_sweep *result, const fw_plot_wish *wish,
              : is_map ? map
                       : "sweep");
     FW_TRY(fw_path_join(path, result->directory, name, error));
-    fw_page page = fw_page_default();
+    fw_page page = fw_plot_page(wish);
     page.file = wish->file ? wish->file : path;
     page.title = own && own->title ? own->title : result->scenario->title;
     FW_TRY((is_map ? fw_plot_sweep_map : fw_plot_sweep_curves)(result, wish, own, &page, error));

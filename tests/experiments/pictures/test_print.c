@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_print.c - figures for a paper: as wide as asked, with dots of the size that is written into
+ * the file, with a letter in the place of the title or with nothing. */
+#include "tests/support/laws.h"
+
+#include "tests/support/program.h"
+
+static const char scenario[] =
+    "title: a body goes to the right\n"
+    "materials: {soft: {lattice-boltzmann: {rest-mass: 0}}}\n"
+    "bodies: {block: {material: soft, shape: {rectangle: [4, 3]}, velocity: [.5, 0]}}\n"
+    "run: {steps: 20, record-every: 2}\n"
+    "measure: [energy]\n";
+
+typedef struct png {
+    unsigned width, height, dots_x, dots_y, unit;
+} png;
+
+static unsigned big_endian(const unsigned char *bytes)
+{
+    return (unsigned)bytes[0] << 24 | (unsigned)bytes[1] << 16 | (unsigned)bytes[2] << 8 | bytes[3];
+}
+
+/* The checksum of a chunk is the remainder of a division (ISO 3309): with it behind them, its name
+ * and data leave this one. */
+static bool is_whole(const unsigned char *chunk, size_t count)
+{
+    unsigned rest = 0xffffffff;
+    unsigned char bytes[32];
+    memcpy(bytes, chunk, count);
+    for (int n = 0; n < 4; ++n) bytes[count + (size_t)n] = chunk[count + 3 - (size_t)n];
+    for (size_t n = 0; n < count + 4; ++n)
+        for (int bit = 0; bit < 8; ++bit)
+            rest = rest >> 1 ^ ((rest ^ (unsigned)bytes[n] >> bit) & 1 ? 0xedb88320 : 0);
+    return rest == 0xdebb20e3;
+}
+
+static png read_png(const char *folder, const char *name)
+{
+    unsigned char head[54];
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    assert_int_equal(fread(head, 1, sizeof head, file), sizeof head);
+    fclose(file);
+    assert_memory_equal(head + 33, "\0\0\0\x9pHYs", 8);
+    assert_true(is_whole(head + 37, 13));
+    return (png){big_endian(head + 16), big_endian(head + 20), big_endian(head + 41),
+                 big_endian(head + 45), head[49]};
+}
+
+static png draw(const char *folder, const char *options)
+{
+    char line[256];
+    snprintf(line, sizeof line, "plot out -o picture.png %s", options);
+    const outcome seen = run_program(folder, line);
+    expect_end(&seen, 0, "");
+    return read_png(folder, "picture.png");
+}
+
+static void figures_have_the_width_and_dots_asked_for(void **state)
+{
+    (void)state;
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", scenario);
+    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    const png usual = draw(folder, "");
+    assert_int_equal(usual.width, 1260); /* 160 mm of 200 dots to 25.4 mm */
+    assert_int_equal(usual.dots_x, 7874);
+    assert_int_equal(usual.dots_y, 7874);
+    assert_int_equal(usual.unit, 1);
+    const png column = draw(folder, "--width 86 --dpi 600");
+    assert_int_equal(column.width, 2032);
+    assert_int_equal(column.dots_x, 23622);
+    const png bare = draw(folder, "--width 86 --dpi 600 --bare");
+    const png lettered = draw(folder, "--width 86 --dpi 600 --bare --letter a");
+    assert_true(bare.height < lettered.height && lettered.height < column.height);
+    const png wide = draw(folder, "--observable energy");
+    const png narrow = draw(folder, "--observable energy --width 86");
+    assert_true(narrow.height < wide.height);
+    seen = run_program(folder, "plot out --width 3");
+    expect_end(&seen, 2, "--width");
+    remove_folder(folder);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(figures_have_the_width_and_dots_asked_for),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
