@@ -80,6 +80,7 @@ static int compare_contacts(const void *left, const void *right)
 void scene_sort_contacts(scene_body *body)
 {
     qsort(body->contacts, (size_t)body->contact_count, sizeof *body->contacts, compare_contacts);
+    body->unsorted = false;
 }
 
 /* Springs are no constraints, and pistons that yield are ends of the joint contact. */

@@ -264,6 +264,7 @@ scene_contact *scene_hand_over_end(fw_scene *scene, int number)
     const fw_sym2 mobility = joint->joint_ends[number].mobility;
     scene_contact *contact =
         &body->contacts[end->contact >= 0 ? end->contact : body->contact_count++];
+    body->unsorted |= end->contact < 0;
     *contact = (scene_contact){.particle = end->particle,
                                .entry = end->entry,
                                .solution = solution_of(scene, number),
@@ -281,11 +282,8 @@ void scene_hand_over_joint(fw_scene *scene)
         if (joint->ends[e].body >= 0 && joint->ends[e].grip < 0 && !joint->ends[e].later &&
             joint->joint_ends[e].mobility.xx != 0)
             (void)scene_hand_over_end(scene, e);
-    for (int e = 0; e < joint->end_count; ++e) {
-        const int b = joint->ends[e].body;
-        if (b >= 0 && (e == 0 || b != joint->ends[e - 1].body))
-            scene_sort_contacts(&scene->bodies[b]);
-    }
+    for (int b = 0; b < scene->body_count; ++b)
+        if (scene->bodies[b].unsorted) scene_sort_contacts(&scene->bodies[b]);
 }
 
 /* A force on a particle that moves once in a step of two ticks acts for both. */

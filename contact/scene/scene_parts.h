@@ -130,6 +130,7 @@ typedef struct scene_body {
     fw_contact_memory *memory; /* per particle; NULL where no wall rubs */
     scene_contact *contacts;   /* of this tick, ascending; room for all particles */
     int contact_count;
+    bool unsorted;  /* contacts do not ascend at present */
     int *entry_end; /* per entry of the boundary: the end of what is no point, or -1; NULL without
                        pistons */
     fw_contact_memory *memory_before; /* at the beginning of the tick, per particle; NULL without
