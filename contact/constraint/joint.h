@@ -84,6 +84,7 @@ typedef struct fw_joint_row {
     fw_vec2 motion;    /* ... so far in this step */
     double behind;     /* by how much a plane or circle is to push end 0 back, >= 0 */
     bool both;         /* of a plane: held both ways, lambda has any sign */
+    double distance;   /* that end 0 keeps from a segment or a point, >= 0 */
     bool open;         /* only rubs: the point may come nearer */
     fw_joint_rub rub;  /* of a segment */
     bool fresh;        /* in: its island has to be solved (again) */

@@ -27,27 +27,115 @@ static double length_of(fw_vec2 v)
     return sqrt(fw_vec2_dot(v, v));
 }
 
+/* |v| changes from the start to the end of a step, the middle of which is known, by exactly this
+ * times the change of v. */
+static fw_vec2 gradient_of_length(fw_vec2 start, fw_vec2 middle)
+{
+    const fw_vec2 end = fw_vec2_subtract(fw_vec2_scale(2, middle), start);
+    return scaled_to(fw_vec2_scale(2, middle), length_of(start) + length_of(end));
+}
+
 /* Area (k - j) x (i - j), whose gradient at the middle gives its change over the step exactly;
- * divided by the length at the start. */
+ * divided by the length at the start. With a distance d it is the area less d |k - j|. */
 static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
 {
     const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
                   j = joint_middle_of(joint, ends, row->end[1]),
                   k = joint_middle_of(joint, ends, row->end[2]);
-    const double length =
-        length_of(fw_vec2_subtract(ends[row->end[2]].position, ends[row->end[1]].position));
+    const fw_vec2 edge = fw_vec2_subtract(ends[row->end[2]].position, ends[row->end[1]].position);
+    const double length = length_of(edge);
     row->weight[0] = scaled_to(fw_vec2_turn(fw_vec2_subtract(k, j)), length);
     row->weight[2] = scaled_to(fw_vec2_turn(fw_vec2_subtract(j, i)), length);
+    if (row->distance > 0)
+        row->weight[2] = fw_vec2_subtract(
+            row->weight[2], fw_vec2_scale(row->distance / length,
+                                          gradient_of_length(edge, fw_vec2_subtract(k, j))));
     row->weight[1] = fw_vec2_scale(-1, fw_vec2_add(row->weight[0], row->weight[2]));
     row->bound = 0;
 }
 
+/* The ends of a row on their way through the step. */
+typedef struct ways {
+    fw_vec2 at[3], w[3];
+} ways;
+
+static fw_vec2 place_of(const ways *q, int k, double time)
+{
+    return fw_vec2_add(q->at[k], fw_vec2_scale(time, q->w[k]));
+}
+
+static fw_vec2 between(const ways *q, int from, int to, double time)
+{
+    return fw_vec2_subtract(place_of(q, to, time), place_of(q, from, time));
+}
+
+/* How far end 0 lies beyond the corner along the segment, times its length. */
+static double beyond(const ways *q, int corner, double time)
+{
+    return fw_vec2_dot(between(q, corner, 0, time), between(q, 1, 2, time));
+}
+
+/* Where end 0 begins beyond a corner of the segment and ends beside it: the corner, and when it
+ * passes it (a quadratic function of time, by secants). 0: it does not. */
+static int corner_passed(const ways *q, double *when)
+{
+    const int corner = beyond(q, 1, 0) < 0 ? 1 : beyond(q, 2, 0) > 0 ? 2 : 0;
+    if (corner == 0 || beyond(q, 1, 1) < 0 || beyond(q, 2, 1) > 0) return 0;
+    double low = 0, high = 1, at_low = beyond(q, corner, 0), at_high = beyond(q, corner, 1);
+    for (int round = 0; round < 60 && at_high != at_low; ++round) {
+        *when = fmin(fmax(high - at_high * (high - low) / (at_high - at_low), 0), 1);
+        low = high;
+        at_low = at_high;
+        high = *when;
+        at_high = beyond(q, corner, high);
+        if (fabs(high - low) < 1e-15) break;
+    }
+    return corner;
+}
+
+/* Round a corner c at the time t a distance from it becomes one from the segment: L_t times the
+ * change of |i - c| until then, and that of the area less d |k - j| afterwards. */
+static bool weigh_round_corner(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
+{
+    ways q;
+    double t = 0;
+    for (int k = 0; k < 3; ++k) {
+        q.at[k] = ends[row->end[k]].position;
+        q.w[k] = displacement_of(joint, ends, row->end[k]);
+    }
+    const int corner = corner_passed(&q, &t);
+    if (corner == 0) return false;
+    const double length = length_of(between(&q, 1, 2, 0)), later = 1 - t, middle = (1 + t) / 2;
+    const fw_vec2 edge = between(&q, 1, 2, t);
+    const fw_vec2 stretch = fw_vec2_scale(
+        later * row->distance / length,
+        gradient_of_length(edge, fw_vec2_scale(0.5, fw_vec2_add(edge, between(&q, 1, 2, 1)))));
+    const fw_vec2 apart = between(&q, corner, 0, 0);
+    const fw_vec2 away = fw_vec2_scale(
+        t * length_of(edge) / length,
+        gradient_of_length(apart,
+                           fw_vec2_scale(0.5, fw_vec2_add(apart, between(&q, corner, 0, t)))));
+    row->weight[0] = fw_vec2_scale(later / length, fw_vec2_turn(between(&q, 1, 2, middle)));
+    row->weight[2] = fw_vec2_scale(later / length, fw_vec2_turn(between(&q, 0, 1, middle)));
+    row->weight[1] = fw_vec2_scale(-1, fw_vec2_add(row->weight[0], row->weight[2]));
+    row->weight[1] = fw_vec2_add(row->weight[1], stretch);
+    row->weight[2] = fw_vec2_subtract(row->weight[2], stretch);
+    row->weight[0] = fw_vec2_add(row->weight[0], away);
+    row->weight[corner] = fw_vec2_subtract(row->weight[corner], away);
+    row->bound = 0;
+    return true;
+}
+
 /* Along i - j at the start: distances grow from there, whatever the ends do across it. (The middle
- * would leave another way out: i and j exchange their places.) */
-static void weigh_point(const fw_joint_end *ends, fw_joint_row *row)
+ * would leave another way out: i and j exchange their places. At a distance there is none.) */
+static void weigh_point(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
 {
     const fw_vec2 apart = fw_vec2_subtract(ends[row->end[0]].position, ends[row->end[1]].position);
     row->weight[0] = scaled_to(apart, length_of(apart));
+    if (row->distance > 0)
+        row->weight[0] =
+            gradient_of_length(apart, fw_vec2_subtract(joint_middle_of(joint, ends, row->end[0]),
+                                                       joint_middle_of(joint, ends, row->end[1])));
     row->weight[1] = fw_vec2_scale(-1, row->weight[0]);
     row->bound = 0;
 }
@@ -86,10 +174,11 @@ void joint_weigh(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *
 {
     switch (row->kind) {
     case FW_JOINT_SEGMENT:
-        weigh_segment(joint, ends, row);
+        if (!(row->distance > 0) || !weigh_round_corner(joint, ends, row))
+            weigh_segment(joint, ends, row);
         return;
     case FW_JOINT_POINT:
-        weigh_point(ends, row);
+        weigh_point(joint, ends, row);
         return;
     case FW_JOINT_SPRING:
         weigh_spring(joint, ends, row, n);

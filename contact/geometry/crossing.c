@@ -72,3 +72,51 @@ bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when)
     /* |miss|/|motion| is how far apart they pass. */
     return miss * miss <= END_TOLERANCE * END_TOLERANCE * squared * size;
 }
+
+static fw_vec2 normal_at(fw_moving_point from, fw_moving_point to, double time)
+{
+    const fw_vec2 edge = fw_vec2_subtract(place_at(to, time), place_at(from, time));
+    return fw_vec2_scale(1 / sqrt(fw_vec2_dot(edge, edge)), fw_vec2_turn(edge));
+}
+
+/* Nearer by less than this part of the distance is rounding. */
+static const double ROUND_TOLERANCE = 1e-9;
+
+/* How far it lies to the left of the segment's line. */
+static double side_of(fw_moving_point point, fw_moving_point from, fw_moving_point to, double time)
+{
+    const fw_vec2 apart = fw_vec2_subtract(place_at(point, time), place_at(from, time));
+    return fw_vec2_dot(normal_at(from, to, time), apart);
+}
+
+/* As the point would, were it nearer by the distance; exact where the step begins and ends. */
+bool fw_crossing_of_distance(fw_moving_point point, fw_moving_point from, fw_moving_point to,
+                             double distance, double behind, double *when)
+{
+    const fw_vec2 start =
+        fw_vec2_subtract(point.at, fw_vec2_scale(distance, normal_at(from, to, 0)));
+    const fw_vec2 end =
+        fw_vec2_subtract(place_at(point, 1), fw_vec2_scale(distance, normal_at(from, to, 1)));
+    const fw_moving_point nearer = {start, fw_vec2_subtract(end, start)};
+    if (fw_crossing_of_segment(nearer, from, to, behind, when)) return true;
+    /* It may come round a corner: from beyond the segment to beside it. */
+    *when = 1;
+    return !lies_beside(nearer, from, to, 0, 0) && lies_beside(nearer, from, to, 1, 0) &&
+           side_of(nearer, from, to, 1) < -ROUND_TOLERANCE * distance &&
+           side_of(point, from, to, 0) > -distance && side_of(point, from, to, 1) > -distance;
+}
+
+bool fw_crossing_of_circle(fw_moving_point a, fw_moving_point b, double distance, double *when)
+{
+    const fw_vec2 apart = fw_vec2_subtract(a.at, b.at);
+    const fw_vec2 motion = fw_vec2_subtract(a.motion, b.motion);
+    const double least = distance * (1 - ROUND_TOLERANCE);
+    const double a0 = fw_vec2_dot(apart, apart) - least * least, a1 = fw_vec2_dot(apart, motion);
+    const double a2 = fw_vec2_dot(motion, motion), discriminant = a1 * a1 - a2 * a0;
+    *when = 0;
+    if (!(a1 < 0)) return false;
+    if (a0 <= 0) return true;
+    if (!(discriminant > 0)) return false;
+    *when = a0 / (sqrt(discriminant) - a1);
+    return *when < 1;
+}

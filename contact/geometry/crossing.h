@@ -27,4 +27,11 @@ bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_movi
  * do not meet. */
 bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when);
 
+/* Does the point come nearer to the left side of the segment than `distance` > 0, whatever becomes
+ * of the segment's direction? `behind` as above. */
+bool fw_crossing_of_distance(fw_moving_point point, fw_moving_point from, fw_moving_point to,
+                             double distance, double behind, double *when);
+/* Do two points come nearer to each other than that? */
+bool fw_crossing_of_circle(fw_moving_point a, fw_moving_point b, double distance, double *when);
+
 #endif

@@ -85,6 +85,10 @@ fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, f
 /* The load acts on particles of that body. */
 fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, fw_error *error);
 
+/* How far bodies keep from each other, >= 0, as they do from what they must not enter: penetration
+ * counts from there. (Walls at a distance: wall_offset.h.) Before fw_scene_begin(). */
+void fw_scene_set_distance(fw_scene *scene, double distance);
+
 /* Coulomb friction between bodies, of one coefficient; 0, as it is without, is none. Before
  * fw_scene_begin(). */
 void fw_scene_set_friction(fw_scene *scene, double coefficient);

@@ -134,9 +134,9 @@ static fw_box joined(fw_box a, fw_box b)
 
 /* Only false where what is in the first keeps apart from what is in the second, with room for a
  * point that counts as on a segment. */
-static bool come_near(fw_box a, fw_box b)
+static bool come_near(fw_box a, fw_box b, double distance)
 {
-    const double room = BEHIND * (1 + (b.high.x - b.low.x) + (b.high.y - b.low.y));
+    const double room = distance + BEHIND * (1 + (b.high.x - b.low.x) + (b.high.y - b.low.y));
     return a.high.x >= b.low.x - room && a.low.x <= b.high.x + room && a.high.y >= b.low.y - room &&
            a.low.y <= b.high.y + room;
 }
@@ -147,6 +147,30 @@ static fw_status note_unknown(fw_scene *scene, const scene_row *row, fw_error *e
     const int known = end >= 0 ? scene_find_row(scene->joint, end, row) : -1;
     if (known >= 0 && !scene->joint->joint_rows[known].open) return FW_OK;
     return note(scene->joint, row, error);
+}
+
+/* Does the point come too near to the segment, or to where it begins? Links of single particles
+ * keep it off on the side where it is. */
+static fw_status look_from_afar(fw_scene *scene, scene_row *row, const fw_contour_segment *segment,
+                                fw_moving_point a, fw_moving_point from, fw_moving_point to,
+                                fw_error *error)
+{
+    const double distance = scene->distance;
+    row->from = row->to = segment->from;
+    if (fw_crossing_of_circle(a, from, distance, &row->when))
+        FW_TRY(note_unknown(scene, row, error));
+    if (segment->from == segment->to) return FW_OK;
+    const fw_vec2 edge = fw_vec2_subtract(to.at, from.at);
+    const bool turned =
+        segment->two_sided && fw_vec2_cross(edge, fw_vec2_subtract(a.at, from.at)) < 0;
+    row->from = turned ? segment->to : segment->from;
+    row->to = turned ? segment->from : segment->to;
+    /* A point that came round a corner is nearer by the square of its way: it goes no deeper. */
+    const double behind = distance / sqrt(fw_vec2_dot(edge, edge));
+    if (!fw_crossing_of_distance(a, turned ? to : from, turned ? from : to, distance, behind,
+                                 &row->when))
+        return FW_OK;
+    return note_unknown(scene, row, error);
 }
 
 /* Does that point pass that segment, or the tip at which it begins? */
@@ -163,7 +187,8 @@ static fw_status look_at(fw_scene *scene, int body, int point, int other,
                      .point_body = body,
                      .point = point,
                      .next = -1};
-    if (!come_near(box_of(a), joined(box_of(from), box_of(to)))) return FW_OK;
+    if (!come_near(box_of(a), joined(box_of(from), box_of(to)), scene->distance)) return FW_OK;
+    if (scene->distance > 0) return look_from_afar(scene, &row, segment, a, from, to, error);
     row.from = row.to = segment->from;
     if (scene->bodies[body].edge->contour.tips[point] && of->edge->contour.tips[segment->from] &&
         fw_crossing_of_points(a, from, &row.when))
@@ -190,7 +215,8 @@ static fw_status look_at_runs(fw_scene *scene, const fw_meeting_run *points,
                                      box_of(moving(&scene->bodies[other], theirs[m].to))));
     for (int n = 0; n < points->count; ++n) {
         const int point = own->segments[points->first + n].from;
-        if (!come_near(box_of(moving(&scene->bodies[body], point)), swept)) continue;
+        if (!come_near(box_of(moving(&scene->bodies[body], point)), swept, scene->distance))
+            continue;
         for (int m = 0; m < segments->count; ++m)
             FW_TRY(look_at(scene, body, point, other, &theirs[m], error));
     }
@@ -232,7 +258,8 @@ static fw_status refuse_gripped(const fw_scene *scene, const scene_row *row, fw_
     const fw_vec2 at = fw_vec2_add(p.at, p.motion), from = fw_vec2_add(a.at, a.motion);
     const fw_vec2 along = fw_vec2_subtract(fw_vec2_add(b.at, b.motion), from);
     const double length = sqrt(fw_vec2_dot(along, along));
-    const double depth = -fw_vec2_cross(along, fw_vec2_subtract(at, from)) / length;
+    const double depth =
+        scene->distance - fw_vec2_cross(along, fw_vec2_subtract(at, from)) / length;
     if (!(depth > GRIPPED_ROUNDING * (1 + fabs(at.x) + fabs(at.y)))) return FW_OK;
     return fw_fail(error, FW_DIVERGED,
                    "step %lld: grips carry particle %d of body %s into body %s, whose edge is held "
@@ -337,7 +364,7 @@ static fw_status search_within_reach(fw_scene *scene, fw_error *error)
         if (longest <= joint->reach) return FW_OK;
         const int predicted = joint->predicted;
         joint->reach = 2 * longest;
-        FW_TRY(fw_meeting_find(joint->search, joint->reach, error));
+        FW_TRY(fw_meeting_find(joint->search, joint->reach + scene->distance, error));
         scene_predict_busy(scene);
         scene_lead_points(scene, predicted);
         follow_walls_and_grips(scene);
@@ -350,7 +377,7 @@ static fw_status begin_bodies(fw_scene *scene, fw_error *error)
     if (!scene->joint->search) return FW_OK;
     begin_paths(scene);
     FW_TRY(scene_add_rubbing(scene, error));
-    return fw_meeting_find(scene->joint->search, 0, error);
+    return fw_meeting_find(scene->joint->search, scene->distance, error);
 }
 
 /* All that passes something on its present path gets its row. */

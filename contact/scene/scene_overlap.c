@@ -37,29 +37,32 @@ static double distance_to(fw_vec2 at, fw_vec2 from, fw_vec2 to)
     return sqrt(fw_vec2_dot(nearest, nearest));
 }
 
-/* How deep a place lies in the matter of a body; 0: it lies outside. A ray to the right leaves
+/* How deep a place lies in the matter of a body, and how much nearer than `distance`; 0: it lies
+ * outside. A ray to the right leaves
  * matter as often as it enters it, and once more where it starts in it. */
-static double depth_in(const fw_meeting_body *body, fw_vec2 at)
+static double depth_in(const fw_meeting_body *body, fw_vec2 at, double distance)
 {
     double nearest = INFINITY;
     bool inside = false;
     for (int n = body->first; n < body->first + body->count; ++n) {
         const fw_contour_segment *s = &body->contour->segments[n];
-        if (s->two_sided) continue;
+        if (s->two_sided && !(distance > 0)) continue;
         const fw_vec2 from = place_of(body, s->from), to = place_of(body, s->to);
         nearest = fmin(nearest, distance_to(at, from, to));
+        if (s->two_sided) continue;
         if ((from.y > at.y) == (to.y > at.y)) continue;
         const double side = fw_vec2_cross(fw_vec2_subtract(to, from), fw_vec2_subtract(at, from));
         inside ^= (side > 0) == (to.y > from.y);
     }
-    return inside ? nearest : 0;
+    return inside ? nearest + distance : fmax(0, distance - nearest);
 }
 
-static bool lies_deeper(const fw_meeting_body *in, fw_vec2 at, fw_box common, double *depth)
+static bool lies_deeper(const fw_meeting_body *in, fw_vec2 at, fw_box common, double distance,
+                        double *depth)
 {
     if (at.x < common.low.x || at.x > common.high.x || at.y < common.low.y || at.y > common.high.y)
         return false;
-    const double deep = depth_in(in, at);
+    const double deep = depth_in(in, at, distance);
     if (deep <= *depth || deep <= ON_EDGE * (1 + fabs(at.x) + fabs(at.y))) return false;
     *depth = deep;
     return true;
@@ -78,18 +81,18 @@ static fw_vec2 behind_middle(const fw_meeting_body *body, const fw_contour_segme
  * other's edge, all of them where one body fills the place of the other: so the matter behind the
  * middle of each segment is looked for, too. */
 static int find_deepest(const fw_meeting_body *body, const fw_meeting_body *in, fw_box common,
-                        double *depth)
+                        double distance, double *depth)
 {
     int deepest = -1;
     *depth = 0;
     const fw_contour_segment *segments = body->contour->segments;
     const int end = body->first + body->count;
     for (int n = body->first; n < end; ++n)
-        if (lies_deeper(in, place_of(body, segments[n].from), common, depth))
+        if (lies_deeper(in, place_of(body, segments[n].from), common, distance, depth))
             deepest = segments[n].from;
     for (int n = body->first; n < end; ++n) {
         const fw_contour_segment *s = &segments[n];
-        if (!s->two_sided && lies_deeper(in, behind_middle(body, s), common, depth))
+        if (!s->two_sided && lies_deeper(in, behind_middle(body, s), common, distance, depth))
             deepest = s->from;
     }
     return deepest;
@@ -175,7 +178,12 @@ static fw_status look_at_pairs(const fw_scene *scene, pair_look *look, void *con
     fw_box *frames = calloc((size_t)joint->member_count, sizeof *frames);
     if (!frames) return fw_fail_memory(error, "a look at where bodies overlap");
     fw_status status = FW_OK;
-    for (int m = 0; m < joint->member_count; ++m) frames[m] = frame_of(&joint->members[m]);
+    for (int m = 0; m < joint->member_count; ++m) {
+        const fw_vec2 room = {scene->distance, scene->distance};
+        frames[m] = frame_of(&joint->members[m]);
+        frames[m].low = fw_vec2_subtract(frames[m].low, room);
+        frames[m].high = fw_vec2_add(frames[m].high, room);
+    }
     for (int m = 0; m < joint->member_count; ++m)
         for (int n = 0; n < m && status == FW_OK; ++n) {
             const fw_box common = {
@@ -197,10 +205,17 @@ static fw_status refuse_inside(const fw_scene *scene, int number, int other, fw_
     const fw_meeting_body *in = &scene->joint->members[other];
     int *refused = context;
     double depth;
-    const int point = find_deepest(body, in, common, &depth);
+    const int point = find_deepest(body, in, common, scene->distance, &depth);
     if (point < 0) return FW_OK;
     const fw_vec2 at = place_of(body, point);
     *refused = 1 + scene->joint->member_bodies[number];
+    if (depth <= scene->distance)
+        return fw_fail(error, FW_BAD_INPUT,
+                       "body %s starts %g from body %s: at its particle %d near (%g, %g), expected "
+                       "at least the contact distance, %g",
+                       scene_member_name(scene, number), scene->distance - depth,
+                       scene_member_name(scene, other), body->contour->particles[point], at.x, at.y,
+                       scene->distance);
     return fw_fail(error, FW_BAD_INPUT,
                    "body %s starts in body %s: at its particle %d near (%g, %g) it lies %g inside, "
                    "expected bodies side by side",
@@ -212,7 +227,7 @@ fw_status scene_refuse_overlaps(fw_scene *scene, fw_error *error)
 {
     int jumped;
     FW_TRY(fw_meeting_begin(scene->joint->search, scene->joint->members, 0, &jumped, error));
-    FW_TRY(fw_meeting_find(scene->joint->search, 0, error));
+    FW_TRY(fw_meeting_find(scene->joint->search, scene->distance, error));
     FW_TRY(refuse_crossing(scene, error));
     return look_at_pairs(scene, refuse_inside, &scene->refused, error);
 }
@@ -227,7 +242,8 @@ static fw_status note_depth(const fw_scene *scene, int number, int other, fw_box
 {
     double depth, *most = context;
     (void)error;
-    find_deepest(&scene->joint->members[number], &scene->joint->members[other], common, &depth);
+    find_deepest(&scene->joint->members[number], &scene->joint->members[other], common,
+                 scene->distance, &depth);
     *most = fmax(*most, depth);
     return FW_OK;
 }
@@ -259,4 +275,9 @@ fw_status fw_scene_find_fold(fw_scene *scene, int number, const fw_vec2 *home, b
     if (*found)
         *where = fw_solid_position(solid, contour->particles[contour->segments[segment].from]);
     return FW_OK;
+}
+
+void fw_scene_set_distance(fw_scene *scene, double distance)
+{
+    scene->distance = distance;
 }

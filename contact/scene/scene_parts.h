@@ -199,6 +199,7 @@ struct fw_scene {
     int near_count;
     int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
     int passable_count;
+    double distance;      /* that bodies keep from each other */
     bool keeps_forces;    /* of contact, of two steps */
     fw_friction friction; /* between bodies where there are no pairs of surfaces */
     int surface_count;

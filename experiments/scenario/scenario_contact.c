@@ -39,6 +39,10 @@ static const fw_key contact_keys[] = {
     {"friction", .forms = FRICTION_FORMS, .default_value = "0",
      .meaning = "coefficient of friction between bodies, and between bodies and walls with a "
                 "`named` surface: the tangential force is at most this times the reaction"},
+    {"distance", FW_FORM_NUMBER, AT_LEAST(0), NOT_STORED, .default_value = "0", .unit = "length",
+     .meaning =
+         "that LB solids and linear lattices keep from each other and from walls; they start "
+         "no nearer"},
     {"pairs", FW_FORM_LIST, .items = FW_FORM_MAPPING, .subsection = &fw_pair_section,
      .most = FW_NAMED_MAX, NOT_STORED, .default_meaning = "none",
      .meaning = "pairs of surfaces with another `friction`"},
@@ -159,6 +163,8 @@ fw_status fw_scenario_read_contact(fw_scenario *scenario, fw_error *error)
     FW_TRY(fw_scenario_read_friction(scenario, part ? fw_node_find(part, "friction") : NULL,
                                      &otherwise, error));
     for (size_t n = 0; n < pairs; ++n) contact->pairs[n] = otherwise;
+    const fw_node *distance = part ? fw_node_find(part, "distance") : NULL;
+    if (distance) contact->distance = fw_node_number(distance);
     const fw_node *list = part ? fw_node_find(part, "pairs") : NULL;
     for (const fw_node *pair = list ? list->first : NULL; pair; pair = pair->next)
         FW_TRY(read_pair(scenario, pair, given, error));

@@ -3,6 +3,8 @@
  * then stepped. Start reading at fw_experiment_create(). */
 #include "experiments/setup/experiment.h"
 
+#include "contact/geometry/wall_offset.h"
+
 #include "core/noise.h"
 #include "core/particles/particles.h"
 #include "experiments/setup/body_range.h"
@@ -14,6 +16,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static fw_status adopt(fw_experiment *experiment, int number, const char *name, fw_solid *solid,
                        fw_error *error)
@@ -156,14 +159,26 @@ static fw_status note_start(fw_experiment *experiment, fw_error *error)
     return FW_OK;
 }
 
-static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, fw_error *error)
+static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, double distance,
+                          fw_error *error)
 {
+    fw_wall_def def = wall->def;
+    fw_vec2 *points = NULL;
     const fw_piston_def piston = {.mass = wall->piston.mass,
                                   .velocity = wall->piston.velocity,
                                   .damping = wall->piston.damping,
                                   .drive = wall->piston.motion.drive};
-    return wall->is_piston ? fw_scene_add_piston(scene, &wall->def, &piston, error)
-                           : fw_scene_add_wall(scene, &wall->def, error);
+    fw_status status = FW_OK;
+    if (distance > 0) {
+        points = calloc((size_t)def.point_count, sizeof *points);
+        status = points ? fw_wall_offset(&wall->def, distance, points, &def, error)
+                        : fw_fail_memory(error, "a wall");
+    }
+    if (status == FW_OK)
+        status = wall->is_piston ? fw_scene_add_piston(scene, &def, &piston, error)
+                                 : fw_scene_add_wall(scene, &def, error);
+    free(points);
+    return status;
 }
 
 /* Bodies that share a solid have one surface. */
@@ -191,12 +206,31 @@ static fw_status set_friction(const fw_experiment *experiment, fw_error *error)
     return status;
 }
 
+/* Only of what is solid between its links there is an edge from which it is counted. */
+static fw_status set_distance(const fw_experiment *experiment, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    const double distance = scenario->contact.distance;
+    for (int b = 0; b < experiment->body_count && distance > 0; ++b) {
+        const char *model = fw_experiment_solid(experiment, b)->model->name;
+        if (strcmp(model, "lattice-boltzmann") == 0 || strcmp(model, "linear-lattice") == 0)
+            continue;
+        return fw_scenario_fail(scenario, scenario->bodies[b].place, error,
+                                "contact.distance is kept by LB solids and linear lattices, but "
+                                "body %s is of model %s",
+                                scenario->bodies[b].name, model);
+    }
+    fw_scene_set_distance(experiment->scene, distance);
+    return FW_OK;
+}
+
 /* What the scene refuses is said at the body that it names, or else at the walls. */
 static fw_status begin_scene(fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(set_friction(experiment, error));
+    FW_TRY(set_distance(experiment, error));
     if (fw_scenario_records_force(scenario)) fw_scene_keep_forces(experiment->scene);
     const fw_status status = fw_scene_begin(experiment->scene, error);
     const int refused = fw_scene_refused_body(experiment->scene);
@@ -216,8 +250,9 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     FW_TRY(refuse_reversal(experiment, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
-        FW_TRY(fw_scenario_fail_again(scenario, wall->place,
-                                      add_wall(experiment->scene, wall, error), error));
+        FW_TRY(fw_scenario_fail_again(
+            scenario, wall->place,
+            add_wall(experiment->scene, wall, scenario->contact.distance, error), error));
     }
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
