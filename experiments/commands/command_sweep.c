@@ -109,12 +109,6 @@ static fw_status list_cases(const fw_arguments *arguments, fw_error *error)
     if (!fw_scenario_is_sweep(scenario))
         status =
             fw_fail(error, FW_BAD_INPUT, "%s has no study.sweep whose cases could be listed", name);
-    const fw_scenario_sweep *sweep = &scenario->study.sweep;
-    if (status == FW_OK && sweep->tolerance > 0)
-        status = fw_fail(error, FW_BAD_INPUT,
-                         "%s bisects %s, and its cases follow from each other: `fretwork run` runs "
-                         "them",
-                         name, sweep->parameters[sweep->bisected].name);
     if (status == FW_OK) status = prepare(scenario, directory, name, arguments->overwrite, error);
     if (status == FW_OK) print_cases(scenario, directory);
     fw_scenario_destroy(scenario);

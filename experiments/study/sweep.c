@@ -400,10 +400,13 @@ fw_status fw_sweep_collect(fw_sweep *sweep, fw_error *error)
     fw_scenario *larger;
     FW_TRY(fw_sweep_bisect(&larger, sweep->scenario, sweep->cases, error));
     if (!larger) return conclude(sweep, error);
-    fw_scenario_destroy(larger);
+    const int known = sweep->case_count;
+    FW_TRY(grow(sweep, larger, error));
+    const char *directory = sweep->options.directory;
     return fw_fail(error, FW_BAD_INPUT,
-                   "%s: the bisection is not at its end; `fretwork resume %s` goes on with it",
-                   sweep->options.directory, sweep->options.directory);
+                   "%s: the bisection goes on with %d further cases, which `fretwork sweep %s "
+                   "--list` lists and `fretwork resume %s` runs",
+                   directory, sweep->case_count - known, directory, directory);
 }
 
 const fw_verdicts *fw_sweep_verdicts(const fw_sweep *sweep)

@@ -33,7 +33,8 @@ fw_status fw_sweep_grow(fw_sweep **sweep, const fw_scenario *scenario,
  * As fw_study_to_end; FW_DIVERGED when all cases were run, but some have failed: the table says
  * which and why. */
 fw_status fw_sweep_to_end(fw_sweep *sweep, fw_error *error);
-/* The table of cases that were all run. As fw_sweep_to_end; FW_BAD_INPUT where some were not. */
+/* The table of cases that were all run. As fw_sweep_to_end; FW_BAD_INPUT where some were not, and
+ * where a bisection needs further ones, which the folder's scenario has then. */
 fw_status fw_sweep_collect(fw_sweep *sweep, fw_error *error);
 /* Cases that others are at work on. */
 int fw_sweep_missing(const fw_sweep *sweep);

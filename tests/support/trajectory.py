@@ -217,7 +217,7 @@ def same(reference, paths):
     wanted = datasets(reference)
     for path in paths:
         found = datasets(path)
-        assert found.keys() == wanted.keys(), path
+        assert found.keys() == wanted.keys(), (path, found.keys() ^ wanted.keys())
         for name, content in wanted.items():
             assert found[name] == content, (path, name)
 
