@@ -46,9 +46,9 @@ static fw_vec2 push_out(const fw_wall *wall, fw_vec2 from, fw_vec2 to)
     const int first = nearest_facet(wall, from, &d0), last = nearest_facet(wall, to, &d1);
     if (first < 0 && last < 0) return (fw_vec2){0, 0};
     const fw_facet *facet = fw_wall_facet(wall, first < 0 ? last : first);
-    const double way = fw_facet_gap(facet, to) - fw_facet_gap(facet, from);
+    const double opening = fw_facet_gap(facet, to) - fw_facet_gap(facet, from);
     double push = 0.5 * (d0 + d1);
-    if (first != last) push = 0.5 * (d0 - d1) * (d0 + d1) / way;
+    if (first != last) push = 0.5 * (d0 - d1) * (d0 + d1) / opening;
     const double most = fmax(d0, d1);
     push = push > 0 ? fmin(push, most) : 0.5 * most;
     return fw_vec2_scale(push, facet->normal);

@@ -43,11 +43,11 @@ static int find_wall_passed(const fw_scene *scene, fw_vec2 end, fw_vec2 displace
         const scene_wall *wall = &scene->walls[facet->wall];
         if (candidate->surface.law == FW_PENALTY) continue;
         const double away = fmax(fabs(wall->place.x), fabs(wall->place.y));
-        const fw_vec2 way = fw_vec2_subtract(displacement, wall->motion);
+        const fw_vec2 path = fw_vec2_subtract(displacement, wall->motion);
         const fw_vec2 to = fw_vec2_subtract(end, fw_vec2_add(wall->place, wall->motion));
         *depth = -fw_facet_gap(facet, to);
         if (*depth <= fw_facet_tolerance(facet, away)) continue;
-        if (fw_facet_is_passed(facet, fw_vec2_subtract(to, way), way, away)) return facet->wall;
+        if (fw_facet_is_passed(facet, fw_vec2_subtract(to, path), path, away)) return facet->wall;
     }
     return -1;
 }

@@ -209,11 +209,12 @@ static void list_busy(fw_meeting *meeting)
 static bool may_have_passed(fw_meeting *meeting, int run, fw_box before)
 {
     const fw_box here = meeting->here[run];
-    const fw_box way = joined(joined(before, here.low), here.high);
-    const int count = fw_box_tree_query(meeting->tree, way, meeting->found, meeting->run_count);
+    const fw_box swept = joined(joined(before, here.low), here.high);
+    const int count = fw_box_tree_query(meeting->tree, swept, meeting->found, meeting->run_count);
     for (int n = 0; n < count; ++n) {
         const int other = meeting->found[n];
-        if (meeting->runs[other].body != meeting->runs[run].body && meets(way, meeting->fat[other]))
+        if (meeting->runs[other].body != meeting->runs[run].body &&
+            meets(swept, meeting->fat[other]))
             return true;
     }
     return false;
@@ -255,8 +256,8 @@ fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, d
         const fw_box before = meeting->here[run];
         const bool known = meeting->margin[run] > 0;
         meeting->here[run] = box_of(&bodies[of->body], of);
-        const double way = known ? farthest_corner(before, meeting->here[run]) / steps : expected;
-        calm &= known && 2 * (NAP + 1) * way <= 0.5 * meeting->margin[run];
+        const double pace = known ? farthest_corner(before, meeting->here[run]) / steps : expected;
+        calm &= known && 2 * (NAP + 1) * pace <= 0.5 * meeting->margin[run];
         meeting->moved[run] = 0;
         if (known && lies_within(fw_box_grown(meeting->here[run], 0.5 * meeting->margin[run]),
                                  meeting->fat[run]))
@@ -267,7 +268,7 @@ fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, d
             *jumped = run;
             return fw_fail(error, FW_DIVERGED, "points jump");
         }
-        fatten(meeting, run, fmax(2 * steps_ahead * way, 2 * spacing_of(&bodies[of->body], of)));
+        fatten(meeting, run, fmax(2 * steps_ahead * pace, 2 * spacing_of(&bodies[of->body], of)));
         moved += 1;
     }
     for (int n = 0; n < meeting->busy_count; ++n) meeting->is_busy[meeting->busy[n]] = 0;

@@ -66,16 +66,16 @@ static void fill_step(gsl_matrix_complex *step, fw_sym2 rest_mass, fw_vec2 k)
                 add(step, c, 2 * source + s, gsl_complex_rect(to_rest, 0));
                 double to_link = entry(source == 0 ? from_rest : inverse, c, s);
                 for (int d = 0; d < FW_DIRECTIONS; ++d) {
-                    fw_site way = fw_site_neighbour((fw_site){0, 0}, d);
-                    gsl_complex shift = gsl_complex_polar(1, -(k.x * way.i + k.y * way.j));
+                    fw_site beside = fw_site_neighbour((fw_site){0, 0}, d);
+                    gsl_complex shift = gsl_complex_polar(1, -(k.x * beside.i + k.y * beside.j));
                     add(step, 2 * (d + 1) + c, 2 * source + s,
                         gsl_complex_mul_real(shift, to_link));
                 }
             }
         add(step, c, c, gsl_complex_rect(-1, 0));
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            fw_site way = fw_site_neighbour((fw_site){0, 0}, d);
-            gsl_complex shift = gsl_complex_polar(-1, -(k.x * way.i + k.y * way.j));
+            fw_site beside = fw_site_neighbour((fw_site){0, 0}, d);
+            gsl_complex shift = gsl_complex_polar(-1, -(k.x * beside.i + k.y * beside.j));
             add(step, 2 * (d + 1) + c, 2 * (fw_opposite(d) + 1) + c, shift);
         }
     }

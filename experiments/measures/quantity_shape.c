@@ -160,7 +160,7 @@ static void find_loss(const fw_experiment *experiment, int body, double loss[2])
 {
     const fw_body_range *range = &experiment->bodies[body];
     const fw_solid *solid = solid_of(experiment, body);
-    const double radius = bond_radius_of(experiment, body), way = (LOST - 1) * radius;
+    const double radius = bond_radius_of(experiment, body), width = (LOST - 1) * radius;
     double *vx = calloc(2 * (size_t)solid->count, sizeof *vx), *vy = vx + solid->count;
     fw_neighbours *near = bonds_at_start(experiment, body);
     const size_t bonds = near ? near->begin[range->count] : 0;
@@ -171,10 +171,11 @@ static void find_loss(const fw_experiment *experiment, int body, double loss[2])
             const int i = range->first + l, j = range->first + near->list[k];
             const fw_vec2 bond =
                 fw_vec2_subtract(fw_solid_position(solid, j), fw_solid_position(solid, i));
-            const double length = sqrt(fw_vec2_dot(bond, bond)), part = (length - radius) / way;
+            const double length = sqrt(fw_vec2_dot(bond, bond)), part = (length - radius) / width;
             sum += fmin(fmax(part, 0), 1);
             if (part > 0 && part < 1)
-                rate += fw_vec2_dot(bond, (fw_vec2){vx[j] - vx[i], vy[j] - vy[i]}) / (length * way);
+                rate +=
+                    fw_vec2_dot(bond, (fw_vec2){vx[j] - vx[i], vy[j] - vy[i]}) / (length * width);
         }
     loss[0] = vx && bonds > 0 ? sum / (double)bonds : NAN;
     loss[1] = vx && bonds > 0 ? rate / (double)bonds : NAN;
