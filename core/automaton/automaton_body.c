@@ -26,6 +26,7 @@ void fw_automaton_release(fw_automaton *body)
     free(body->built);
     free(body->torn);
     free(body->tear);
+    free(body->gone);
     free(body->share);
     fw_arena_release(&body->cells);
     fw_solid_head_release(&body->head);

@@ -117,9 +117,10 @@ typedef struct fw_automaton {
     uint8_t *bonds;   /* breakable bodies: bit d of black cell n, its bond in direction d is
                        * whole; else NULL */
     int (*built)[FW_DIRECTIONS]; /* breakable bodies: white neighbours of each black cell as made */
-    uint8_t *torn;    /* breakable bodies: bit d of each cell that moved, its bond in direction d
-                       * is to break; all zero between ticks */
-    bool links_stale; /* links of the head are still those of an earlier tick */
+    uint8_t *torn; /* breakable bodies: bit d of each cell that moved, its bond in direction d
+                    * is to break; all zero between ticks */
+    int gone_count, gone_room;
+    int (*gone)[2]; /* links of the head that broke since it was listed */
     int tear_count, tear_booked, tear_room;
     fw_automaton_tear *tear;   /* not yet booked */
     fw_automaton_share *share; /* of each row in FW_SHARED_TICKS ticks */
@@ -188,8 +189,9 @@ fw_status fw_automaton_advance_free(fw_solid *solid, int ticks, fw_error *error)
 /* The starting state of the definition: automaton_start.c. */
 void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def);
 
-/* Bonds and boundary of the head, as they are now. */
+/* Bonds and boundary of the head, as they are now: listed anew; or those taken out that broke. */
 void fw_automaton_list_bonds(fw_automaton *body);
+void fw_automaton_drop_bonds(fw_automaton *body);
 
 /* Energies and momentum: automaton_sums.c. */
 fw_energies fw_automaton_energies(const fw_solid *solid);

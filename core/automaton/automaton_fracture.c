@@ -12,6 +12,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The row in which a span lies. */
 static int row_of_span(const fw_automaton *body, const fw_automaton_colour *colour, int span)
@@ -127,11 +128,61 @@ static fw_status break_bond(fw_automaton *body, int cell, int direction, int mov
                             .drag = fw_vec2_scale(moved == FW_WHITE ? -0.5 : 0.5, pull)};
     body->bonds[cell] &= (uint8_t) ~(1 << direction);
     FW_TRY(set_bond(body, cell, direction, false, error));
-    expose(&body->head, body->colour[FW_BLACK].particle[cell]);
-    expose(&body->head, body->colour[FW_WHITE].particle[partner]);
+    const int black = body->colour[FW_BLACK].particle[cell];
+    const int white = body->colour[FW_WHITE].particle[partner];
+    expose(&body->head, black);
+    expose(&body->head, white);
     body->head.boundary_revision += 1;
-    body->links_stale = true;
+    list = body->gone;
+    if (!make_room(&list, body->gone_count, &body->gone_room, sizeof *body->gone))
+        return fw_fail_memory(error, "the broken bonds of an automaton");
+    body->gone = list;
+    const bool from_black = direction <= FW_NORTH;
+    body->gone[body->gone_count][0] = from_black ? black : white;
+    body->gone[body->gone_count++][1] = from_black ? white : black;
     return FW_OK;
+}
+
+/* Its place in the list, which ascends by first particles; -1: it crosses a seam. */
+static int find_link(const fw_solid *head, const int link[2])
+{
+    int low = 0, high = head->link_count;
+    while (low < high) {
+        const int middle = low + (high - low) / 2;
+        if (head->links[middle][0] < link[0])
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < head->link_count && head->links[low][0] == link[0]; ++low)
+        if (head->links[low][1] == link[1]) return low;
+    return -1;
+}
+
+static int compare_places(const void *left, const void *right)
+{
+    const int a = *(const int *)left, b = *(const int *)right;
+    return (a > b) - (a < b);
+}
+
+/* What lies between two that are gone moves up as a whole. */
+void fw_automaton_drop_bonds(fw_automaton *body)
+{
+    fw_solid *head = &body->head;
+    if (body->gone_count == 0) return;
+    int *places = &body->gone[0][0], count = 0; /* no longer than what it is made from */
+    for (int n = 0; n < body->gone_count; ++n) {
+        const int place = find_link(head, body->gone[n]);
+        if (place >= 0) places[count++] = place;
+    }
+    qsort(places, (size_t)count, sizeof *places, compare_places);
+    for (int n = 0; n < count; ++n) {
+        const int from = places[n] + 1, until = n + 1 < count ? places[n + 1] : head->link_count;
+        memmove(head->links + from - 1 - n, head->links + from,
+                (size_t)(until - from) * sizeof *head->links);
+    }
+    head->link_count -= count;
+    body->gone_count = 0;
 }
 
 fw_status fw_automaton_tear_row(fw_automaton *body, int colour, int row, int tick, fw_error *error)
@@ -221,7 +272,7 @@ bool fw_elastic_automaton_break(fw_solid *solid, int particle, int direction)
     if (break_bond(body, black, from_black, moved, 0, NULL) != FW_OK) return false;
     fw_automaton_sort_tears(body);
     fw_automaton_book_tears(body, 0);
-    fw_automaton_list_bonds(body);
+    fw_automaton_drop_bonds(body);
     return true;
 }
 

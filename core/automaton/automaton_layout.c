@@ -332,7 +332,7 @@ void fw_automaton_list_bonds(fw_automaton *body)
         if (exposed) head->boundary[head->boundary_count++] = p;
     }
     head->boundary_revision += 1;
-    body->links_stale = false;
+    body->gone_count = 0;
 }
 
 static fw_status lay_out_breakable(fw_automaton *body, fw_error *error)

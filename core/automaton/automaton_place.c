@@ -33,7 +33,7 @@ static void place_run(fw_automaton *body, const fw_automaton_run *run)
 void fw_automaton_place(fw_solid *solid)
 {
     fw_automaton *body = fw_automaton_of(solid);
-    if (body->links_stale) fw_automaton_list_bonds(body);
+    fw_automaton_drop_bonds(body);
     for (int r = 0; r < body->run_count; ++r) place_run(body, &body->run[r]);
 }
 

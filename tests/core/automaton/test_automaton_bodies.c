@@ -259,6 +259,41 @@ static void periodic_strip_has_no_seam(void **state)
     fw_sites_clear(&sites);
 }
 
+/* Links that broke are taken out of the list: it is the one that a restart makes. */
+static void list_of_links_is_that_of_a_restart(void **state)
+{
+    (void)state;
+    fw_sites sites;
+    assert_int_equal(fw_sites_rectangle(&sites, 12, 9, NULL), FW_OK);
+    fw_elastic_automaton_def def = fw_elastic_automaton_def_default();
+    def.sites = &sites;
+    def.break_at = 0.25;
+    fw_solid *solid = stirred(def, 0.2);
+    int most = 0;
+    for (int tick = 0; tick < 200; ++tick) {
+        const int before = solid->link_count;
+        advance_free(solid);
+        if (tick % 7 == 0) (void)fw_elastic_automaton_break(solid, tick / 2, tick % 4);
+        const int count = solid->link_count, edge = solid->boundary_count;
+        if (count == before) continue;
+        if (before - count > most) most = before - count;
+        int(*links)[2] = malloc((size_t)count * sizeof *links);
+        int *boundary = malloc((size_t)edge * sizeof *boundary);
+        memcpy(links, solid->links, (size_t)count * sizeof *links);
+        memcpy(boundary, solid->boundary, (size_t)edge * sizeof *boundary);
+        restore(solid);
+        assert_int_equal(solid->link_count, count);
+        assert_memory_equal(solid->links, links, (size_t)count * sizeof *links);
+        assert_int_equal(solid->boundary_count, edge);
+        assert_memory_equal(solid->boundary, boundary, (size_t)edge * sizeof *boundary);
+        free(links);
+        free(boundary);
+    }
+    assert_true(most > 1);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -266,6 +301,7 @@ int main(void)
         cmocka_unit_test(breaking_takes_energy_into_the_ledger),
         cmocka_unit_test(rigid_motion_breaks_nothing),
         cmocka_unit_test(cell_without_bonds_freezes),
+        cmocka_unit_test(list_of_links_is_that_of_a_restart),
         cmocka_unit_test(saved_state_goes_on_exactly),
         cmocka_unit_test(periodic_strip_has_no_seam),
     };
