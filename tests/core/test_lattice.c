@@ -89,10 +89,27 @@ static void walking_finds_what_searching_finds(void **state)
     fw_sites_clear(&sites);
 }
 
+static void lattices_turn_against_the_clock(void **state)
+{
+    (void)state;
+    const fw_lattice square = {
+        .kind = FW_SQUARE, .spacing = 2, .angle = FW_PI / 2, .origin = {3, 4}};
+    const fw_vec2 right = fw_lattice_position(&square, (fw_site){1, 0});
+    const fw_vec2 above = fw_lattice_position(&square, (fw_site){0, 1});
+    assert_close(right.x, 3, 1e-15);
+    assert_close(right.y, 6, 1e-15);
+    assert_close(above.x, 1, 1e-15);
+    assert_close(above.y, 4, 1e-15);
+    const fw_vec2 step = fw_lattice_step(&square, FW_EAST);
+    assert_close(step.x, 0, 1e-15);
+    assert_close(step.y, 2, 1e-15);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangle_is_in_row_order),
+        cmocka_unit_test(lattices_turn_against_the_clock),
         cmocka_unit_test(discs_have_gauss_counts),
         cmocka_unit_test(mask_reads_as_it_looks),
         cmocka_unit_test(listed_twice_is_refused),

@@ -105,6 +105,85 @@ static void rigid_motion_does_not_ring(void **state)
     }
 }
 
+/* Gives these particles velocities, in one component or both; returns impulse and work. */
+static fw_carry carry(fw_solid *solid, int first, int count, bool mixed, fw_vec2 velocity)
+{
+    fw_carry *carries = calloc((size_t)count, sizeof *carries), sum = {0};
+    for (int n = 0; n < count; ++n) {
+        const double by = mixed ? 0.01 * n : 0;
+        carries[n] = (fw_carry){.particle = first + n,
+                                .x = !mixed || n % 3 != 1,
+                                .y = !mixed || n % 3 != 2,
+                                .velocity = {velocity.x + by, velocity.y - by}};
+    }
+    solid->model->carry(solid, carries, count);
+    for (int n = 0; n < count; ++n) {
+        sum.impulse = fw_vec2_add(sum.impulse, carries[n].impulse);
+        sum.work += carries[n].work;
+    }
+    free(carries);
+    return sum;
+}
+
+static bool can_carry(const solid_kind *kind, const fw_solid *solid)
+{
+    return solid->model->carry && kind->make != make_displaced;
+}
+
+/* What is carried takes as much momentum and energy as is told, whoever is beside it. */
+static void what_is_carried_takes_what_is_told(void **state)
+{
+    (void)state;
+    int asked = 0;
+    for (int k = 0; k < KINDS; ++k) {
+        start s = rectangle(&kinds[k], 5, 4);
+        shake(&s, 0.02, 0.02);
+        fw_solid *solid = made(&kinds[k], &s);
+        for (int tick = 0; tick < 6 && can_carry(&kinds[k], solid); ++tick) {
+            const fw_vec2 momentum = fw_solid_momentum(solid);
+            const fw_energies before = fw_solid_energies(solid);
+            const fw_carry told = carry(solid, 2 * tick, 6, true, (fw_vec2){0.03, -0.02});
+            const fw_vec2 gained = fw_vec2_subtract(fw_solid_momentum(solid), momentum);
+            const fw_energies after = fw_solid_energies(solid);
+            const double work = after.kinetic - before.kinetic + after.elastic - before.elastic;
+            const double scale = after.kinetic + before.kinetic;
+            if (!(fabs(gained.x - told.impulse.x) + fabs(gained.y - told.impulse.y) < 1e-14))
+                fail_msg("%s: momentum grew by (%g, %g), told was (%g, %g)", kinds[k].name,
+                         gained.x, gained.y, told.impulse.x, told.impulse.y);
+            if (!(fabs(work - told.work) < 1e-12 * scale))
+                fail_msg("%s: energy grew by %g, told was %g", kinds[k].name, work, told.work);
+            advance_free(solid);
+            asked += 1;
+        }
+        fw_solid_destroy(solid);
+    }
+    assert_true(asked >= 12);
+}
+
+/* A body at rest that is carried as a whole goes on evenly, as one that was made moving. */
+static void a_body_that_is_carried_moves_evenly(void **state)
+{
+    (void)state;
+    for (int k = 0; k < KINDS; ++k) {
+        start s = rectangle(&kinds[k], 5, 4);
+        fw_solid *solid = made(&kinds[k], &s);
+        if (can_carry(&kinds[k], solid)) {
+            const fw_vec2 velocity = {0.03, -0.02};
+            carry(solid, 0, solid->count, false, velocity);
+            for (int tick = 0; tick < 6; ++tick) {
+                const double x = solid->x[7], y = solid->y[7];
+                advance_free(solid);
+                if (!(fabs(solid->x[7] - x - velocity.x * solid->tick) < 1e-14 &&
+                      fabs(solid->y[7] - y - velocity.y * solid->tick) < 1e-14))
+                    fail_msg("%s, tick %d: went (%g, %g), expected (%g, %g)", kinds[k].name, tick,
+                             solid->x[7] - x, solid->y[7] - y, velocity.x * solid->tick,
+                             velocity.y * solid->tick);
+            }
+        }
+        fw_solid_destroy(solid);
+    }
+}
+
 static void ledger_balances_under_loads_and_damping(void **state)
 {
     (void)state;
@@ -345,6 +424,8 @@ int main(void)
         cmocka_unit_test(free_bodies_keep_energy),
         cmocka_unit_test(angular_momentum_goes_with_the_place),
         cmocka_unit_test(rigid_motion_does_not_ring),
+        cmocka_unit_test(what_is_carried_takes_what_is_told),
+        cmocka_unit_test(a_body_that_is_carried_moves_evenly),
         cmocka_unit_test(ledger_balances_under_loads_and_damping),
         cmocka_unit_test(pulled_bodies_rest_where_damping_has_no_say),
         cmocka_unit_test(long_waves_run_at_the_speed_of_sound),

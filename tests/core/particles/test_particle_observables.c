@@ -87,6 +87,53 @@ static void ideal_gas_has_its_pressure(void **state)
     free(crowd.at);
 }
 
+/* Two pairs of unlike masses, whose velocities are prescribed: everything by hand. */
+static void motion_is_measured_beside_its_drift(void **state)
+{
+    (void)state;
+    static const fw_vec2 places[2][2] = {{{0, 0}, {0.95, 0.1}}, {{5, 5}, {5.2, 6.1}}};
+    static const fw_vec2 velocities[4] = {{1, 2}, {-2, 0.5}, {3, -1}, {0.25, 4}};
+    static const double masses[4] = {2, 2, 5, 5};
+    fw_particle_group_def groups[2];
+    for (int g = 0; g < 2; ++g) {
+        groups[g] = fw_particle_group_def_default();
+        groups[g].count = 2;
+        groups[g].positions = places[g];
+        groups[g].mass = masses[2 * g];
+    }
+    groups[0].name = "light";
+    groups[1].name = "heavy";
+    fw_particles_def def = fw_particles_def_default();
+    def.groups = groups;
+    def.group_count = 2;
+    fw_solid *solid;
+    assert_int_equal(fw_particles_create(&solid, &def, NULL), FW_OK);
+    for (int i = 0; i < 4; ++i) fw_langevin_set_velocity(solid, i, velocities[i]);
+    const fw_vec2 drift = fw_particle_drift_velocity(solid, -1);
+    assert_close(drift.x, (2 * 1 - 2 * 2 + 5 * 3 + 5 * 0.25) / 14, 1e-15);
+    assert_close(drift.y, (2 * 2 + 2 * 0.5 - 5 * 1 + 5 * 4) / 14, 1e-15);
+    double energy = 0;
+    fw_tensor flux = {0}; /* of the heavy pair */
+    for (int i = 0; i < 4; ++i) {
+        const double x = velocities[i].x - drift.x, y = velocities[i].y - drift.y;
+        energy += masses[i] * (x * x + y * y);
+        if (i < 2) continue;
+        const double own_x = velocities[i].x - (3 + 0.25) / 2, own_y = velocities[i].y - 1.5;
+        flux.xx += 5 * own_x * own_x;
+        flux.xy += 5 * own_x * own_y;
+        flux.yy += 5 * own_y * own_y;
+    }
+    assert_close(fw_particle_temperature(solid, -1, drift), energy / 8, 1e-14);
+    const fw_tensor virial = fw_particles_virial(solid, 1);
+    const fw_tensor pressure = fw_particle_pressure(solid, 1, 7);
+    assert_true(fabs(virial.xx) > 1e-3 && fabs(virial.xy) > 1e-3 && fabs(virial.yy) > 1e-3);
+    assert_close(pressure.xx, (flux.xx + virial.xx) / 7, 1e-14);
+    assert_close(pressure.xy, (flux.xy + virial.xy) / 7, 1e-14);
+    assert_close(pressure.yx, (flux.xy + virial.yx) / 7, 1e-14);
+    assert_close(pressure.yy, (flux.yy + virial.yy) / 7, 1e-14);
+    fw_solid_destroy(solid);
+}
+
 static void order_tells_axes(void **state)
 {
     (void)state;
@@ -232,6 +279,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(virial_is_the_work_of_a_strain),
         cmocka_unit_test(ideal_gas_has_its_pressure),
+        cmocka_unit_test(motion_is_measured_beside_its_drift),
         cmocka_unit_test(order_tells_axes),
         cmocka_unit_test(crystals_have_bragg_peaks),
         cmocka_unit_test(a_crystal_that_is_turned_or_stretched_a_little_is_found),
