@@ -11,21 +11,19 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { PAIRS_MAX = 6 };
-
 typedef struct pairs {
     int count;
-    fw_plot_view loaded[PAIRS_MAX];
-    fw_figure_pair pair[PAIRS_MAX];
+    fw_plot_view loaded[FW_PICTURE_PAIRS_MAX];
+    fw_figure_pair pair[FW_PICTURE_PAIRS_MAX];
 } pairs;
 
 static fw_status load_pairs(pairs *p, const fw_plot_result *result, const fw_plot_picture *picture,
                             const char *field, fw_error *error)
 {
     *p = (pairs){.count = 0};
-    if (picture->frame_count > PAIRS_MAX)
+    if (picture->frame_count > FW_PICTURE_PAIRS_MAX)
         return fw_fail(error, FW_BAD_INPUT, "%s: %d instants in one picture, expected at most %d",
-                       result->directory, picture->frame_count, PAIRS_MAX);
+                       result->directory, picture->frame_count, FW_PICTURE_PAIRS_MAX);
     for (int k = 0; k < picture->frame_count; ++k) {
         fw_plot_view *view = &p->loaded[p->count++];
         FW_TRY(fw_plot_view_load(view, result, picture->frames[k], field, error));
@@ -54,7 +52,7 @@ typedef struct structure_maps {
     int points, count;
     double first, step, least;
     double *values; /* of each frame one map */
-    fw_figure_map_plan plan[PAIRS_MAX];
+    fw_figure_map_plan plan[FW_PICTURE_PAIRS_MAX];
 } structure_maps;
 
 static void choose_grid(structure_maps *m, const fw_plot_view *view)
@@ -259,7 +257,7 @@ fw_status fw_plot_draw_stages(const fw_plot_result *result, const fw_plot_pictur
 {
     pairs p;
     distributions d = {.result = result, .count = picture->frame_count, .frames = picture->frames};
-    steps *histograms = calloc(PAIRS_MAX, sizeof *histograms);
+    steps *histograms = calloc(FW_PICTURE_PAIRS_MAX, sizeof *histograms);
     fw_figure_pairs_plan plan = {
         .pairs = p.pair, .look = FW_VIEW_CELLS, .spots = true, .x_label = picture->field_label};
     fw_status status = load_pairs(&p, result, picture, picture->asked.field.text, error);

@@ -23,6 +23,9 @@ typedef enum fw_picture_need {
     FW_PICTURE_NEEDS_FORCE = 1 << 6     /* it is recorded for it */
 } fw_picture_need;
 
+/* So many instants fit side by side with what follows from them. */
+enum { FW_PICTURE_PAIRS_MAX = 6 };
+
 /* The solid's first field, where a row names none that is shown by default. */
 #define FW_PICTURE_FIRST_FIELD ""
 

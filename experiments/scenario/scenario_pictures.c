@@ -219,7 +219,11 @@ static fw_status read_instants(const fw_scenario *scenario, const fw_node *list,
                                     (long long)picture->instants[count - 1]);
         picture->instants[picture->instant_count++] = instant;
     }
-    return FW_OK;
+    const bool pairs = picture->kind == FW_PICTURE_STRUCTURE || picture->kind == FW_PICTURE_STAGES;
+    if (!pairs || list->count <= FW_PICTURE_PAIRS_MAX) return FW_OK;
+    return fw_scenario_fail(scenario, list->place, error,
+                            "pictures.%s shows %d instants, expected at most %d side by side",
+                            picture->name, list->count, FW_PICTURE_PAIRS_MAX);
 }
 
 fw_status fw_scenario_read_pictures(fw_scenario *scenario, fw_error *error)

@@ -154,10 +154,11 @@ static void unknown_names_are_told_what_was_meant(void **state)
                    "no picture x, expected one of motion, forces, speeds, strip, series");
     assert_refused(plot_one(&(fw_plot_wish){.kind = "filed"}), FW_BAD_INPUT,
                    "no pictures of kind filed; did you mean field?");
-    assert_refused(plot_one(&(fw_plot_wish){.kind = "movie"}), FW_BAD_INPUT,
-                   "expected one of motion, forces, contact, field, strip, structure, stages, histogram, "
-                   "series, profile, loop, slip, heat, "
-                   "analysis, or sweep, map in the folder of a sweep");
+    assert_refused(
+        plot_one(&(fw_plot_wish){.kind = "movie"}), FW_BAD_INPUT,
+        "expected one of motion, forces, contact, field, strip, structure, stages, histogram, "
+        "series, profile, loop, slip, heat, "
+        "analysis, or sweep, map in the folder of a sweep");
     assert_refused(plot_one(&(fw_plot_wish){.field = "enegry"}), FW_BAD_INPUT,
                    "no field enegry; did you mean energy?");
     assert_refused(plot_one(&(fw_plot_wish){.field = "strain-xx"}), FW_BAD_INPUT,
@@ -311,6 +312,11 @@ static void pictures_that_cannot_be_drawn_are_refused_before_the_run(void **stat
     refuse_picture("{kind: motion, field: energy}",
                    "'field', which a picture of kind 'motion' does not draw");
     refuse_picture("{kind: strip, range: [2, 1]}", "colours from 2 to 1, expected the lower");
+    refuse_picture("{kind: structure, instants: [0, 1, 2, 3, 4, 5, 6]}",
+                   "shows 7 instants, expected at most 6 side by side");
+    refuse_picture("{kind: stages, instants: [0, 1, 2, 3, 4, 5, 6]}", "at most 6");
+    refuse_picture("{kind: structure, field: speed}", "'field'");
+    refuse_picture("{kind: histogram, instants: [0]}", "'instants'");
     refuse_picture("{kind: sweep}", "the study has no 'sweep'");
     refuse_picture("{kind: profile}", "the scenario has no 'profile'");
 }
