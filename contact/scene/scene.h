@@ -88,6 +88,8 @@ fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, f
 /* How far bodies keep from each other, >= 0, as they do from what they must not enter: penetration
  * counts from there. (Walls at a distance: wall_offset.h.) Before fw_scene_begin(). */
 void fw_scene_set_distance(fw_scene *scene, double distance);
+/* By pairs of surfaces, as fw_scene_set_surfaces() numbers them, which is called before. */
+fw_status fw_scene_set_distances(fw_scene *scene, const double *distances, fw_error *error);
 
 /* Coulomb friction between bodies, of one coefficient; 0, as it is without, is none. Before
  * fw_scene_begin(). */

@@ -113,7 +113,7 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
     FW_TRY(scene_find_end(scene, row->body, row->to, &to, error));
     fw_joint_row what = {.kind = from == to ? FW_JOINT_POINT : FW_JOINT_SEGMENT,
                          .end = {end, from, to},
-                         .distance = scene->distance};
+                         .distance = scene_distance_between(scene, row->point_body, row->body)};
     if (what.kind == FW_JOINT_SEGMENT) what.rub = scene_take_rub(scene, row, end);
     return append_row(joint, row, &what, error);
 }

@@ -57,6 +57,7 @@ void fw_scene_destroy(fw_scene *scene)
     free(scene->candidates);
     free(scene->near);
     free(scene->pairs);
+    free(scene->distances);
     free(scene->passable);
     free(scene);
 }

@@ -153,9 +153,8 @@ static fw_status note_unknown(fw_scene *scene, const scene_row *row, fw_error *e
  * keep it off on the side where it is. */
 static fw_status look_from_afar(fw_scene *scene, scene_row *row, const fw_contour_segment *segment,
                                 fw_moving_point a, fw_moving_point from, fw_moving_point to,
-                                fw_error *error)
+                                double distance, fw_error *error)
 {
-    const double distance = scene->distance;
     row->from = row->to = segment->from;
     if (fw_crossing_of_circle(a, from, distance, &row->when))
         FW_TRY(note_unknown(scene, row, error));
@@ -175,7 +174,7 @@ static fw_status look_from_afar(fw_scene *scene, scene_row *row, const fw_contou
 
 /* Does that point pass that segment, or the tip at which it begins? */
 static fw_status look_at(fw_scene *scene, int body, int point, int other,
-                         const fw_contour_segment *segment, fw_error *error)
+                         const fw_contour_segment *segment, double distance, fw_error *error)
 {
     const int number = (int)(segment - scene->bodies[other].edge->contour.segments);
     const scene_body *of = &scene->bodies[other];
@@ -187,8 +186,8 @@ static fw_status look_at(fw_scene *scene, int body, int point, int other,
                      .point_body = body,
                      .point = point,
                      .next = -1};
-    if (!come_near(box_of(a), joined(box_of(from), box_of(to)), scene->distance)) return FW_OK;
-    if (scene->distance > 0) return look_from_afar(scene, &row, segment, a, from, to, error);
+    if (!come_near(box_of(a), joined(box_of(from), box_of(to)), distance)) return FW_OK;
+    if (distance > 0) return look_from_afar(scene, &row, segment, a, from, to, distance, error);
     row.from = row.to = segment->from;
     if (scene->bodies[body].edge->contour.tips[point] && of->edge->contour.tips[segment->from] &&
         fw_crossing_of_points(a, from, &row.when))
@@ -206,6 +205,7 @@ static fw_status look_at_runs(fw_scene *scene, const fw_meeting_run *points,
 {
     const int body = scene->joint->member_bodies[points->body];
     const int other = scene->joint->member_bodies[segments->body];
+    const double distance = scene_distance_between(scene, body, other);
     const fw_contour *own = &scene->bodies[body].edge->contour;
     const fw_contour_segment *theirs =
         scene->bodies[other].edge->contour.segments + segments->first;
@@ -215,10 +215,9 @@ static fw_status look_at_runs(fw_scene *scene, const fw_meeting_run *points,
                                      box_of(moving(&scene->bodies[other], theirs[m].to))));
     for (int n = 0; n < points->count; ++n) {
         const int point = own->segments[points->first + n].from;
-        if (!come_near(box_of(moving(&scene->bodies[body], point)), swept, scene->distance))
-            continue;
+        if (!come_near(box_of(moving(&scene->bodies[body], point)), swept, distance)) continue;
         for (int m = 0; m < segments->count; ++m)
-            FW_TRY(look_at(scene, body, point, other, &theirs[m], error));
+            FW_TRY(look_at(scene, body, point, other, &theirs[m], distance, error));
     }
     return FW_OK;
 }
@@ -258,8 +257,8 @@ static fw_status refuse_gripped(const fw_scene *scene, const scene_row *row, fw_
     const fw_vec2 at = fw_vec2_add(p.at, p.motion), from = fw_vec2_add(a.at, a.motion);
     const fw_vec2 along = fw_vec2_subtract(fw_vec2_add(b.at, b.motion), from);
     const double length = sqrt(fw_vec2_dot(along, along));
-    const double depth =
-        scene->distance - fw_vec2_cross(along, fw_vec2_subtract(at, from)) / length;
+    const double depth = scene_distance_between(scene, row->point_body, row->body) -
+                         fw_vec2_cross(along, fw_vec2_subtract(at, from)) / length;
     if (!(depth > GRIPPED_ROUNDING * (1 + fabs(at.x) + fabs(at.y)))) return FW_OK;
     return fw_fail(error, FW_DIVERGED,
                    "step %lld: grips carry particle %d of body %s into body %s, whose edge is held "

@@ -198,24 +198,31 @@ static fw_status look_at_pairs(const fw_scene *scene, pair_look *look, void *con
     return status;
 }
 
+static double distance_of_members(const fw_scene *scene, int number, int other)
+{
+    const int *bodies = scene->joint->member_bodies;
+    return scene_distance_between(scene, bodies[number], bodies[other]);
+}
+
 static fw_status refuse_inside(const fw_scene *scene, int number, int other, fw_box common,
                                void *context, fw_error *error)
 {
     const fw_meeting_body *body = &scene->joint->members[number];
     const fw_meeting_body *in = &scene->joint->members[other];
     int *refused = context;
+    const double distance = distance_of_members(scene, number, other);
     double depth;
-    const int point = find_deepest(body, in, common, scene->distance, &depth);
+    const int point = find_deepest(body, in, common, distance, &depth);
     if (point < 0) return FW_OK;
     const fw_vec2 at = place_of(body, point);
     *refused = 1 + scene->joint->member_bodies[number];
-    if (depth <= scene->distance)
+    if (depth <= distance)
         return fw_fail(error, FW_BAD_INPUT,
                        "body %s starts %g from body %s: at its particle %d near (%g, %g), expected "
                        "at least the contact distance, %g",
-                       scene_member_name(scene, number), scene->distance - depth,
+                       scene_member_name(scene, number), distance - depth,
                        scene_member_name(scene, other), body->contour->particles[point], at.x, at.y,
-                       scene->distance);
+                       distance);
     return fw_fail(error, FW_BAD_INPUT,
                    "body %s starts in body %s: at its particle %d near (%g, %g) it lies %g inside, "
                    "expected bodies side by side",
@@ -243,7 +250,7 @@ static fw_status note_depth(const fw_scene *scene, int number, int other, fw_box
     double depth, *most = context;
     (void)error;
     find_deepest(&scene->joint->members[number], &scene->joint->members[other], common,
-                 scene->distance, &depth);
+                 distance_of_members(scene, number, other), &depth);
     *most = fmax(*most, depth);
     return FW_OK;
 }
@@ -280,4 +287,26 @@ fw_status fw_scene_find_fold(fw_scene *scene, int number, const fw_vec2 *home, b
 void fw_scene_set_distance(fw_scene *scene, double distance)
 {
     scene->distance = distance;
+}
+
+fw_status fw_scene_set_distances(fw_scene *scene, const double *distances, fw_error *error)
+{
+    const size_t size = (size_t)scene->surface_count * (size_t)scene->surface_count;
+    double *copy = malloc((size + 1) * sizeof *copy);
+    if (!copy) return fw_fail_memory(error, "the distances of pairs of surfaces");
+    scene->distance = 0;
+    for (size_t n = 0; n < size; ++n) {
+        copy[n] = distances[n];
+        scene->distance = fmax(scene->distance, copy[n]);
+    }
+    free(scene->distances);
+    scene->distances = copy;
+    return FW_OK;
+}
+
+double scene_distance_between(const fw_scene *scene, int a, int b)
+{
+    const size_t row = (size_t)scene->bodies[a].surface, column = (size_t)scene->bodies[b].surface;
+    return scene->distances ? scene->distances[row * (size_t)scene->surface_count + column]
+                            : scene->distance;
 }

@@ -199,7 +199,8 @@ struct fw_scene {
     int near_count;
     int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
     int passable_count;
-    double distance;      /* that bodies keep from each other */
+    double distance;      /* that bodies keep from each other; the largest of all pairs */
+    double *distances;    /* of surfaces, as `pairs`; NULL: `distance` */
     bool keeps_forces;    /* of contact, of two steps */
     fw_friction friction; /* between bodies where there are no pairs of surfaces */
     int surface_count;
@@ -290,6 +291,7 @@ fw_status scene_add_rubbing(fw_scene *scene, fw_error *error);
 /* Friction of a new row, on which the end is to rub from now on. */
 fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end);
 /* Coefficients between two bodies; does any rub on another? */
+double scene_distance_between(const fw_scene *scene, int a, int b);
 fw_friction scene_friction_between(const fw_scene *scene, int a, int b);
 bool scene_bodies_rub(const fw_scene *scene);
 /* Of a wall, the coefficients that it has against that body. */

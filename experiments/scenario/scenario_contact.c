@@ -29,6 +29,9 @@ static const fw_key pair_keys[] = {
      .meaning = "two surfaces that bodies or walls name, or one of them twice"},
     {"friction", .forms = FRICTION_FORMS, REQUIRED,
      .meaning = "coefficient of friction between them"},
+    {"distance", FW_FORM_NUMBER, AT_LEAST(0), NOT_STORED, .unit = "length",
+     .default_meaning = "`contact.distance`",
+     .meaning = "that bodies with these surfaces keep from each other"},
     {.name = NULL}};
 
 static const fw_section fw_pair_section = {"Items of `contact.pairs`", "a pair of surfaces",
@@ -45,7 +48,7 @@ static const fw_key contact_keys[] = {
          "no nearer"},
     {"pairs", FW_FORM_LIST, .items = FW_FORM_MAPPING, .subsection = &fw_pair_section,
      .most = FW_NAMED_MAX, NOT_STORED, .default_meaning = "none",
-     .meaning = "pairs of surfaces with another `friction`"},
+     .meaning = "pairs of surfaces with another `friction` or `distance`"},
     {.name = NULL}};
 
 const fw_section fw_contact_section = {
@@ -142,6 +145,17 @@ static fw_status read_pair(fw_scenario *scenario, const fw_node *node, bool *giv
     FW_TRY(fw_scenario_read_friction(scenario, fw_node_find(node, "friction"), &contact->pairs[ab],
                                      error));
     contact->pairs[ba] = contact->pairs[ab];
+    const fw_node *distance = fw_node_find(node, "distance");
+    if (!distance) return FW_OK;
+    contact->distances[ab] = contact->distances[ba] = fw_node_number(distance);
+    for (int w = 0; w < scenario->wall_count; ++w) {
+        const int own = scenario->walls[w].def.surface.number - 1;
+        if (own != a && own != b) continue;
+        return fw_scenario_fail(scenario, distance->place, error,
+                                "bodies keep contact.distance from walls, and wall %s is of the "
+                                "surface '%s': expected no distance of its own",
+                                scenario->walls[w].def.name, contact->surfaces[own]);
+    }
     return FW_OK;
 }
 
@@ -165,6 +179,9 @@ fw_status fw_scenario_read_contact(fw_scenario *scenario, fw_error *error)
     for (size_t n = 0; n < pairs; ++n) contact->pairs[n] = otherwise;
     const fw_node *distance = part ? fw_node_find(part, "distance") : NULL;
     if (distance) contact->distance = fw_node_number(distance);
+    FW_TRY(fw_scenario_allocate(scenario, pairs, sizeof *contact->distances, &contact->distances,
+                                error));
+    for (size_t n = 0; n < pairs; ++n) contact->distances[n] = contact->distance;
     const fw_node *list = part ? fw_node_find(part, "pairs") : NULL;
     for (const fw_node *pair = list ? list->first : NULL; pair; pair = pair->next)
         FW_TRY(read_pair(scenario, pair, given, error));

@@ -10,8 +10,9 @@
 typedef struct fw_scenario_contact {
     int surface_count;
     const char **surfaces; /* names; NULL: of surface 0 */
-    double distance;       /* that bodies keep from each other and from walls */
-    fw_friction *pairs;    /* [surface_count][surface_count], the same both ways */
+    double distance;    /* that bodies keep from walls, and from each other if no pair says else */
+    double *distances;  /* that bodies keep from each other, as `pairs` */
+    fw_friction *pairs; /* [surface_count][surface_count], the same both ways */
 } fw_scenario_contact;
 
 #endif

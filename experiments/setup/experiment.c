@@ -206,12 +206,20 @@ static fw_status set_friction(const fw_experiment *experiment, fw_error *error)
     return status;
 }
 
+static double largest_distance(const fw_scenario_contact *contact)
+{
+    double largest = contact->distance;
+    for (int n = 0; n < contact->surface_count * contact->surface_count; ++n)
+        largest = fmax(largest, contact->distances[n]);
+    return largest;
+}
+
 /* Only of what is solid between its links there is an edge from which it is counted. */
-static fw_status set_distance(const fw_experiment *experiment, fw_error *error)
+static fw_status set_distances(const fw_experiment *experiment, fw_error *error)
 {
     const fw_scenario *scenario = experiment->scenario;
-    const double distance = scenario->contact.distance;
-    for (int b = 0; b < experiment->body_count && distance > 0; ++b) {
+    if (!(largest_distance(&scenario->contact) > 0)) return FW_OK;
+    for (int b = 0; b < experiment->body_count; ++b) {
         const char *model = fw_experiment_solid(experiment, b)->model->name;
         if (strcmp(model, "lattice-boltzmann") == 0 || strcmp(model, "linear-lattice") == 0)
             continue;
@@ -220,8 +228,7 @@ static fw_status set_distance(const fw_experiment *experiment, fw_error *error)
                                 "body %s is of model %s",
                                 scenario->bodies[b].name, model);
     }
-    fw_scene_set_distance(experiment->scene, distance);
-    return FW_OK;
+    return fw_scene_set_distances(experiment->scene, scenario->contact.distances, error);
 }
 
 /* What the scene refuses is said at the body that it names, or else at the walls. */
@@ -230,7 +237,7 @@ static fw_status begin_scene(fw_experiment *experiment, fw_error *error)
     const fw_scenario *scenario = experiment->scenario;
     fw_place place = scenario->wall_count > 0 ? scenario->walls[0].place : (fw_place){0};
     FW_TRY(set_friction(experiment, error));
-    FW_TRY(set_distance(experiment, error));
+    FW_TRY(set_distances(experiment, error));
     if (fw_scenario_records_force(scenario)) fw_scene_keep_forces(experiment->scene);
     const fw_status status = fw_scene_begin(experiment->scene, error);
     const int refused = fw_scene_refused_body(experiment->scene);

@@ -43,16 +43,21 @@ static void nothing_comes_nearer_and_nothing_is_lost(void **state)
 }
 
 /* One that hits a face from the side does so .4 before it, up to a step's way; without a distance,
- * at it. */
+ * at it; of a pair of surfaces, at theirs. */
 static void bodies_meet_at_the_distance(void **state)
 {
     (void)state;
-    for (int kept = 0; kept < 2; ++kept) {
-        const double distance = kept ? .4 : 0;
+    for (int kept = 0; kept < 3; ++kept) {
+        const double distance = .4 * kept, pairs[] = {.1, .8, .8, .1}; /* of two surfaces */
+        const fw_friction none[4] = {{0}};
         fw_scene *scene = empty_scene(1e4);
         add_body(scene, (body_options){.columns = 4, .rows = 4, .velocity = {.05, 0}});
         add_body(scene, (body_options){.columns = 4, .rows = 4, .origin = {5.013, .3}});
         fw_scene_set_distance(scene, distance);
+        if (kept == 2) {
+            must(fw_scene_set_surfaces(scene, 2, none, (int[]){0, 1}, &error));
+            must(fw_scene_set_distances(scene, pairs, &error));
+        }
         begin(scene);
         int steps = 0;
         for (; fw_scene_contact_ledger(scene)->ticks == 0 && steps < 100; ++steps) run(scene, 1);
