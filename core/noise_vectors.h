@@ -7,25 +7,34 @@
 #include "core/vec2.h"
 #include "core/vectors.h"
 
-/* philox4x32-10 (Salmon et al. 2011), a 32-bit word in each lane of 64 bits. */
-FW_INLINE void fw_noise_philox(fw_naturals word[4], uint64_t seed)
+enum {
+    FW_NOISE_TOGETHER = 2, /* registers whose random words are made together */
+    FW_NOISE_RUN = 64      /* particles whose noise is, see fw_noise_gaussians_run() */
+};
+
+/* philox4x32-10 (Salmon et al. 2011), a 32-bit word in each lane of 64 bits, of `registers`
+ * registers whose rounds take turns: each waits long for its own products. */
+FW_INLINE void fw_noise_philox(fw_naturals word[][4], int registers, uint64_t seed)
 {
     /* Products take the lower 32 bits of each lane; what stands above them is dropped at the end.
      */
     const fw_naturals none = {0}, low = none + 0xffffffff;
-    fw_naturals a = word[0], b = word[1], c = word[2], d = word[3];
     uint32_t key_a = (uint32_t)seed, key_b = (uint32_t)(seed >> 32);
     for (int round = 0; round < 10; ++round) {
-        const fw_naturals first = fw_multiply_low(a, none + 0xd2511f53);
-        const fw_naturals second = fw_multiply_low(c, none + 0xcd9e8d57);
-        a = (second >> 32) ^ (b ^ (none + key_a));
-        b = second;
-        c = (first >> 32) ^ (d ^ (none + key_b));
-        d = first;
+        for (int n = 0; n < registers; ++n) {
+            fw_naturals *w = word[n];
+            const fw_naturals first = fw_multiply_low(w[0], none + 0xd2511f53);
+            const fw_naturals second = fw_multiply_low(w[2], none + 0xcd9e8d57);
+            w[0] = (second >> 32) ^ (w[1] ^ (none + key_a));
+            w[1] = second;
+            w[2] = (first >> 32) ^ (w[3] ^ (none + key_b));
+            w[3] = first;
+        }
         key_a += 0x9e3779b9;
         key_b += 0xbb67ae85;
     }
-    word[0] = a & low, word[1] = b & low, word[2] = c & low, word[3] = d & low;
+    for (int n = 0; n < registers; ++n)
+        for (int k = 0; k < 4; ++k) word[n][k] &= low;
 }
 
 /* The upper 53 of 64 bits: uniform in [0, 1). */
@@ -90,16 +99,23 @@ FW_INLINE fw_vector_pair fw_noise_unit_vector(fw_vector u)
                             (fw_vector)(((s & ~odd) | (c & odd)) ^ half)};
 }
 
-/* Box and Muller: sqrt(-2 ln(1 - u)) (cos, sin)(2 pi w), with 1 - u in (0, 1]. */
-FW_INLINE fw_vector_pair fw_noise_uniforms_of(uint64_t seed, fw_naturals particle, uint64_t step,
-                                              uint32_t stream)
+/* u and w of Box and Muller, sqrt(-2 ln(1 - u)) (cos, sin)(2 pi w), with 1 - u in (0, 1]; for the
+ * particles of so many registers. */
+FW_INLINE void fw_noise_uniforms(uint64_t seed, const fw_naturals *particle, int registers,
+                                 uint64_t step, uint32_t stream, fw_vector_pair *uniform)
 {
     const fw_naturals none = {0};
-    fw_naturals word[4] = {particle, none + (step & 0xffffffff), none + (step >> 32),
-                           none + stream};
-    fw_noise_philox(word, seed);
-    return (fw_vector_pair){fw_noise_unit_interval(word[0], word[1]),
-                            fw_noise_unit_interval(word[2], word[3])};
+    fw_naturals word[FW_NOISE_TOGETHER][4];
+    for (int n = 0; n < registers; ++n) {
+        word[n][0] = particle[n];
+        word[n][1] = none + (step & 0xffffffff);
+        word[n][2] = none + (step >> 32);
+        word[n][3] = none + stream;
+    }
+    fw_noise_philox(word, registers, seed);
+    for (int n = 0; n < registers; ++n)
+        uniform[n] = (fw_vector_pair){fw_noise_unit_interval(word[n][0], word[n][1]),
+                                      fw_noise_unit_interval(word[n][2], word[n][3])};
 }
 
 FW_INLINE fw_vector fw_noise_length(fw_vector u)
@@ -111,7 +127,8 @@ FW_INLINE fw_vector fw_noise_length(fw_vector u)
 FW_INLINE fw_vector_pair fw_noise_gaussians_of(uint64_t seed, fw_naturals particle, uint64_t step,
                                                uint32_t stream)
 {
-    const fw_vector_pair uniform = fw_noise_uniforms_of(seed, particle, step, stream);
+    fw_vector_pair uniform;
+    fw_noise_uniforms(seed, &particle, 1, step, stream, &uniform);
     const fw_vector length = fw_noise_length(uniform.x);
     const fw_vector_pair direction = fw_noise_unit_vector(uniform.y);
     return (fw_vector_pair){length * direction.x, length * direction.y};
@@ -119,15 +136,20 @@ FW_INLINE fw_vector_pair fw_noise_gaussians_of(uint64_t seed, fw_naturals partic
 
 /* The same for FW_NOISE_RUN particles from `first` on, stage by stage: the steps of one register
  * wait for each other, those of neighbouring registers do not. */
-enum { FW_NOISE_RUN = 64 };
-
 FW_INLINE void fw_noise_gaussians_run(uint64_t seed, uint64_t first, uint64_t step, uint32_t stream,
                                       double *restrict x, double *restrict y)
 {
     fw_naturals lane;
     for (int k = 0; k < FW_WIDTH; ++k) lane[k] = first + (uint64_t)k;
-    for (int at = 0; at < FW_NOISE_RUN; at += FW_WIDTH)
-        fw_store_pair(x, y, at, fw_noise_uniforms_of(seed, lane + (uint64_t)at, step, stream));
+    for (int at = 0; at < FW_NOISE_RUN; at += FW_NOISE_TOGETHER * FW_WIDTH) {
+        fw_naturals particle[FW_NOISE_TOGETHER];
+        fw_vector_pair uniform[FW_NOISE_TOGETHER];
+        for (int n = 0; n < FW_NOISE_TOGETHER; ++n)
+            particle[n] = lane + (uint64_t)(at + n * FW_WIDTH);
+        fw_noise_uniforms(seed, particle, FW_NOISE_TOGETHER, step, stream, uniform);
+        for (int n = 0; n < FW_NOISE_TOGETHER; ++n)
+            fw_store_pair(x, y, at + n * FW_WIDTH, uniform[n]);
+    }
     for (int at = 0; at < FW_NOISE_RUN; at += FW_WIDTH)
         fw_store(x + at, fw_noise_length(fw_load(x + at)));
     for (int at = 0; at < FW_NOISE_RUN; at += FW_WIDTH) {

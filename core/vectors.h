@@ -365,12 +365,17 @@ FW_INLINE fw_naturals fw_multiply_low(fw_naturals a, fw_naturals b)
 #endif
 }
 
-/* n < 2^53, exactly: both halves are written into the mantissa of a power of two. */
+/* n < 2^53, exactly: without an instruction for it both halves are written into the mantissa of a
+ * power of two. */
 FW_INLINE fw_vector fw_from_naturals(fw_naturals n)
 {
+#if defined(__AVX512DQ__)
+    return (fw_vector)_mm512_cvtepu64_pd((__m512i)n);
+#else
     const fw_naturals high = (n >> 32) | 0x4530000000000000,
                       low = (n & 0xffffffff) | 0x4330000000000000;
     return ((fw_vector)high - 0x1p84) + ((fw_vector)low - 0x1p52);
+#endif
 }
 
 /* --- sums --- */
