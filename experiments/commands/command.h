@@ -47,10 +47,15 @@ fw_run_options fw_command_run_options(const fw_arguments *arguments, const char 
 /* --range LOW,HIGH; NULL leaves the range as it is. */
 fw_status fw_command_read_range(const char *text, double range[2], fw_error *error);
 
+/* Runs a scenario into a folder and reports it, as `run` does with these options. */
+fw_status fw_command_run_scenario(const fw_scenario *scenario, const fw_arguments *arguments,
+                                  const char *directory, const char *name, fw_error *error);
+
 fw_status fw_command_list(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_show(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_run(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_check(const fw_arguments *arguments, fw_error *error);
+fw_status fw_command_rerun(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_resume(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_sweep(const fw_arguments *arguments, fw_error *error);
 fw_status fw_command_extend(const fw_arguments *arguments, fw_error *error);

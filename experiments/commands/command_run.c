@@ -69,6 +69,21 @@ static fw_status refuse_unfinished(const char *directory, fw_error *error)
                    directory, directory);
 }
 
+fw_status fw_command_run_scenario(const fw_scenario *scenario, const fw_arguments *arguments,
+                                  const char *directory, const char *name, fw_error *error)
+{
+    fw_progress progress;
+    fw_run_options options = fw_command_run_options(arguments, directory, name, &progress);
+    options.overwrite = arguments->overwrite;
+    fw_leftovers *leftovers;
+    if (!arguments->overwrite) FW_TRY(refuse_unfinished(directory, error));
+    FW_TRY(fw_leftovers_find(&leftovers, directory, scenario, arguments->overwrite, error));
+    const fw_status status = (fw_scenario_is_sweep(scenario) ? run_sweep : run)(
+        scenario, &options, leftovers, arguments->no_plot, error);
+    fw_leftovers_destroy(leftovers);
+    return status;
+}
+
 fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
 {
     fw_scenario *scenario;
@@ -76,20 +91,7 @@ fw_status fw_command_run(const fw_arguments *arguments, fw_error *error)
     FW_TRY(fw_command_load(&scenario, arguments->words[0], arguments, name, error));
     snprintf(standard, sizeof standard, "results/%s", name);
     const char *directory = arguments->output ? arguments->output : standard;
-    fw_progress progress;
-    fw_run_options options = fw_command_run_options(arguments, directory, name, &progress);
-    options.overwrite = arguments->overwrite;
-    fw_leftovers *leftovers;
-    fw_status status = arguments->overwrite ? FW_OK : refuse_unfinished(directory, error);
-    if (status != FW_OK) {
-        fw_scenario_destroy(scenario);
-        return status;
-    }
-    status = fw_leftovers_find(&leftovers, directory, scenario, arguments->overwrite, error);
-    if (status == FW_OK)
-        status = (fw_scenario_is_sweep(scenario) ? run_sweep : run)(scenario, &options, leftovers,
-                                                                    arguments->no_plot, error);
-    fw_leftovers_destroy(leftovers);
+    const fw_status status = fw_command_run_scenario(scenario, arguments, directory, name, error);
     fw_scenario_destroy(scenario);
     return status;
 }

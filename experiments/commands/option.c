@@ -58,6 +58,9 @@ const fw_option fw_option_bare = {"--bare", NULL, NULL,
 const fw_option fw_option_letter = {"--letter", NULL, "LETTER",
                                     "in the place of the title, as 'a' of a figure's panel",
                                     FW_INTO(letter)};
+const fw_option fw_option_rerun_folder = {"--output",      "-o",
+                                          "DIR",           "folder of the new results (DIR-again)",
+                                          FW_INTO(output), .complete = FW_COMPLETE_FOLDER};
 const fw_option fw_option_film_kind = {
     "--kind",      NULL,
     "KIND",        "motion, or field: by a field as colour (where one was recorded)",

@@ -84,8 +84,8 @@ extern const fw_option fw_option_folder, fw_option_picture_file, fw_option_table
     fw_option_verdicts, fw_option_axis, fw_option_list_cases, fw_option_case, fw_option_add,
     fw_option_json, fw_option_names, fw_option_full, fw_option_export_file, fw_option_to,
     fw_option_every, fw_option_film_file, fw_option_film_kind, fw_option_rate,
-    fw_option_report_file, fw_option_width, fw_option_dots, fw_option_bare, fw_option_letter,
-    fw_option_help;
+    fw_option_report_file, fw_option_rerun_folder, fw_option_width, fw_option_dots, fw_option_bare,
+    fw_option_letter, fw_option_help;
 
 struct fw_command;
 
