@@ -30,6 +30,36 @@ static inline fw_box fw_box_grown(fw_box box, double margin)
     return box;
 }
 
+/* The smaller, the larger of two numbers; of one that is none and one that is, the other. (fmin and
+ * fmax say the same, and are calls.) */
+static inline double fw_least(double a, double b)
+{
+    return a < b || b != b ? a : b;
+}
+
+static inline double fw_most(double a, double b)
+{
+    return a > b || b != b ? a : b;
+}
+
+/* Around both boxes, around both points. */
+static inline fw_box fw_box_joined(fw_box a, fw_box b)
+{
+    a.low.x = fw_least(a.low.x, b.low.x);
+    a.low.y = fw_least(a.low.y, b.low.y);
+    a.high.x = fw_most(a.high.x, b.high.x);
+    a.high.y = fw_most(a.high.y, b.high.y);
+    return a;
+}
+
+static inline fw_box fw_box_around(fw_vec2 p, fw_vec2 q)
+{
+    fw_box at_p, at_q;
+    at_p.low = at_p.high = p;
+    at_q.low = at_q.high = q;
+    return fw_box_joined(at_p, at_q);
+}
+
 /* Where particles are free to be. */
 typedef enum fw_side { FW_INSIDE, FW_OUTSIDE } fw_side;
 

@@ -107,13 +107,8 @@ const fw_facet *fw_wall_facet(const fw_wall *wall, int number)
 fw_box fw_wall_bounds(const fw_wall *wall)
 {
     fw_box bounds = fw_facet_bounds(&wall->facets[0]);
-    for (int i = 1; i < wall->facet_count; ++i) {
-        fw_box more = fw_facet_bounds(&wall->facets[i]);
-        bounds.low.x = fmin(bounds.low.x, more.low.x);
-        bounds.low.y = fmin(bounds.low.y, more.low.y);
-        bounds.high.x = fmax(bounds.high.x, more.high.x);
-        bounds.high.y = fmax(bounds.high.y, more.high.y);
-    }
+    for (int i = 1; i < wall->facet_count; ++i)
+        bounds = fw_box_joined(bounds, fw_facet_bounds(&wall->facets[i]));
     return bounds;
 }
 

@@ -187,11 +187,7 @@ fw_status fw_scene_add_load(fw_scene *scene, int body, const fw_load_def *def, f
 static fw_box extent_of(const fw_scene *scene)
 {
     fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
-    for (int w = 0; w < scene->wall_count; ++w) {
-        const fw_box *bounds = &scene->walls[w].bounds;
-        box.low = (fw_vec2){fmin(box.low.x, bounds->low.x), fmin(box.low.y, bounds->low.y)};
-        box.high = (fw_vec2){fmax(box.high.x, bounds->high.x), fmax(box.high.y, bounds->high.y)};
-    }
+    for (int w = 0; w < scene->wall_count; ++w) box = fw_box_joined(box, scene->walls[w].bounds);
     return box;
 }
 

@@ -108,28 +108,10 @@ static fw_status note(scene_joint *joint, const scene_row *row, fw_error *error)
     return FW_OK;
 }
 
-static double least(double a, double b)
-{
-    return a < b ? a : b;
-}
-
-static double greatest(double a, double b)
-{
-    return a > b ? a : b;
-}
-
 /* What a point sweeps in the step. */
 static fw_box box_of(fw_moving_point p)
 {
-    const fw_vec2 end = fw_vec2_add(p.at, p.motion);
-    return (fw_box){{least(p.at.x, end.x), least(p.at.y, end.y)},
-                    {greatest(p.at.x, end.x), greatest(p.at.y, end.y)}};
-}
-
-static fw_box joined(fw_box a, fw_box b)
-{
-    return (fw_box){{least(a.low.x, b.low.x), least(a.low.y, b.low.y)},
-                    {greatest(a.high.x, b.high.x), greatest(a.high.y, b.high.y)}};
+    return fw_box_around(p.at, fw_vec2_add(p.at, p.motion));
 }
 
 /* Only false where what is in the first keeps apart from what is in the second, with room for a
@@ -186,7 +168,7 @@ static fw_status look_at(fw_scene *scene, int body, int point, int other,
                      .point_body = body,
                      .point = point,
                      .next = -1};
-    if (!come_near(box_of(a), joined(box_of(from), box_of(to)), distance)) return FW_OK;
+    if (!come_near(box_of(a), fw_box_joined(box_of(from), box_of(to)), distance)) return FW_OK;
     if (distance > 0) return look_from_afar(scene, &row, segment, a, from, to, distance, error);
     row.from = row.to = segment->from;
     if (scene->bodies[body].edge->contour.tips[point] && of->edge->contour.tips[segment->from] &&
@@ -211,8 +193,9 @@ static fw_status look_at_runs(fw_scene *scene, const fw_meeting_run *points,
         scene->bodies[other].edge->contour.segments + segments->first;
     fw_box swept = box_of(moving(&scene->bodies[other], theirs[0].from));
     for (int m = 0; m < segments->count; ++m)
-        swept = joined(swept, joined(box_of(moving(&scene->bodies[other], theirs[m].from)),
-                                     box_of(moving(&scene->bodies[other], theirs[m].to))));
+        swept = fw_box_joined(swept,
+                              fw_box_joined(box_of(moving(&scene->bodies[other], theirs[m].from)),
+                                            box_of(moving(&scene->bodies[other], theirs[m].to))));
     for (int n = 0; n < points->count; ++n) {
         const int point = own->segments[points->first + n].from;
         if (!come_near(box_of(moving(&scene->bodies[body], point)), swept, distance)) continue;

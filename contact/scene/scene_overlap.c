@@ -22,8 +22,7 @@ static fw_box frame_of(const fw_meeting_body *body)
     fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (int n = body->first; n < body->first + body->count; ++n) {
         const fw_vec2 at = place_of(body, body->contour->segments[n].from);
-        box.low = (fw_vec2){fmin(box.low.x, at.x), fmin(box.low.y, at.y)};
-        box.high = (fw_vec2){fmax(box.high.x, at.x), fmax(box.high.y, at.y)};
+        box = fw_box_joined(box, (fw_box){at, at});
     }
     return box;
 }

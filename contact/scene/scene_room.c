@@ -16,14 +16,7 @@ enum { BLOCK = 32 };
 static fw_box box_of_path(fw_vec2 end, fw_vec2 displacement)
 {
     const fw_vec2 start = fw_vec2_subtract(end, displacement);
-    return (fw_box){{fmin(start.x, end.x), fmin(start.y, end.y)},
-                    {fmax(start.x, end.x), fmax(start.y, end.y)}};
-}
-
-static fw_box joined(fw_box a, fw_box b)
-{
-    return (fw_box){{fmin(a.low.x, b.low.x), fmin(a.low.y, b.low.y)},
-                    {fmax(a.high.x, b.high.x), fmax(a.high.y, b.high.y)}};
+    return fw_box_around(start, end);
 }
 
 /* Lists all facets that a path inside the box can pass in this tick. */
@@ -96,7 +89,7 @@ static fw_status check_block(fw_scene *scene, const scene_grip *held, int first,
         at[n] = fw_solid_position(body->solid, particles[n]);
         displacement[n] = (*constraint)->displacement;
         const fw_box path = box_of_path(at[n], displacement[n]);
-        box = n > 0 ? joined(box, path) : path;
+        box = n > 0 ? fw_box_joined(box, path) : path;
     }
     list_passable(scene, box);
     for (int n = 0; n < count; ++n) {

@@ -83,8 +83,7 @@ static fw_status order_particles(fw_boundary *boundary, const fw_solid *solid, f
     fw_box around = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
     for (size_t i = 0; i < count; ++i) {
         fw_vec2 r = fw_solid_position(solid, solid->boundary[i]);
-        around.low = (fw_vec2){fmin(around.low.x, r.x), fmin(around.low.y, r.y)};
-        around.high = (fw_vec2){fmax(around.high.x, r.x), fmax(around.high.y, r.y)};
+        around = fw_box_joined(around, (fw_box){r, r});
     }
     double size = fmax(around.high.x - around.low.x, around.high.y - around.low.y);
     double cells = size > 0 ? CELLS / size : 0;
@@ -282,7 +281,6 @@ fw_status fw_boundary_extend(fw_boundary *boundary, const fw_broadphase *broadph
     assert(run >= 0 && run < boundary->run_count);
     fw_box *fat = &boundary->fat[run];
     if (lies_within((fw_box){point, point}, *fat)) return FW_OK;
-    fw_box wider = {{fmin(fat->low.x, point.x), fmin(fat->low.y, point.y)},
-                    {fmax(fat->high.x, point.x), fmax(fat->high.y, point.y)}};
+    const fw_box wider = fw_box_joined(*fat, (fw_box){point, point});
     return query(boundary, broadphase, run, wider, error);
 }

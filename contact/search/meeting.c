@@ -38,8 +38,7 @@ struct fw_meeting {
 
 static fw_box joined(fw_box box, fw_vec2 point)
 {
-    return (fw_box){{fmin(box.low.x, point.x), fmin(box.low.y, point.y)},
-                    {fmax(box.high.x, point.x), fmax(box.high.y, point.y)}};
+    return fw_box_joined(box, (fw_box){point, point});
 }
 
 static bool lies_within(fw_box inner, fw_box outer)

@@ -137,9 +137,28 @@ static void lines_keep_points_on_their_side(void **state)
     assert_true(fw_crossing_of_segment(p, to, from, -keep, &when));
 }
 
+/* The run ends after the step in which numbers explode: until then nothing meets them. */
+static void a_way_that_is_no_number_crosses_nothing(void **state)
+{
+    (void)state;
+    const fw_moving_point still[] = {{{0.5, 0.1}, {0, -0.3}}, {{0, 0}, {0, 0}}, {{1, 0}, {0, 0}}};
+    double when = 0;
+    assert_true(fw_crossing_of_segment(still[0], still[1], still[2], 0, &when));
+    for (int n = 0; n < 3; ++n)
+        for (int part = 0; part < 4; ++part) {
+            fw_moving_point p[] = {still[0], still[1], still[2]};
+            double *numbers[] = {&p[n].at.x, &p[n].at.y, &p[n].motion.x, &p[n].motion.y};
+            *numbers[part] = NAN;
+            assert_false(fw_crossing_of_segment(p[0], p[1], p[2], 0, &when));
+            assert_false(fw_crossing_of_segment(p[0], p[1], p[2], 1e-6, &when));
+            assert_false(fw_crossing_of_points(p[0], p[1], &when) && n < 2);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_way_that_is_no_number_crosses_nothing),
         cmocka_unit_test(points_pass_when_small_steps_say_so),
         cmocka_unit_test(what_is_behind_does_not_pass_but_for_rounding),
         cmocka_unit_test(ends_belong_to_both_segments_that_meet_there),

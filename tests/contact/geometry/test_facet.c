@@ -360,6 +360,22 @@ static void box_without_a_facet_is_never_passed_in(void **state)
     assert_true(passed > 5000 && spared > 100000);
 }
 
+/* Wherever a number that is none stands, the box is that of the others. */
+static void boxes_leave_out_what_is_no_number(void **state)
+{
+    (void)state;
+    const fw_box box = {{-1, 2}, {3, 4}};
+    const fw_vec2 none[] = {{NAN, 3}, {0, NAN}, {NAN, NAN}};
+    for (int n = 0; n < 3; ++n) {
+        const fw_box at = {none[n], none[n]};
+        const fw_box first = fw_box_joined(at, box), last = fw_box_joined(box, at);
+        assert_memory_equal(&first, &box, sizeof box);
+        assert_memory_equal(&last, &box, sizeof box);
+    }
+    const fw_box around = fw_box_around((fw_vec2){3, 2}, (fw_vec2){-1, 4});
+    assert_memory_equal(&around, &box, sizeof box);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -374,6 +390,7 @@ int main(void)
         cmocka_unit_test(stars_do_not_leak),
         cmocka_unit_test(slanting_walls_hold_for_ever),
         cmocka_unit_test(box_without_a_facet_is_never_passed_in),
+        cmocka_unit_test(boxes_leave_out_what_is_no_number),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
