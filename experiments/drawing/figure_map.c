@@ -42,7 +42,8 @@ static double size_of_texts(const fw_figure_map_plan *plan, const fw_panel *pane
     return size < .55 * FW_SMALL_SIZE ? 0 : size;
 }
 
-/* Black on what is light, white on what is dark; low in the cell, whose middle curves pass. */
+/* Black on what is light, white on what is dark; low in the cell, whose middle curves pass. A curve
+ * that comes so low is interrupted. */
 static void draw_texts(const fw_figure_map_plan *plan, const fw_panel *panel,
                        const fw_colour_scale *scale)
 {
@@ -57,15 +58,21 @@ static void draw_texts(const fw_figure_map_plan *plan, const fw_panel *panel,
                                    .colour = fw_colour_grey(light > .5 ? 0 : 1),
                                    .across = FW_TEXT_CENTRE,
                                    .along = FW_TEXT_MIDDLE};
-        fw_canvas_text(panel->canvas, fw_panel_place(panel, p, q), plan->texts[n], look);
+        const fw_vec2 at = fw_panel_place(panel, p, q);
+        const double width = fw_canvas_text_width(plan->texts[n], size, false) + 1;
+        const double height = fw_canvas_line_height(size);
+        const fw_rect room = {at.x - width / 2, at.y - height / 2, width, height};
+        fw_canvas_rectangle(panel->canvas, room, below);
+        fw_canvas_text(panel->canvas, at, plan->texts[n], look);
     }
 }
 
 /* White below black: to be seen on any colour. */
-static void draw_curves(const fw_figure_map_plan *plan, const fw_panel *panel)
+static void draw_curves(const fw_figure_map_plan *plan, const fw_panel *panel, bool markers)
 {
     for (int k = 0; k < plan->curve_count; ++k) {
         const fw_curve *curve = &plan->curves[k];
+        if ((curve->look == FW_CURVE_MARKERS) != markers) continue;
         if (curve->look == FW_CURVE_MARKERS) {
             if (curve->error)
                 fw_panel_bars(panel, curve->x, curve->y, curve->error, curve->open, curve->count,
@@ -129,8 +136,9 @@ fw_status fw_figure_map(const fw_page *page, const fw_figure_map_plan *plan, fw_
     fw_figure_draw_cells(plan, &panel, &scale);
     fw_canvas_raster_end(panel.canvas);
     fw_canvas_clip(panel.canvas, panel.box);
+    draw_curves(plan, &panel, false);
     draw_texts(plan, &panel, &scale);
-    draw_curves(plan, &panel);
+    draw_curves(plan, &panel, true);
     fw_canvas_unclip(panel.canvas);
     fw_panel_draw_axes(&panel, 0);
     fw_legend_draw(entries, entry_count, panel.canvas, (fw_vec2){panel.box.left, top},
