@@ -22,8 +22,7 @@ static fw_status compare(fw_playback *then, const char *before, const char *dire
         if (fw_compare_provenance(then, now, stdout) == 0)
             printf("  nothing that the results know of: program, compiler, flags, instructions "
                    "and libraries are the same\n");
-        status =
-            fw_fail(error, FW_EXPECTATION_FAILED, "the results differ in %d things", differing);
+        status = FW_EXPECTATION_FAILED;
     }
     fw_playback_close(now);
     return status;
