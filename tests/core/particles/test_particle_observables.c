@@ -134,6 +134,25 @@ static void motion_is_measured_beside_its_drift(void **state)
     fw_solid_destroy(solid);
 }
 
+/* Who has no bond has no order, and does not count in its mean; it does in that of bonds. */
+static void order_is_of_those_that_are_bonded(void **state)
+{
+    (void)state;
+    static const fw_vec2 places[3] = {{0, 0}, {1, 0}, {10, 10}};
+    fw_particle_group_def group = fw_particle_group_def_default();
+    group.count = 3;
+    group.positions = places;
+    fw_particles_def def = fw_particles_def_default();
+    def.groups = &group;
+    def.group_count = 1;
+    fw_solid *solid;
+    assert_int_equal(fw_particles_create(&solid, &def, NULL), FW_OK);
+    const fw_particle_order order = fw_particle_order_of(solid, 0);
+    assert_close(order.local, 1, 1e-15);
+    assert_close(order.coordination, 2. / 3, 1e-15);
+    fw_solid_destroy(solid);
+}
+
 static void order_tells_axes(void **state)
 {
     (void)state;
@@ -280,6 +299,7 @@ int main(void)
         cmocka_unit_test(virial_is_the_work_of_a_strain),
         cmocka_unit_test(ideal_gas_has_its_pressure),
         cmocka_unit_test(motion_is_measured_beside_its_drift),
+        cmocka_unit_test(order_is_of_those_that_are_bonded),
         cmocka_unit_test(order_tells_axes),
         cmocka_unit_test(crystals_have_bragg_peaks),
         cmocka_unit_test(a_crystal_that_is_turned_or_stretched_a_little_is_found),
