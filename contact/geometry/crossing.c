@@ -60,6 +60,26 @@ bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_movi
     return lies_beside(point, from, to, *when, END_TOLERANCE);
 }
 
+bool fw_crossing_round_end(fw_moving_point point, fw_moving_point from, fw_moving_point to,
+                           double behind, bool *at_from)
+{
+    const fw_vec2 edge = fw_vec2_subtract(to.at, from.at);
+    const fw_vec2 apart = fw_vec2_subtract(point.at, from.at);
+    const double squared = fw_vec2_dot(edge, edge), part = fw_vec2_dot(apart, edge);
+    const fw_vec2 later = fw_vec2_subtract(place_at(to, 1), place_at(from, 1));
+    const double end =
+        fw_vec2_cross(later, fw_vec2_subtract(place_at(point, 1), place_at(from, 1)));
+    *at_from = part < 0;
+    if (fw_vec2_cross(edge, apart) >= -behind * squared || end >= -behind * squared) return false;
+    if ((part >= 0 && part <= squared) || !lies_beside(point, from, to, 1, 0)) return false;
+    const fw_moving_point corner = *at_from ? from : to;
+    const fw_vec2 motion = fw_vec2_subtract(point.motion, corner.motion);
+    const fw_vec2 before = fw_vec2_subtract(point.at, corner.at);
+    const fw_vec2 after = fw_vec2_add(before, motion);
+    const double way = fw_vec2_dot(motion, motion);
+    return fw_vec2_dot(before, before) <= way && fw_vec2_dot(after, after) <= way;
+}
+
 bool fw_crossing_of_points(fw_moving_point a, fw_moving_point b, double *when)
 {
     const fw_vec2 apart = fw_vec2_subtract(b.at, a.at);

@@ -22,6 +22,13 @@ typedef struct fw_moving_point {
 bool fw_crossing_of_segment(fw_moving_point point, fw_moving_point from, fw_moving_point to,
                             double behind, double *when);
 
+/* Does the point come behind the segment round one of its ends? It lies behind the segment's
+ * extension and beyond that end, as before a face that bends away there, and in the end it lies
+ * behind the segment itself, where the face has bent the other way; both near the end, by no more
+ * than they move apart. By more than `behind` of the length. */
+bool fw_crossing_round_end(fw_moving_point point, fw_moving_point from, fw_moving_point to,
+                           double behind, bool *at_from);
+
 /* Do two points meet, as the ends of chains do that lie in one line? They pass each other no
  * further apart than rounding explains, or nearly come to one place. Points that start at one place
  * do not meet. */

@@ -175,9 +175,15 @@ static fw_status look_at(fw_scene *scene, int body, int point, int other,
         fw_crossing_of_points(a, from, &row.when))
         FW_TRY(note_unknown(scene, &row, error));
     row.to = segment->to;
-    if (row.from == row.to ||
-        !fw_crossing_of_segment(a, from, to, segment->two_sided ? -BESIDE : BEHIND, &row.when))
-        return FW_OK;
+    if (row.from == row.to) return FW_OK;
+    if (fw_crossing_of_segment(a, from, to, segment->two_sided ? -BESIDE : BEHIND, &row.when))
+        return note_unknown(scene, &row, error);
+    /* No row with the segment would keep it out: it is behind its extension already. The corner
+     * does, which it may not come nearer to. */
+    bool at_from;
+    if (segment->two_sided || !fw_crossing_round_end(a, from, to, BEHIND, &at_from)) return FW_OK;
+    row.from = row.to = at_from ? segment->from : segment->to;
+    row.when = 1;
     return note_unknown(scene, &row, error);
 }
 

@@ -155,6 +155,26 @@ static void a_way_that_is_no_number_crosses_nothing(void **state)
         }
 }
 
+/* A point slides along a face whose corner bends out at first and in at last: it is behind the
+ * extension of the next segment before it comes beside it. (From a collision at .5 a step, in which
+ * it got .1 deep.) */
+static void face_that_bends_over_lets_no_point_round_its_corner(void **state)
+{
+    (void)state;
+    fw_moving_point p = {{4.614622, -7.633552}, {0.122165, -0.34193}};
+    const fw_moving_point below = {{4.545179, -8.758047}, {0.038242, -0.002923}};
+    fw_moving_point corner = {{4.602542, -7.762431}, {0.157564, -0.010264}};
+    double when;
+    bool at_from;
+    assert_false(fw_crossing_of_segment(p, below, corner, 1e-6, &when));
+    assert_true(fw_crossing_round_end(p, below, corner, 1e-6, &at_from));
+    assert_false(at_from);
+    p.motion.x = 0; /* it moves away from the face, out of which the corner comes no further */
+    assert_false(fw_crossing_round_end(p, below, corner, 1e-6, &at_from));
+    p.motion = (fw_vec2){0.122165, 0.1}; /* it goes the other way */
+    assert_false(fw_crossing_round_end(p, below, corner, 1e-6, &at_from));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -164,6 +184,7 @@ int main(void)
         cmocka_unit_test(ends_belong_to_both_segments_that_meet_there),
         cmocka_unit_test(tips_meet_only_in_one_line),
         cmocka_unit_test(lines_keep_points_on_their_side),
+        cmocka_unit_test(face_that_bends_over_lets_no_point_round_its_corner),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
