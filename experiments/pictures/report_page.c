@@ -68,7 +68,7 @@ static fw_status write_sweep(report *r, fw_error *error)
     if (sweep->about) fw_json_text(&r->json, "about", sweep->about);
     const int cases = sweep->study.sweep.case_count;
     r->budget = (size_t)(BUDGET / (cases > 0 ? cases : 1));
-    if (r->budget < BUDGET_LEAST) r->budget = (size_t)BUDGET_LEAST;
+    if (r->budget < (size_t)BUDGET_LEAST) r->budget = (size_t)BUDGET_LEAST;
     fw_status status = fw_report_table(&r->json, directory, sweep, error);
     if (status == FW_OK) status = fw_report_pictures(&r->json, directory, sweep, error);
     fw_json_begin(&r->json, "runs", '[');
