@@ -33,7 +33,7 @@ static void distances_are_kept_by_what_has_an_edge(void **state)
                         "contact: {distance: 0.5}\n" RUN),
                    FW_BAD_INPUT, "body two is of model movable-particles");
     assert_refused(make(BODIES "contact: {distance: -1}\n" RUN), FW_BAD_INPUT,
-                   "s.yaml:5:21: contact.distance is -1");
+                   "s.yaml:5:21: contact.distance is '-1', expected");
 }
 
 static void bodies_start_no_nearer(void **state)
