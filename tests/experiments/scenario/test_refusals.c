@@ -298,7 +298,7 @@ static const struct {
     {"run.steps=4e3", "run.steps=4e3: run.steps is '4e3', expected a whole number of at least 1, "
                       "written without point, exponent or leading zeros"},
     {"steps=3", "steps=3: unknown key 'steps', expected a key of a scenario: title, source, "
-                "figure, group, takes, "
+                "figure, group, takes, small, "
                 "about, parameters, materials, bodies, walls, forces, grips, phases, profile, "
                 "study, dynamics, "
                 "contact, run, record, "
@@ -327,12 +327,12 @@ static const struct {
      "expected corners that differ in x and in y"},
     {"forces.pull.until=5",
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
-    {"a=b=c",
-     "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, takes, "
-     "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, "
-     "dynamics, "
-     "contact, run, record, "
-     "measure, expect, pictures, analysis"},
+    {"a=b=c", "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, "
+              "takes, small, "
+              "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, "
+              "dynamics, "
+              "contact, run, record, "
+              "measure, expect, pictures, analysis"},
 };
 
 static char *change(const char *written, const char *instead)
