@@ -23,7 +23,9 @@ static const char rubs[] =
     "  floor: {chain: [[-50, 0], [50, 0]], surface: {coulomb: 0.3}}\n"
     "  ceiling: {chain: [[50, 3.15], [-50, 3.15]], surface: {coulomb: 0.1}}\n"
     "forces: {shaking: {body: sheet, random: 0.02}}\n"
-    "measure: [energy, momentum, reaction, friction-heat, dissipated, contacts-so-far]\n" ALL RUN
+    "measure: [energy, momentum, reaction, friction-heat, dissipated, contacts-so-far,"
+    " certificate-creep, body-stuck]\n"
+    "record: {velocity: true, force: true, fields: [energy, friction-heat, rubbing, sliding]}\n" RUN
     "}\n";
 
 static const char breaks[] =
