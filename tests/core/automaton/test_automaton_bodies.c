@@ -132,6 +132,37 @@ static void breaking_takes_energy_into_the_ledger(void **state)
     fw_sites_clear(&sites);
 }
 
+static bool is_exposed(const fw_solid *solid, int particle)
+{
+    bool found = false;
+    for (int n = 0; n < solid->boundary_count; ++n) {
+        assert_true(n == 0 || solid->boundary[n - 1] < solid->boundary[n]);
+        found = found || solid->boundary[n] == particle;
+    }
+    return found;
+}
+
+/* From inside a body, whichever colour it is broken from. */
+static void both_ends_of_a_broken_bond_are_exposed(void **state)
+{
+    (void)state;
+    for (int from = 14; from <= 15; ++from) {
+        fw_sites sites = rectangle(6, 6);
+        fw_elastic_automaton_def def = def_of(&sites, 1, 0.5);
+        def.break_at = 100;
+        fw_solid *solid = stirred(def, 0.1);
+        const int count = solid->boundary_count;
+        assert_false(is_exposed(solid, from));
+        assert_false(is_exposed(solid, from + 1));
+        assert_true(fw_elastic_automaton_break(solid, from, FW_EAST));
+        assert_true(is_exposed(solid, from));
+        assert_true(is_exposed(solid, from + 1));
+        assert_int_equal(solid->boundary_count, count + 2);
+        fw_solid_destroy(solid);
+        fw_sites_clear(&sites);
+    }
+}
+
 static void rigid_motion_breaks_nothing(void **state)
 {
     (void)state;
@@ -299,6 +330,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bad_bodies_are_refused_with_the_reason),
         cmocka_unit_test(breaking_takes_energy_into_the_ledger),
+        cmocka_unit_test(both_ends_of_a_broken_bond_are_exposed),
         cmocka_unit_test(rigid_motion_breaks_nothing),
         cmocka_unit_test(cell_without_bonds_freezes),
         cmocka_unit_test(list_of_links_is_that_of_a_restart),
