@@ -59,13 +59,16 @@ static void write_holder(int descriptor)
 }
 
 /* Somebody may be at work there without a claim, as `fretwork resume` of the folder is. */
-static bool is_held(const char *directory)
+static fw_status look_for_holder(bool *held, const char *directory, fw_error *error)
 {
-    fw_folder *folder;
-    fw_error ignored;
-    const bool held = fw_folder_open(&folder, directory, &ignored) != FW_OK;
+    fw_folder *folder = NULL;
+    fw_error reason;
+    const fw_status status = fw_folder_open(&folder, directory, &reason);
     fw_folder_close(folder);
-    return held;
+    *held = status == FW_BAD_INPUT;
+    if (status == FW_OK || *held) return FW_OK;
+    *error = reason;
+    return status;
 }
 
 fw_status fw_claim_take(fw_claim **claim, const char *directory, fw_error *error)
@@ -81,9 +84,11 @@ fw_status fw_claim_take(fw_claim **claim, const char *directory, fw_error *error
         free(made);
         return status;
     }
-    if (is_held(directory)) {
+    bool held;
+    status = look_for_holder(&held, directory, error);
+    if (status != FW_OK || held) {
         fw_claim_release(made);
-        return FW_OK;
+        return status;
     }
     write_holder(made->descriptor);
     *claim = made;
