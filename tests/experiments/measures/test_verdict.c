@@ -118,6 +118,30 @@ static void an_error_that_is_a_lower_bound_is_called_one(void **state)
     assert_non_null(strstr(v.found, " +- "));
 }
 
+/* "100 +- 1" holds 100.9 and not 101.1, "100 +- 1 %" too; "2 +- 1 %" does not hold 2.1. */
+static void bounds_are_absolute_or_relative(void **state)
+{
+    (void)state;
+    static const struct {
+        fw_verdict_kind kind;
+        double value, within, measured;
+        bool holds;
+    } cases[] = {
+        {FW_VERDICT_VALUE, 100, 1, 100.9, true},      {FW_VERDICT_VALUE, 100, 1, 101.1, false},
+        {FW_VERDICT_RELATIVE, 100, .01, 100.9, true}, {FW_VERDICT_RELATIVE, 100, .01, 98.9, false},
+        {FW_VERDICT_RELATIVE, 2, .01, 2.1, false},    {FW_VERDICT_RELATIVE, -2, .01, -2.01, true},
+    };
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; ++n) {
+        const fw_expectation e = {.quantity.text = "energy",
+                                  .kind = cases[n].kind,
+                                  .value = cases[n].value,
+                                  .within = cases[n].within};
+        fw_verdict v = {.expectation = &e, .measured = cases[n].measured, .error = NAN, .seeds = 1};
+        fw_verdict_judge(&v);
+        assert_int_equal(v.holds, cases[n].holds);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -125,6 +149,7 @@ int main(void)
         cmocka_unit_test(a_window_takes_both_its_ends),
         cmocka_unit_test(what_is_no_number_is_not_measured),
         cmocka_unit_test(an_error_that_is_a_lower_bound_is_called_one),
+        cmocka_unit_test(bounds_are_absolute_or_relative),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

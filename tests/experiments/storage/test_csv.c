@@ -31,8 +31,26 @@ static void csv_gives_every_text_back(void **state)
     free(line);
 }
 
+static void csv_gives_every_number_back(void **state)
+{
+    static const double numbers[] = {0, 1. / 3, -2e300, 4.9e-324, 0.1, 1e22 / 7, INFINITY};
+    (void)state;
+    for (size_t n = 0; n < sizeof numbers / sizeof *numbers; ++n) {
+        char *text = NULL;
+        size_t size = 0;
+        FILE *out = open_memstream(&text, &size);
+        assert_non_null(out);
+        fw_csv_write_number(out, numbers[n]);
+        fclose(out);
+        assert_true(fw_csv_read_number(text) == numbers[n]);
+        free(text);
+    }
+    assert_true(isnan(fw_csv_read_number("")));
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(csv_gives_every_text_back)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(csv_gives_every_text_back),
+                                       cmocka_unit_test(csv_gives_every_number_back)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
