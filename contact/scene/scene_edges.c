@@ -152,12 +152,13 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
     if (!joint) return fw_fail_memory(error, "the contact of bodies");
     joint->members = calloc((size_t)count + 1, sizeof *joint->members);
     joint->member_bodies = calloc((size_t)count + 1, sizeof *joint->member_bodies);
+    joint->frames = calloc((size_t)count + 1, sizeof *joint->frames);
     joint->slots = calloc((size_t)scene->body_count + 1, sizeof *joint->slots);
     joint->bodies = calloc((size_t)slots + 1, sizeof *joint->bodies);
     joint->solver = fw_joint_create();
     joint->rubs = count > 0 && scene_bodies_rub(scene);
-    if (!joint->members || !joint->member_bodies || !joint->slots || !joint->bodies ||
-        !joint->solver)
+    if (!joint->members || !joint->member_bodies || !joint->frames || !joint->slots ||
+        !joint->bodies || !joint->solver)
         return fw_fail_memory(error, "the contact of bodies");
     for (int b = 0; b < scene->body_count; ++b) {
         const int parts = fw_solid_parts(scene->bodies[b].solid, 0, NULL);
@@ -198,6 +199,7 @@ void scene_destroy_edges(fw_scene *scene)
     fw_meeting_destroy(joint->search);
     free(joint->members);
     free(joint->member_bodies);
+    free(joint->frames);
     free(joint->slots);
     free(joint->ends);
     free(joint->joint_ends);

@@ -86,7 +86,8 @@ typedef struct scene_joint {
     fw_meeting_body *members; /* one per body that meets others, and per part of one */
     int *member_bodies;
     int member_count;
-    int *slots; /* per body of the scene: its first one in `bodies` */
+    fw_box *frames; /* of members, for a look at all pairs */
+    int *slots;     /* per body of the scene: its first one in `bodies` */
     int slot_count;
     int predicted; /* busy runs of `search` whose points are predicted */
     int changes;   /* rows added or closed in this tick */
