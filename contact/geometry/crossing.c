@@ -140,3 +140,15 @@ bool fw_crossing_of_circle(fw_moving_point a, fw_moving_point b, double distance
     *when = a0 / (sqrt(discriminant) - a1);
     return *when < 1;
 }
+
+bool fw_crossing_of_still(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d)
+{
+    const fw_vec2 ab = fw_vec2_subtract(b, a), cd = fw_vec2_subtract(d, c);
+    const double least = 1e-9 * (fw_vec2_dot(ab, ab) + fw_vec2_dot(cd, cd));
+    const double c_side = fw_vec2_cross(ab, fw_vec2_subtract(c, a));
+    const double d_side = fw_vec2_cross(ab, fw_vec2_subtract(d, a));
+    const double a_side = fw_vec2_cross(cd, fw_vec2_subtract(a, c));
+    const double b_side = fw_vec2_cross(cd, fw_vec2_subtract(b, c));
+    return fmin(fabs(c_side), fabs(d_side)) > least && fmin(fabs(a_side), fabs(b_side)) > least &&
+           (c_side > 0) != (d_side > 0) && (a_side > 0) != (b_side > 0);
+}

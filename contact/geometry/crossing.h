@@ -41,4 +41,8 @@ bool fw_crossing_of_distance(fw_moving_point point, fw_moving_point from, fw_mov
 /* Do two points come nearer to each other than that? */
 bool fw_crossing_of_circle(fw_moving_point a, fw_moving_point b, double distance, double *when);
 
+/* Do the segments a -> b and c -> d cross as they lie, well between their ends: by more than
+ * rounding? */
+bool fw_crossing_of_still(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d);
+
 #endif

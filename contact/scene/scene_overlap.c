@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_overlap.c - bodies that lie in each other: refused at the start, and measured. State: none.
  * Start reading at scene_refuse_overlaps(). */
+#include "contact/geometry/crossing.h"
 #include "scene_parts.h"
 
 #include <math.h>
@@ -97,19 +98,6 @@ static int find_deepest(const fw_meeting_body *body, const fw_meeting_body *in, 
     return deepest;
 }
 
-/* Does a pair of segments cross well between their ends? */
-static bool cross(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d)
-{
-    const fw_vec2 ab = fw_vec2_subtract(b, a), cd = fw_vec2_subtract(d, c);
-    const double least = 1e-9 * (fw_vec2_dot(ab, ab) + fw_vec2_dot(cd, cd));
-    const double c_side = fw_vec2_cross(ab, fw_vec2_subtract(c, a));
-    const double d_side = fw_vec2_cross(ab, fw_vec2_subtract(d, a));
-    const double a_side = fw_vec2_cross(cd, fw_vec2_subtract(a, c));
-    const double b_side = fw_vec2_cross(cd, fw_vec2_subtract(b, c));
-    return fmin(fabs(c_side), fabs(d_side)) > least && fmin(fabs(a_side), fabs(b_side)) > least &&
-           (c_side > 0) != (d_side > 0) && (a_side > 0) != (b_side > 0);
-}
-
 /* Do two segments share a stretch of one line? */
 static bool coincide(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d)
 {
@@ -130,7 +118,7 @@ static const char *find_fault(const fw_meeting_body *first, const fw_contour_seg
 {
     const fw_vec2 a = place_of(first, s->from), b = place_of(first, s->to);
     const fw_vec2 c = place_of(second, t->from), d = place_of(second, t->to);
-    if (cross(a, b, c, d)) return "their edges cross";
+    if (fw_crossing_of_still(a, b, c, d)) return "their edges cross";
     if ((s->two_sided || t->two_sided) && coincide(a, b, c, d))
         return "a link of single particles lies on the other's edge";
     return NULL;

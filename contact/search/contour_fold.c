@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* contour_fold.c - does a body's edge cross itself? Segments in the order of x, each against those
  * that begin before it ends. Keeps no state. */
+#include "contact/geometry/crossing.h"
 #include "contact/search/contour.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 typedef struct span {
@@ -23,26 +23,13 @@ static fw_vec2 place_of(const fw_contour *contour, const fw_solid *solid, int po
     return fw_solid_position(solid, contour->particles[point]);
 }
 
-/* Well between their ends, by more than rounding. */
-static bool cross(fw_vec2 a, fw_vec2 b, fw_vec2 c, fw_vec2 d)
-{
-    const fw_vec2 ab = fw_vec2_subtract(b, a), cd = fw_vec2_subtract(d, c);
-    const double least = 1e-9 * (fw_vec2_dot(ab, ab) + fw_vec2_dot(cd, cd));
-    const double c_side = fw_vec2_cross(ab, fw_vec2_subtract(c, a));
-    const double d_side = fw_vec2_cross(ab, fw_vec2_subtract(d, a));
-    const double a_side = fw_vec2_cross(cd, fw_vec2_subtract(a, c));
-    const double b_side = fw_vec2_cross(cd, fw_vec2_subtract(b, c));
-    return fmin(fmin(fabs(c_side), fabs(d_side)), fmin(fabs(a_side), fabs(b_side))) > least &&
-           (c_side > 0) != (d_side > 0) && (a_side > 0) != (b_side > 0);
-}
-
 static bool cross_each_other(const fw_contour *contour, const fw_solid *solid, int first,
                              int second)
 {
     const fw_contour_segment *s = &contour->segments[first], *t = &contour->segments[second];
     if (s->from == t->from || s->from == t->to || s->to == t->from || s->to == t->to) return false;
-    return cross(place_of(contour, solid, s->from), place_of(contour, solid, s->to),
-                 place_of(contour, solid, t->from), place_of(contour, solid, t->to));
+    return fw_crossing_of_still(place_of(contour, solid, s->from), place_of(contour, solid, s->to),
+                                place_of(contour, solid, t->from), place_of(contour, solid, t->to));
 }
 
 fw_status fw_contour_find_fold(const fw_contour *contour, const fw_solid *solid, int *segment,
