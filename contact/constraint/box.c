@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-enum { ROUNDS = 60 };
+/* Rounds in which all lines may change, and all rounds. Most problems settle in a few. */
+enum { ROUNDS_AT_ONCE = 30, ROUNDS = 480 };
 
 /* Which lines are at a limit is found by taking all that go beyond it to it, and back all that
  * would leave it; one at a time where that does not end. */
@@ -41,7 +42,7 @@ bool joint_solve_box(joint_system *system, const double *limit, int bandwidth, d
         state[n] = 0;
     }
     joint_band_fill(&p, system);
-    for (int round = 0; round < 8 * ROUNDS && !settled; ++round) {
+    for (int round = 0; round < ROUNDS && !settled; ++round) {
         for (int n = 0; n < p.count; ++n) {
             barrier[n] = state[n] == 0 ? 0 : JOINT_HELD_OFF;
             p.lambda[n] = state[n] * limit[n] / p.scale[n];
@@ -56,7 +57,7 @@ bool joint_solve_box(joint_system *system, const double *limit, int bandwidth, d
                 if (state[n] == 0) p.lambda[n] += p.step[n];
         }
         joint_band_multiply(&p, p.lambda, p.rest);
-        settled = change_states(&p, limit, state, round >= ROUNDS / 2) == 0;
+        settled = change_states(&p, limit, state, round >= ROUNDS_AT_ONCE) == 0;
     }
     for (int n = 0; n < p.count; ++n)
         system->lambda[n] = fmin(fmax(p.lambda[n] * p.scale[n], -limit[n]), limit[n]);

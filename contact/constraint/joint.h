@@ -131,6 +131,12 @@ static inline double fw_joint_coefficient(const fw_joint_rub *rub)
     return !rub->slides && rub->at_rest > rub->coefficient ? rub->at_rest : rub->coefficient;
 }
 
+/* What bounds the row's traction: that coefficient times the reaction. */
+static inline double fw_joint_cone(const fw_joint_row *row)
+{
+    return 0.5 * fw_joint_coefficient(&row->rub) * (row->lambda + row->rub.before);
+}
+
 /* G w of a row with the weights that it has. */
 double fw_joint_motion(const fw_joint_row *row, const fw_joint_end *ends);
 

@@ -12,7 +12,8 @@
 
 /* Unknowns beyond which it is not tried: a step takes their third power. */
 enum { UNKNOWNS = 64 };
-/* So many times all states are changed, then one at a time. */
+/* So many times all states are changed, then one at a time; and so many parts of what sticking lets
+ * through are tried. */
 enum { AT_ONCE = 15, STEPS = 60, PARTS = 40 };
 /* Pivots below this part of the first one are dependences, not numbers. */
 #define DEPENDENT 1e-11

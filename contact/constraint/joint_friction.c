@@ -138,8 +138,7 @@ static int make_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row
         rub->stuck = false;
         if (!(rub->coefficient > 0)) continue;
         set_tangent(joint, ends, row, z, lines);
-        rub->limit =
-            rub->barred ? 0 : 0.5 * fw_joint_coefficient(rub) * (row->lambda + rub->before);
+        rub->limit = rub->barred ? 0 : fw_joint_cone(row);
         if (!(rub->limit > 0) ||
             !joint_make_line(joint, ends, row, rub->weight, &joint->tangents[lines]))
             continue;

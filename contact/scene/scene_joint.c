@@ -74,7 +74,7 @@ static fw_status add_wall(fw_scene *scene, int end, int number, bool open, fw_er
     return append_row(joint, &row, &what, error);
 }
 
-/* Whether the row was there already; it is not open any more. */
+/* Whether the row was there already. It is closed, if `open` is not asked for. */
 static bool close_known(scene_joint *joint, int end, const scene_row *row, bool open)
 {
     const int known = scene_find_row(joint, end, row);
@@ -216,7 +216,7 @@ static void add_wall_contact(const fw_scene *scene, fw_contact_solution *solutio
     contact->work += fw_vec2_dot(force, motion);
     contact->spring = solved->kind == FW_JOINT_SPRING;
     if (!(rub->coefficient > 0)) return;
-    const double cone = 0.5 * fw_joint_coefficient(rub) * (solved->lambda + rub->before);
+    const double cone = fw_joint_cone(solved);
     contact->dissipated -= rub->traction * rub->slip;
     contact->cone = fmax(contact->cone, cone);
     contact->beyond = fmax(contact->beyond, fabs(rub->traction) - cone * (1 + 1e-9));
@@ -305,16 +305,23 @@ static void book_row(fw_scene *scene, const fw_joint_row *row)
     }
 }
 
+static void book_impulses(fw_scene *scene)
+{
+    for (int b = 0; b < scene->joint->slot_count; ++b) {
+        fw_body_ledger *ledger = &scene->joint->bodies[b];
+        ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
+    }
+}
+
 void scene_book_joint(fw_scene *scene)
 {
     scene_joint *joint = scene->joint;
     if (!joint) return;
     bool touches = false;
-    for (int b = 0; b < joint->slot_count && scene_is_second_tick(scene); ++b) {
-        fw_body_ledger *ledger = &joint->bodies[b];
-        ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
+    if (scene_is_second_tick(scene)) {
+        book_impulses(scene);
+        return;
     }
-    if (scene_is_second_tick(scene)) return;
     for (int b = 0; b < joint->slot_count; ++b) {
         fw_body_ledger *ledger = &joint->bodies[b];
         ledger->reaction = fw_vec2_scale(0.5, ledger->force);
@@ -330,8 +337,8 @@ void scene_book_joint(fw_scene *scene)
     for (int b = 0; b < joint->slot_count; ++b) {
         fw_body_ledger *ledger = &joint->bodies[b];
         ledger->reaction = fw_vec2_add(ledger->reaction, fw_vec2_scale(0.5, ledger->force));
-        ledger->impulse = fw_vec2_add(ledger->impulse, fw_vec2_scale(scene->tick, ledger->force));
     }
+    book_impulses(scene);
     scene_remember_rubbing(scene);
     joint->ledger.ticks += touches;
     joint->ledger.iterations += joint->outcome.iterations;

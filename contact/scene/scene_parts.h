@@ -291,9 +291,9 @@ int scene_find_row(const scene_joint *joint, int end, const scene_row *row);
 fw_status scene_add_rubbing(fw_scene *scene, fw_error *error);
 /* Friction of a new row, on which the end is to rub from now on. */
 fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end);
-/* Coefficients between two bodies; does any rub on another? */
+/* That two bodies keep from each other. */
 double scene_distance_between(const fw_scene *scene, int a, int b);
-fw_friction scene_friction_between(const fw_scene *scene, int a, int b);
+/* Does any body rub on another? */
 bool scene_bodies_rub(const fw_scene *scene);
 /* Of a wall, the coefficients that it has against that body. */
 void scene_take_surface(const fw_scene *scene, int body, fw_surface *surface);

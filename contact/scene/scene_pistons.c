@@ -110,7 +110,7 @@ static fw_status look_at(fw_scene *scene, scene_reach reach, fw_vec2 w, fw_error
     return note(scene->joint, &reach, error);
 }
 
-/* The way of a particle, as far as it is known. */
+/* Displacement of a particle in this tick, as far as it is known. */
 static fw_vec2 path_of(const fw_scene *scene, const scene_body *body, int entry, int particle)
 {
     const int end = *scene_end_of_entry(body, entry);

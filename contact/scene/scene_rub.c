@@ -31,7 +31,7 @@ static fw_friction friction_of_surfaces(const fw_scene *scene, int a, int b)
                         : scene->friction;
 }
 
-fw_friction scene_friction_between(const fw_scene *scene, int a, int b)
+static fw_friction friction_between(const fw_scene *scene, int a, int b)
 {
     return friction_of_surfaces(scene, scene->bodies[a].surface, scene->bodies[b].surface);
 }
@@ -40,8 +40,7 @@ bool scene_bodies_rub(const fw_scene *scene)
 {
     for (int a = 0; a < scene->body_count; ++a)
         for (int b = 0; b <= a; ++b)
-            if (fw_scene_bodies_meet(scene, a, b) &&
-                scene_friction_between(scene, a, b).kinetic > 0)
+            if (fw_scene_bodies_meet(scene, a, b) && friction_between(scene, a, b).kinetic > 0)
                 return true;
     return false;
 }
@@ -66,7 +65,7 @@ fw_joint_rub scene_take_rub(fw_scene *scene, const scene_row *row, int end)
 {
     const scene_joint *joint = scene->joint;
     const scene_edge *edge = scene->bodies[row->point_body].edge;
-    const fw_friction friction = scene_friction_between(scene, row->point_body, row->body);
+    const fw_friction friction = friction_between(scene, row->point_body, row->body);
     fw_joint_rub rub = {.coefficient = friction.kinetic, .at_rest = friction.at_rest};
     if (!edge->rubs) return (fw_joint_rub){0};
     const scene_rub *memory = &edge->rubs[edge->contour.particles[row->point]];
@@ -183,7 +182,7 @@ void scene_remember_rubbing(fw_scene *scene)
         if (row->facet >= 0 || !(rub->coefficient > 0)) continue;
         joint->ledger.heat -= rub->traction * rub->slip;
         scene_record_rub(scene, row, rub);
-        const double cone = 0.5 * fw_joint_coefficient(rub) * (solved->lambda + rub->before);
+        const double cone = fw_joint_cone(solved);
         widest = fmax(widest, cone);
         beyond = fmax(beyond, fabs(rub->traction) - cone * (1 + 1e-9));
         /* A particle that is held is let go in every other step, and sticks all the same. */

@@ -8,6 +8,7 @@
  */
 #include "scene_parts.h"
 
+#include <assert.h>
 #include <math.h>
 
 /* Where a planned displacement is missed by more than this part of it, a link has broken. */
@@ -70,7 +71,8 @@ void scene_lead_points(fw_scene *scene, int first_busy)
     }
 }
 
-static fw_status couple(fw_scene *scene, int leader, int follower, int particle, fw_error *error)
+/* An end leads each of its followers once: it is made once. */
+static void couple(fw_scene *scene, int leader, int follower, int particle)
 {
     scene_joint *joint = scene->joint;
     const scene_body *body = &scene->bodies[joint->ends[follower].body];
@@ -78,14 +80,13 @@ static fw_status couple(fw_scene *scene, int leader, int follower, int particle,
     fw_partner partners[FW_PARTNERS];
     const int count = body->solid->model->partners(
         body->solid, body->edge->contour.particles[joint->ends[follower].point], partners);
-    (void)error;
     for (int k = 0; k < count; ++k) {
         if (partners[k].particle != particle) continue;
+        assert(led->lead_count < FW_JOINT_LEADS && leads->follower_count < FW_JOINT_LEADS);
         led->lead[led->lead_count++] = (fw_joint_lead){
             .end = leader, .x = partners[k].x, .y = partners[k].y, .expected = leads->displacement};
         leads->follower[leads->follower_count++] = follower;
     }
-    return FW_OK;
 }
 
 fw_status scene_couple_end(fw_scene *scene, int number, fw_error *error)
@@ -102,7 +103,7 @@ fw_status scene_couple_end(fw_scene *scene, int number, fw_error *error)
         int follower;
         if (point < 0) continue;
         FW_TRY(scene_find_end(scene, end.body, point, &follower, error));
-        FW_TRY(couple(scene, number, follower, particle, error));
+        couple(scene, number, follower, particle);
     }
     return FW_OK;
 }
