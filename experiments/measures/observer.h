@@ -28,10 +28,6 @@ typedef struct fw_observer {
 fw_status fw_observer_create(fw_observer **observer, const fw_scenario *scenario, fw_error *error);
 void fw_observer_destroy(fw_observer *observer);
 
-/* To be called after a saved state was written back. FW_BAD_INPUT: it names particles that there
- * are not. */
-fw_status fw_observer_restored(const fw_observer *observer, fw_error *error);
-
 /* What changes beside the scene, for checkpoints. */
 void fw_observer_state(fw_observer *observer, fw_state_list *list);
 
