@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scenes.h - what tests of scenes share: LB bodies, walls, steps that must not fail, and ledgers
- * that must close. */
+/* scenes.h - what tests of scenes share: LB bodies, steps that must not fail, ledgers that
+ * must close, and states that go on elsewhere. */
 #ifndef FW_TEST_SCENES_H
 #define FW_TEST_SCENES_H
 
@@ -71,6 +71,50 @@ static inline double energy_of(const fw_scene *scene)
 {
     const fw_energies e = fw_scene_energies(scene);
     return e.kinetic + e.elastic;
+}
+
+static inline fw_vec2 velocity_of(const fw_scene *scene, int body)
+{
+    const fw_solid *solid = fw_scene_observe_body(scene, body);
+    return fw_sym2_apply(fw_sym2_invert(solid->model->mass(solid)), fw_solid_momentum(solid));
+}
+
+/* Energy to `tolerance` of the largest so far, momentum to 100 times that. */
+static inline void assert_ledger_closes(const fw_scene *scene, double tolerance)
+{
+    const fw_ledger ledger = fw_scene_ledger(scene);
+    const fw_vec2 p = fw_scene_momentum(scene), wanted = fw_ledger_momentum(&ledger);
+    assert_close(energy_of(scene), fw_ledger_energy(&ledger),
+                 tolerance * fw_scene_energy_scale(scene));
+    assert_close(p.x, wanted.x, 100 * tolerance);
+    assert_close(p.y, wanted.y, 100 * tolerance);
+}
+
+/* Of the whole state. */
+static inline uint64_t hash_of(fw_scene *scene)
+{
+    uint64_t hash = 0;
+    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
+        fw_state_list list = {0};
+        fw_scene_section(scene, n, &list);
+        hash = hash * 31 + fw_state_list_hash(&list);
+    }
+    return hash;
+}
+
+/* Into a scene that was made in the same way. */
+static inline void copy_state(fw_scene *from, fw_scene *to)
+{
+    for (int n = 0; n < fw_scene_section_count(from); ++n) {
+        fw_state_list source = {0}, target = {0};
+        fw_scene_section(from, n, &source);
+        fw_scene_section(to, n, &target);
+        for (int k = 0; k < source.count; ++k)
+            if (source.array[k].count > 0)
+                memcpy(target.array[k].data, source.array[k].data,
+                       source.array[k].count * fw_element_size(source.array[k].element));
+    }
+    must(fw_scene_restored(to, &error));
 }
 
 #endif

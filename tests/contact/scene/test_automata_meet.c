@@ -37,22 +37,6 @@ static fw_solid *add_cells(fw_scene *scene, cells o)
     return solid;
 }
 
-static fw_vec2 velocity_of(const fw_scene *scene, int body)
-{
-    const fw_solid *solid = fw_scene_observe_body(scene, body);
-    return fw_sym2_apply(fw_sym2_invert(solid->model->mass(solid)), fw_solid_momentum(solid));
-}
-
-static void assert_ledger_closes(const fw_scene *scene, double tolerance)
-{
-    const fw_ledger ledger = fw_scene_ledger(scene);
-    const fw_vec2 p = fw_scene_momentum(scene), wanted = fw_ledger_momentum(&ledger);
-    assert_close(energy_of(scene), fw_ledger_energy(&ledger),
-                 tolerance * fw_scene_energy_scale(scene));
-    assert_close(p.x, wanted.x, 100 * tolerance);
-    assert_close(p.y, wanted.y, 100 * tolerance);
-}
-
 /* A wave in a line: the left one stops, whichever colours meet. */
 static void equal_chains_swap_velocities(void **state)
 {
@@ -229,30 +213,6 @@ static void friction_only_takes_energy(void **state)
     assert_true(fw_scene_body_penetration(scene) == 0);
     assert_ledger_closes(scene, 1e-12);
     fw_scene_destroy(scene);
-}
-
-static uint64_t hash_of(fw_scene *scene)
-{
-    uint64_t hash = 0;
-    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
-        fw_state_list list = {0};
-        fw_scene_section(scene, n, &list);
-        hash = hash * 31 + fw_state_list_hash(&list);
-    }
-    return hash;
-}
-
-static void copy_state(fw_scene *from, fw_scene *to)
-{
-    for (int n = 0; n < fw_scene_section_count(from); ++n) {
-        fw_state_list source = {0}, target = {0};
-        fw_scene_section(from, n, &source);
-        fw_scene_section(to, n, &target);
-        for (int k = 0; k < source.count; ++k)
-            memcpy(target.array[k].data, source.array[k].data,
-                   source.array[k].count * fw_element_size(source.array[k].element));
-    }
-    must(fw_scene_restored(to, &error));
 }
 
 static void run_that_goes_on_elsewhere_has_the_same_bytes(void **state)

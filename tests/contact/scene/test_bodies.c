@@ -22,12 +22,6 @@ static double apart(sums before, sums after)
     return fmax(fabs(after.energy / before.energy - 1), fmax(fabs(change.x), fabs(change.y)));
 }
 
-static fw_vec2 velocity_of(const fw_scene *scene, int body)
-{
-    const fw_solid *solid = fw_scene_observe_body(scene, body);
-    return fw_sym2_apply(fw_sym2_invert(solid->model->mass(solid)), fw_solid_momentum(solid));
-}
-
 /* A chain along x. */
 static void add_chain(fw_scene *scene, int count, double x, double velocity)
 {
@@ -119,16 +113,6 @@ static fw_scene *crowded_room(fw_surface surface)
     return scene;
 }
 
-static void assert_ledger_closes(const fw_scene *scene, double tolerance)
-{
-    const fw_ledger ledger = fw_scene_ledger(scene);
-    const fw_vec2 p = fw_scene_momentum(scene), wanted = fw_ledger_momentum(&ledger);
-    assert_close(energy_of(scene), fw_ledger_energy(&ledger),
-                 tolerance * fw_scene_energy_scale(scene));
-    assert_close(p.x, wanted.x, 100 * tolerance);
-    assert_close(p.y, wanted.y, 100 * tolerance);
-}
-
 static void bodies_in_a_room_stay_in_it_and_out_of_each_other(void **state)
 {
     (void)state;
@@ -153,30 +137,6 @@ static void bodies_in_a_room_stay_in_it_and_out_of_each_other(void **state)
         assert_close(sum.y, 0, 1e-11);
         fw_scene_destroy(scene);
     }
-}
-
-static uint64_t hash_of(fw_scene *scene)
-{
-    uint64_t hash = 0;
-    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
-        fw_state_list list = {0};
-        fw_scene_section(scene, n, &list);
-        hash = hash * 31 + fw_state_list_hash(&list);
-    }
-    return hash;
-}
-
-static void copy_state(fw_scene *from, fw_scene *to)
-{
-    for (int n = 0; n < fw_scene_section_count(from); ++n) {
-        fw_state_list source = {0}, target = {0};
-        fw_scene_section(from, n, &source);
-        fw_scene_section(to, n, &target);
-        for (int k = 0; k < source.count; ++k)
-            memcpy(target.array[k].data, source.array[k].data,
-                   source.array[k].count * fw_element_size(source.array[k].element));
-    }
-    must(fw_scene_restored(to, &error));
 }
 
 /* Whatever the fat boxes and lists of candidates were. */

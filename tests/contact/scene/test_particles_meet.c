@@ -215,30 +215,6 @@ static void bodies_that_start_in_each_other_are_refused_by_name(void **state)
     fw_scene_destroy(scene);
 }
 
-static uint64_t hash_of(fw_scene *scene)
-{
-    uint64_t hash = 0;
-    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
-        fw_state_list list = {0};
-        fw_scene_section(scene, n, &list);
-        hash = hash * 31 + fw_state_list_hash(&list);
-    }
-    return hash;
-}
-
-static void copy_state(fw_scene *from, fw_scene *to)
-{
-    for (int n = 0; n < fw_scene_section_count(from); ++n) {
-        fw_state_list source = {0}, target = {0};
-        fw_scene_section(from, n, &source);
-        fw_scene_section(to, n, &target);
-        for (int k = 0; k < source.count; ++k)
-            memcpy(target.array[k].data, source.array[k].data,
-                   source.array[k].count * fw_element_size(source.array[k].element));
-    }
-    must(fw_scene_restored(to, &error));
-}
-
 static fw_scene *hot_scene(void)
 {
     fw_scene *scene = empty_scene(1e4);

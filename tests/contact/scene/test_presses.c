@@ -279,30 +279,6 @@ static void random_presses_keep_their_books_and_their_room(void **state)
     assert_int_equal(sum.feeds, 0);
 }
 
-static uint64_t hash_of(fw_scene *scene)
-{
-    uint64_t hash = 0;
-    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
-        fw_state_list list = {0};
-        fw_scene_section(scene, n, &list);
-        hash = hash * 31 + fw_state_list_hash(&list);
-    }
-    return hash;
-}
-
-static void copy_state(fw_scene *from, fw_scene *to)
-{
-    for (int n = 0; n < fw_scene_section_count(from); ++n) {
-        fw_state_list source = {0}, target = {0};
-        fw_scene_section(from, n, &source);
-        fw_scene_section(to, n, &target);
-        for (int k = 0; k < source.count; ++k)
-            memcpy(target.array[k].data, source.array[k].data,
-                   source.array[k].count * fw_element_size(source.array[k].element));
-    }
-    must(fw_scene_restored(to, &error));
-}
-
 /* Whatever was found in which order. */
 static void presses_that_go_on_elsewhere_have_the_same_bytes(void **state)
 {

@@ -154,31 +154,6 @@ static void what_lies_on_a_floor_does_not_creep(void **state)
     assert_close(place[0], place[1], 0);
 }
 
-static void copy_state(fw_scene *from, fw_scene *to)
-{
-    for (int n = 0; n < fw_scene_section_count(from); ++n) {
-        fw_state_list source = {0}, target = {0};
-        fw_scene_section(from, n, &source);
-        fw_scene_section(to, n, &target);
-        for (int k = 0; k < source.count; ++k)
-            if (source.array[k].count > 0)
-                memcpy(target.array[k].data, source.array[k].data,
-                       source.array[k].count * fw_element_size(source.array[k].element));
-    }
-    must(fw_scene_restored(to, &error));
-}
-
-static uint64_t hash_of(fw_scene *scene)
-{
-    uint64_t hash = 0;
-    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
-        fw_state_list list = {0};
-        fw_scene_section(scene, n, &list);
-        hash = hash * 31 + fw_state_list_hash(&list);
-    }
-    return hash;
-}
-
 static void friction_that_goes_on_elsewhere_has_the_same_bytes(void **state)
 {
     (void)state;
