@@ -25,7 +25,7 @@ const fw_certificate_row fw_certificate_rows[FW_CERTIFICATE_ITEMS] = {
 
 fw_certificate fw_certificate_begin(void)
 {
-    fw_certificate made;
+    fw_certificate made = {.worst = {0}};
     for (int n = 0; n < FW_CERTIFICATE_ITEMS; ++n) made.worst[n] = NAN;
     return made;
 }
@@ -68,6 +68,17 @@ static double momentum_scale(const fw_experiment *experiment, const fw_ledger *l
     return fmax(largest, sqrt(2 * mass * fw_scene_energy_scale(scene)));
 }
 
+/* A ledger lacks so much of what is of that size. */
+static void note_lack(fw_certificate *certificate, fw_certificate_item item, double lack,
+                      double scale)
+{
+    const int n = (int)item - (int)FW_CERTIFICATE_ENERGY;
+    double *most = &certificate->lacking[n];
+    if (!(lack <= *most)) *most = lack;
+    certificate->scale[n] = fmax(certificate->scale[n], scale);
+    certificate->worst[item] = *most == 0 ? 0 : *most / certificate->scale[n];
+}
+
 static void look_at_ledgers(fw_certificate *certificate, const fw_experiment *experiment)
 {
     const fw_scene *scene = experiment->scene;
@@ -78,9 +89,8 @@ static void look_at_ledgers(fw_certificate *certificate, const fw_experiment *ex
     const fw_vec2 apart = fw_vec2_subtract(fw_scene_momentum(scene), fw_ledger_momentum(&ledger));
     const double most = momentum_scale(experiment, &ledger),
                  size = fmax(fabs(apart.x), fabs(apart.y));
-    note(certificate, FW_CERTIFICATE_ENERGY,
-         scale > 0 ? fabs(energy - fw_ledger_energy(&ledger)) / scale : 0);
-    note(certificate, FW_CERTIFICATE_MOMENTUM, most > 0 ? size / most : 0);
+    note_lack(certificate, FW_CERTIFICATE_ENERGY, fabs(energy - fw_ledger_energy(&ledger)), scale);
+    note_lack(certificate, FW_CERTIFICATE_MOMENTUM, size, most);
 }
 
 static void look_at_walls(fw_certificate *certificate, const fw_scene *scene)
@@ -125,6 +135,8 @@ void fw_certificate_join(fw_certificate *certificate, const fw_certificate *othe
 void fw_certificate_state(fw_certificate *certificate, fw_state_list *list)
 {
     fw_state_list_add(list, "certificate", FW_F64, FW_CERTIFICATE_ITEMS, certificate->worst);
+    fw_state_list_add(list, "certificate-lacking", FW_F64, 2, certificate->lacking);
+    fw_state_list_add(list, "certificate-scale", FW_F64, 2, certificate->scale);
 }
 
 /* --- in a results file --- */

@@ -25,6 +25,9 @@ typedef enum fw_certificate_item {
  * there is nothing to enter. All of it is state. */
 typedef struct fw_certificate {
     double worst[FW_CERTIFICATE_ITEMS];
+    /* Of energy and momentum: the most that any ledger lacked, over the largest scale of the run:
+     * at a start from nothing there is none yet but rounding. */
+    double lacking[2], scale[2];
 } fw_certificate;
 
 typedef struct fw_certificate_row {
