@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* joint_system.h - the rows of one island as a problem of numbers: z is the point nearest to the
  * origin with C z >= wanted, and z = C^T lambda with lambda >= 0. A row c of C is G A^(1/2), wanted
- * is bound - G w_p, and w = w_p + A^(1/2) z. Shared by joint.c (which makes it), nearest.c and
- * interior.c and box.c (which solve it, see band.h), and by nobody else. */
+ * is bound - G w_p, and w = w_p + A^(1/2) z. Shared by joint.c and joint_friction.c (which make
+ * it), nearest.c, interior.c, box.c and joint_couple.c (which solve it), band.c, and by nobody
+ * else. */
 #ifndef FW_JOINT_SYSTEM_H
 #define FW_JOINT_SYSTEM_H
 

@@ -54,30 +54,30 @@ static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_jo
     row->bound = 0;
 }
 
-/* The ends of a row on their way through the step. */
-typedef struct ways {
+/* The ends of a row on their paths through the step. */
+typedef struct paths {
     fw_vec2 at[3], w[3];
-} ways;
+} paths;
 
-static fw_vec2 place_of(const ways *q, int k, double time)
+static fw_vec2 place_of(const paths *q, int k, double time)
 {
     return fw_vec2_add(q->at[k], fw_vec2_scale(time, q->w[k]));
 }
 
-static fw_vec2 between(const ways *q, int from, int to, double time)
+static fw_vec2 between(const paths *q, int from, int to, double time)
 {
     return fw_vec2_subtract(place_of(q, to, time), place_of(q, from, time));
 }
 
 /* How far end 0 lies beyond the corner along the segment, times its length. */
-static double beyond(const ways *q, int corner, double time)
+static double beyond(const paths *q, int corner, double time)
 {
     return fw_vec2_dot(between(q, corner, 0, time), between(q, 1, 2, time));
 }
 
 /* Where end 0 begins beyond a corner of the segment and ends beside it: the corner, and when it
  * passes it (a quadratic function of time, by secants). 0: it does not. */
-static int corner_passed(const ways *q, double *when)
+static int corner_passed(const paths *q, double *when)
 {
     const int corner = beyond(q, 1, 0) < 0 ? 1 : beyond(q, 2, 0) > 0 ? 2 : 0;
     if (corner == 0 || beyond(q, 1, 1) < 0 || beyond(q, 2, 1) > 0) return 0;
@@ -97,7 +97,7 @@ static int corner_passed(const ways *q, double *when)
  * change of |i - c| until then, and that of the area less d |k - j| afterwards. */
 static bool weigh_round_corner(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
 {
-    ways q;
+    paths q;
     double t = 0;
     for (int k = 0; k < 3; ++k) {
         q.at[k] = ends[row->end[k]].position;

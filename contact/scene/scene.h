@@ -190,7 +190,8 @@ typedef struct fw_contact_field {
     const char *meaning;
     void (*fill)(const struct scene_rubbed *rubbed, int count, double *values);
 } fw_contact_field;
-extern const fw_contact_field fw_contact_fields[];
+enum { FW_CONTACT_FIELDS = 3 };
+extern const fw_contact_field fw_contact_fields[FW_CONTACT_FIELDS + 1];
 /* NULL where nothing rubs the body, or there is no such field. */
 const fw_contact_field *fw_scene_find_field(const fw_scene *scene, int body, const char *name);
 /* A number per particle of the body. */

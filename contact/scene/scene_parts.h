@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
- * scene_soft.c, scene_carry.c and scene_room.c (its contact phase), scene_edges.c, scene_meet.c,
- * scene_turns.c, scene_pistons.c, scene_joint.c and scene_ends.c (bodies and pistons),
- * scene_make.c (making, restoring) and scene_observe.c, and by nobody else. */
+ * scene_soft.c, scene_carry.c and scene_room.c (its contact phase), scene_edges.c, scene_overlap.c,
+ * scene_meet.c, scene_turns.c, scene_pistons.c, scene_joint.c, scene_ends.c and scene_rub.c (bodies
+ * and pistons), scene_record.c (what particles felt), scene_make.c (making, restoring),
+ * scene_energy.c and scene_observe.c, and by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 

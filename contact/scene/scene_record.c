@@ -214,7 +214,7 @@ static void fill_sliding(const scene_rubbed *rubbed, int count, double *values)
 }
 
 /* clang-format off */
-const fw_contact_field fw_contact_fields[] = {
+const fw_contact_field fw_contact_fields[FW_CONTACT_FIELDS + 1] = {
     {FW_FIELD_HEAT, "heat of friction at the particle since the start: all of it at a wall, half of it between bodies", fill_heat},
     {FW_FIELD_RUBBING, "steps since the start in which the particle was pressed on what rubs it; of a face, by its share", fill_rubbing},
     {FW_FIELD_SLIDING, "steps of `rubbing` in which it slid", fill_sliding},
