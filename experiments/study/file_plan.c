@@ -97,7 +97,7 @@ static fw_status add_field(fw_file_plan *plan, fw_trajectory_field *fields, fw_s
 
 /* What a picture shows that names none: the field of its kind, where nothing is recorded in any
  * case and a body has it. */
-static fw_schema_name standard_field(const fw_file_plan *plan, const fw_scenario_picture *picture)
+static fw_schema_name default_field(const fw_file_plan *plan, const fw_scenario_picture *picture)
 {
     const char *wanted = fw_picture_rows[picture->kind].field;
     if (plan->def.field_count > 0 || !wanted) return (fw_schema_name){0};
@@ -122,7 +122,7 @@ static fw_status describe_fields(fw_file_plan *plan, fw_error *error)
 {
     const fw_scenario *scenario = plan->experiment->scenario;
     const fw_schema_names *wanted = &scenario->record.fields;
-    size_t most = (size_t)wanted->count + (size_t)scenario->picture_count + 3;
+    const size_t most = (size_t)wanted->count + (size_t)scenario->picture_count + FW_CONTACT_FIELDS;
     fw_trajectory_field *fields = calloc(most + 1, sizeof *fields);
     plan->def.fields = plan->fields = fields;
     if (!fields) return fw_fail_memory(error, "the fields of a results file");
@@ -131,9 +131,9 @@ static fw_status describe_fields(fw_file_plan *plan, fw_error *error)
         if (scenario->pictures[p].field.text)
             FW_TRY(add_field(plan, fields, scenario->pictures[p].field, error));
     for (int p = 0; p < scenario->picture_count; ++p) {
-        const fw_schema_name standard = standard_field(plan, &scenario->pictures[p]);
-        if (!scenario->pictures[p].field.text && standard.text)
-            FW_TRY(add_field(plan, fields, standard, error));
+        const fw_schema_name shown = default_field(plan, &scenario->pictures[p]);
+        if (!scenario->pictures[p].field.text && shown.text)
+            FW_TRY(add_field(plan, fields, shown, error));
     }
     for (int p = 0; p < scenario->picture_count; ++p)
         if (fw_picture_rows[scenario->pictures[p].kind].needs & FW_PICTURE_NEEDS_FRICTION)

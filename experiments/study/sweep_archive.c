@@ -125,10 +125,11 @@ fw_status fw_sweep_seeds_write_hdf5(const fw_sweep_seeds *seeds, const char *tit
     char path[FW_PATH_SIZE], *bytes;
     size_t size;
     FW_TRY(fw_path_join(path, directory, FW_SWEEP_HDF5 FW_FRESH_SUFFIX, error));
-    FW_TRY(write_file(seeds, title, path, error));
-    FW_TRY(fw_regular_file_read(&bytes, &size, path, largest, error));
+    fw_status status = write_file(seeds, title, path, error);
+    if (status == FW_OK) status = fw_regular_file_read(&bytes, &size, path, largest, error);
     unlink(path);
-    const fw_status status = fw_manifest_write(directory, FW_SWEEP_HDF5, bytes, size, error);
+    FW_TRY(status);
+    status = fw_manifest_write(directory, FW_SWEEP_HDF5, bytes, size, error);
     free(bytes);
     return status;
 }

@@ -7,9 +7,9 @@
 #include "experiments/storage/folder.h"
 #include "experiments/storage/manifest.h"
 #include "experiments/study/study.h"
+#include "experiments/study/summary.h"
 #include "experiments/text/number.h"
 #include "experiments/text/text.h"
-#include "experiments/study/summary.h"
 #include "sweep_outcome.h"
 
 #include "core/array.h"
@@ -151,7 +151,7 @@ static void write(FILE *out, const void *object)
     const titled *what = object;
     const fw_sweep_table *table = what->seeds->table;
     fputs("# ", out);
-    for (const char *c = what->title; *c; ++c) fputc(*c == '\n' ? ' ' : *c, out);
+    fw_text_print_line(out, what->title);
     fputs("\n# units: ", out);
     for (int a = 0; a < table->axis_count; ++a) {
         fw_csv_write_text(out, table->axes[a].unit);

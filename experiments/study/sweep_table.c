@@ -127,7 +127,7 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
 {
     char name[FW_SWEEP_NAME + 16];
     fputs("# ", out);
-    for (const char *c = title; *c; ++c) fputc(*c == '\n' ? ' ' : *c, out);
+    fw_text_print_line(out, title);
     fputs("\n# units: ", out);
     for (int a = 0; a < table->axis_count; ++a) {
         if (a > 0) fputc(',', out);
