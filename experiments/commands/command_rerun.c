@@ -29,7 +29,7 @@ static fw_status compare(fw_playback *then, const char *before, const char *dire
 }
 
 /* "results/bounce/" becomes "results/bounce-again". */
-static fw_status standard_name(char name[FW_PATH_SIZE], const char *before, fw_error *error)
+static fw_status default_name(char name[FW_PATH_SIZE], const char *before, fw_error *error)
 {
     size_t length = strlen(before);
     while (length > 1 && before[length - 1] == '/') --length;
@@ -45,12 +45,12 @@ static fw_status standard_name(char name[FW_PATH_SIZE], const char *before, fw_e
 fw_status fw_command_rerun(const fw_arguments *arguments, fw_error *error)
 {
     const char *before = arguments->words[0];
-    char standard[FW_PATH_SIZE];
+    char usual[FW_PATH_SIZE];
     fw_playback *then;
     fw_scenario *scenario = NULL;
     FW_TRY(fw_sweep_refuse(before, error));
-    if (!arguments->output) FW_TRY(standard_name(standard, before, error));
-    const char *directory = arguments->output ? arguments->output : standard;
+    if (!arguments->output) FW_TRY(default_name(usual, before, error));
+    const char *directory = arguments->output ? arguments->output : usual;
     FW_TRY(fw_playback_open(&then, before, error));
     fw_status status = FW_OK;
     if (strcmp(then->exit_reason, FW_RUN_FINISHED) != 0)

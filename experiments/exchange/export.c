@@ -31,7 +31,7 @@ static const format *find_format(const char *name)
 
 /* "results/bounce/" and "results/bounce/trajectory.h5" become "results/bounce" and the ending. To
  * be freed; NULL without memory. */
-static char *standard_name(const char *directory, const char *ending)
+static char *default_name(const char *directory, const char *ending)
 {
     static const char file[] = "/" FW_TRAJECTORY_FILE;
     size_t length = strlen(directory);
@@ -66,7 +66,7 @@ fw_status fw_export(const fw_export_wish *wish, char **name, fw_error *error)
         return fw_fail(error, FW_BAD_INPUT, "there is no format '%s', expected one of %s",
                        wish->format, FW_EXPORT_FORMATS);
     FW_TRY(results_file(path, wish->directory, error));
-    char *made = wish->name ? strdup(wish->name) : standard_name(wish->directory, chosen->ending);
+    char *made = wish->name ? strdup(wish->name) : default_name(wish->directory, chosen->ending);
     if (!made) return fw_fail_memory(error, "the name of a file");
     fw_status status = fw_exported_open(&exported, path, wish->every, error);
     if (status == FW_OK) status = chosen->write(&exported, made, error);

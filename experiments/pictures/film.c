@@ -18,7 +18,7 @@
 /* As many dots as a screen has room for. */
 #define RESOLUTION 150
 
-enum { FRAMES_USUAL = 500, RATE_USUAL = 25 };
+enum { FRAMES_DEFAULT = 500, RATE_DEFAULT = 25 };
 
 typedef struct film {
     fw_plot_result result;
@@ -79,7 +79,7 @@ static fw_status add_all(film *f, fw_error *error)
 }
 
 /* Where nothing is said: by a field, as far as one was recorded. */
-static const char *usual_kind(const fw_plot_result *result, const fw_film_wish *wish)
+static const char *default_kind(const fw_plot_result *result, const fw_film_wish *wish)
 {
     if (wish->picture || wish->kind || wish->field) return wish->kind;
     return result->playback->field_count > 0 ? "field" : "motion";
@@ -91,7 +91,7 @@ static fw_status prepare(film *f, const char *directory, const fw_film_wish *wis
     FW_TRY(fw_plot_bounds_find(&f->bounds, &f->result, error));
     f->result.bounds = &f->bounds;
     const int64_t frames = f->result.playback->frame_count;
-    f->every = wish->every > 0 ? wish->every : 1 + (frames - 1) / FRAMES_USUAL;
+    f->every = wish->every > 0 ? wish->every : 1 + (frames - 1) / FRAMES_DEFAULT;
     f->count = (frames + f->every - 1) / f->every;
     strcpy(f->folder, "/tmp/fretwork-film-XXXXXX");
     if (!mkdtemp(f->folder)) {
@@ -101,11 +101,11 @@ static fw_status prepare(film *f, const char *directory, const fw_film_wish *wis
     snprintf(f->picture, sizeof f->picture, "%s/frame.png", f->folder);
     f->wish = (fw_plot_wish){.file = f->picture,
                              .picture = wish->picture,
-                             .kind = usual_kind(&f->result, wish),
+                             .kind = default_kind(&f->result, wish),
                              .field = wish->field,
                              .step_count = 1,
                              .range = {wish->range[0], wish->range[1]}};
-    const int rate = wish->rate > 0 ? (int)wish->rate : RATE_USUAL;
+    const int rate = wish->rate > 0 ? (int)wish->rate : RATE_DEFAULT;
     return fw_encoder_begin(&f->encoder, wish->file, rate, error);
 }
 
@@ -130,7 +130,7 @@ fw_status fw_film_make(const char *directory, const fw_film_wish *wish, FILE *ou
     }
     if (status == FW_OK)
         fprintf(out, "film: %s, %lld frames, %.3g s\n", wish->file, (long long)f.count,
-                (double)f.count / (double)(wish->rate > 0 ? wish->rate : RATE_USUAL));
+                (double)f.count / (double)(wish->rate > 0 ? wish->rate : RATE_DEFAULT));
     clear(&f);
     fw_interrupt_leave();
     return status;

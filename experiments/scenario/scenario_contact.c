@@ -53,8 +53,7 @@ static const fw_key contact_keys[] = {
 
 const fw_section fw_contact_section = {
     "`contact`", "a contact",
-    "What happens where LB solids and linear lattices touch each other, and where surfaces have "
-    "names.",
+    "What happens where bodies touch each other, and where surfaces have names.",
     .keys = contact_keys};
 
 fw_status fw_scenario_read_friction(const fw_scenario *scenario, const fw_node *node,
@@ -165,7 +164,7 @@ fw_status fw_scenario_read_contact(fw_scenario *scenario, fw_error *error)
     const int most = 1 + scenario->body_count + scenario->wall_count;
     int count;
     bool *given;
-    fw_friction otherwise;
+    fw_friction common;
     const fw_node *part = fw_scenario_part(scenario, "contact", &count);
     FW_TRY(fw_scenario_allocate(scenario, (size_t)most, sizeof *contact->surfaces,
                                 &contact->surfaces, error));
@@ -175,8 +174,8 @@ fw_status fw_scenario_read_contact(fw_scenario *scenario, fw_error *error)
     FW_TRY(fw_scenario_allocate(scenario, pairs, sizeof *contact->pairs, &contact->pairs, error));
     FW_TRY(fw_scenario_allocate(scenario, pairs, sizeof *given, &given, error));
     FW_TRY(fw_scenario_read_friction(scenario, part ? fw_node_find(part, "friction") : NULL,
-                                     &otherwise, error));
-    for (size_t n = 0; n < pairs; ++n) contact->pairs[n] = otherwise;
+                                     &common, error));
+    for (size_t n = 0; n < pairs; ++n) contact->pairs[n] = common;
     const fw_node *distance = part ? fw_node_find(part, "distance") : NULL;
     if (distance) contact->distance = fw_node_number(distance);
     FW_TRY(fw_scenario_allocate(scenario, pairs, sizeof *contact->distances, &contact->distances,
