@@ -32,7 +32,7 @@ profile: {axis: x, every: 100, far: [2, 4]}
 study: {seeds: 2, control: ['grips.left.force=[1, 0]']}
 expect: [{quantity: layer-contact, above: 0}]
 """
-NAMED = {"FIELD", "NAME", "OF", "COLUMN", "MEASURE", "ARRAY"}
+NAMED = {"FIELD", "ITEM", "NAME", "OF", "COLUMN", "MEASURE", "ARRAY"}
 
 
 def rows_after(page, heading):

@@ -32,7 +32,10 @@ static void everything_is_in_its_place(void **state)
     char line[256];
     (void)state;
     for (const fw_catalogue_entry *e = fw_catalogue; e->name; ++e) {
-        snprintf(line, sizeof line, "bin/fretwork show %s | cmp - share/fretwork/catalogue/%s.yaml",
+        /* Behind a line with formulas stand their values. */
+        snprintf(line, sizeof line,
+                 "bin/fretwork show %s | sed 's/  # = [-0-9., e]*$//' | "
+                 "cmp - share/fretwork/catalogue/%s.yaml",
                  e->name, e->name);
         shell(folder, line);
     }
@@ -90,7 +93,7 @@ static void bash_completes_words(void **state)
     (void)state;
     if (system("command -v bash > /dev/null") != 0) skip();
     shell(folder, "mkdir results && : > results/my.yaml");
-    expect_offered("re", "resume reference");
+    expect_offered("re", "rerun resume report reference");
     expect_offered("run wall-", "wall-bounce");
     expect_offered("run results/m", "results/my.yaml");
     expect_offered("run x --se", "--set --seed");
