@@ -22,24 +22,24 @@ FW_INLINE fw_pair_lanes fw_pair_lanes_at(fw_vector dx, fw_vector dy, fw_mask hel
     return (fw_pair_lanes){dx, dy, r2, 1 / r2, held};
 }
 
-/* The lanes of one part of a block. */
-typedef struct fw_part {
+/* The particles in the lanes of one part of a block. */
+typedef struct fw_own_lanes {
     const double *at_x, *at_y; /* of its first lane */
     int part;
     fw_vector x, y;
-} fw_part;
+} fw_own_lanes;
 
-FW_INLINE fw_part fw_part_at(const fw_pair_task *task, int first, int part)
+FW_INLINE fw_own_lanes fw_own_lanes_at(const fw_pair_task *task, int first, int part)
 {
-    return (fw_part){task->x + first, task->y + first, part, fw_load(task->x + first),
-                     fw_load(task->y + first)};
+    return (fw_own_lanes){task->x + first, task->y + first, part, fw_load(task->x + first),
+                          fw_load(task->y + first)};
 }
 
 /* How the slots of a run are read, see slots.h. */
 typedef enum fw_slot_kind { FW_OFFSETS, FW_WHOLE, FW_GATHERED } fw_slot_kind;
 
 FW_INLINE fw_pair_lanes fw_pair_in_slot(const fw_pair_task *task, const fw_slots *slots,
-                                        uint32_t slot, fw_slot_kind kind, const fw_part *lanes)
+                                        uint32_t slot, fw_slot_kind kind, const fw_own_lanes *lanes)
 {
     const fw_mask held =
         kind == FW_WHOLE ? fw_everywhere() : fw_mask_of(slots->mask[slot], lanes->part);

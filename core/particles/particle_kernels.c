@@ -67,8 +67,8 @@ FW_INLINE bool acts_inside(const fw_pair_task *task, fw_pair_use use)
 }
 
 FW_INLINE void add_slots(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
-                         uint32_t begin, uint32_t count, fw_slot_kind kind, const fw_part *lanes,
-                         fw_lane_sums *sums)
+                         uint32_t begin, uint32_t count, fw_slot_kind kind,
+                         const fw_own_lanes *lanes, fw_lane_sums *sums)
 {
     for (uint32_t s = begin; s < begin + count; ++s) {
         const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, kind, lanes);
@@ -79,7 +79,7 @@ FW_INLINE void add_slots(const fw_pair_task *task, fw_pair_use use, const fw_slo
 /* Along a run. `unit` is that of the potential. */
 FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, double unit,
                        const fw_slots *slots, uint32_t begin, uint32_t count, fw_slot_kind kind,
-                       const fw_part *lanes, fw_lane_sums *sums)
+                       const fw_own_lanes *lanes, fw_lane_sums *sums)
 {
     sums->push = (fw_vector_pair){fw_splat(0), fw_splat(0)};
     if (kind == FW_WHOLE)
@@ -94,7 +94,7 @@ FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, double unit,
 
 /* All neighbours, body after body. */
 FW_INLINE void add_runs(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
-                        const fw_slot_head *head, const fw_part *lanes, fw_lane_sums *sums)
+                        const fw_slot_head *head, const fw_own_lanes *lanes, fw_lane_sums *sums)
 {
     const fw_pair_use across = {use.form, FW_NO_RETURN, 0};
     uint32_t begin = head->begin;
@@ -126,7 +126,7 @@ FW_INLINE void sum_block(const fw_pair_task *task, fw_pair_use use, bool plain,
     const uint8_t mask = fw_chunk_lanes(chunk, block);
     for (int part = 0; part < FW_PARTS; ++part) {
         const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
-        const fw_part lanes = fw_part_at(task, first, part);
+        const fw_own_lanes lanes = fw_own_lanes_at(task, first, part);
         fw_lane_sums sums = {0};
         if (plain)
             add_run(task, use, task->pair.inside, slots, head->begin, head->count[FW_RUN_OWN],

@@ -3,11 +3,8 @@
 #include "core/particles/particle_observables.h"
 
 #include "core/particles/neighbours.h"
-#include "core/particles/structure.h"
-#include "core/particles/surroundings.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Particles first to end - 1. */
 typedef struct fw_stretch {
@@ -108,14 +105,6 @@ double fw_particle_structure_factor(const fw_solid *solid, int group, fw_vec2 wa
     return (cosine * cosine + sine * sine) / (count * count);
 }
 
-fw_status fw_particle_structure_map(const fw_solid *solid, int group, double first, double step,
-                                    int points, double *values, fw_error *error)
-{
-    const fw_stretch of = stretch_of(solid, group);
-    return fw_structure_map(solid->x + of.first, solid->y + of.first, of.end - of.first, first,
-                            step, points, values, error);
-}
-
 /* A square window of wave vectors: middle + a along + b across. */
 typedef struct fw_window {
     fw_vec2 middle, along, across;
@@ -207,10 +196,4 @@ fw_status fw_particle_pair_correlation(const fw_solid *solid, int group, double 
     }
     fw_neighbours_destroy(near);
     return FW_OK;
-}
-
-fw_status fw_particle_largest_cluster(const fw_solid *solid, double link, uint8_t *members,
-                                      int *count, fw_error *error)
-{
-    return fw_surroundings_cluster(solid->x, solid->y, solid->count, link, members, count, error);
 }

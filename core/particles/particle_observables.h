@@ -28,11 +28,6 @@ fw_particle_order fw_particle_order_of(const fw_solid *solid, int group);
  * crystal at a vector of its reciprocal lattice, 1/N for a gas. */
 double fw_particle_structure_factor(const fw_solid *solid, int group, fw_vec2 wave_vector);
 
-/* The same on a square grid of q: values[b * points + a] belongs to
- * (first + a step, first + b step). FW_SYSTEM_FAILED without memory. */
-fw_status fw_particle_structure_map(const fw_solid *solid, int group, double first, double step,
-                                    int points, double *values, fw_error *error);
-
 /* Mean height of the first Bragg peaks that a crystal of fold 4 or 6 and lattice angle `angle` (of
  * a row of bonds) would have: the largest structure factor in a square window about each of its
  * shortest reciprocal vectors, which reaches `tolerance` of the vector's length along it and
@@ -45,11 +40,5 @@ double fw_particle_bragg_peak(const fw_solid *solid, int group, int fold, double
  * of an ideal gas of that number density. FW_SYSTEM_FAILED without memory. */
 fw_status fw_particle_pair_correlation(const fw_solid *solid, int group, double density,
                                        double step, int bins, double *g, fw_error *error);
-
-/* Clusters of particles linked by less than `link`, over bodies. members[i] is 1 for particles of
- * the largest cluster (of the one with the lowest particle, if two are equal) and 0 for others.
- * Returns in *count how many they are. FW_SYSTEM_FAILED without memory. */
-fw_status fw_particle_largest_cluster(const fw_solid *solid, double link, uint8_t *members,
-                                      int *count, fw_error *error);
 
 #endif

@@ -99,7 +99,7 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted w
 
 FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_pair_kind kind, fw_wanted wanted,
                                  const fw_slots *slots, const fw_slot_head *head,
-                                 const fw_part *lanes)
+                                 const fw_own_lanes *lanes)
 {
     fw_lane_sums sums = {.energy = fw_splat(0)};
     uint32_t s = head->begin;
@@ -128,7 +128,7 @@ FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_kind kind, fw_wanted 
     for (int block = 0; block < fw_chunk_blocks(chunk); ++block)
         for (int part = 0; part < FW_PARTS; ++part) {
             const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
-            const fw_part lanes = fw_part_at(task, first, part);
+            const fw_own_lanes lanes = fw_own_lanes_at(task, first, part);
             const fw_lane_sums sums =
                 sum_lanes(task, kind, wanted, &chunk->near, &chunk->near.head[block], &lanes);
             const fw_mask held = fw_mask_of(fw_chunk_lanes(chunk, block), part);

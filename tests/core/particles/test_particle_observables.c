@@ -6,6 +6,8 @@
 #include "tests/support/steps.h"
 
 #include "core/particles/particle_observables.h"
+#include "core/particles/structure.h"
+#include "core/particles/surroundings.h"
 #include "core/placement.h"
 
 #include <string.h>
@@ -183,7 +185,8 @@ static void crystals_have_bragg_peaks(void **state)
     assert_close(fw_particle_structure_factor(solid, 0, (fw_vec2){0, 0}), 1, 1e-12);
     enum { POINTS = 17 };
     double map[POINTS * POINTS];
-    assert_int_equal(fw_particle_structure_map(solid, 0, -8, 1, POINTS, map, NULL), FW_OK);
+    assert_int_equal(fw_structure_map(solid->x, solid->y, solid->count, -8, 1, POINTS, map, NULL),
+                     FW_OK);
     for (int b = 0; b < POINTS; ++b)
         for (int a = 0; a < POINTS; ++a)
             assert_close(map[b * POINTS + a],
@@ -247,10 +250,14 @@ static void largest_cluster_is_found(void **state)
     fw_solid *solid = solid_of(both, fw_return_force_default(), still, 1);
     uint8_t *members = malloc((size_t)count);
     int found;
-    assert_int_equal(fw_particle_largest_cluster(solid, 1.7, members, &found, NULL), FW_OK);
+    assert_int_equal(
+        fw_surroundings_cluster(solid->x, solid->y, solid->count, 1.7, members, &found, NULL),
+        FW_OK);
     assert_int_equal(found, big.count);
     for (int i = 0; i < count; ++i) assert_int_equal(members[i], i >= first);
-    assert_int_equal(fw_particle_largest_cluster(solid, 0.9, members, &found, NULL), FW_OK);
+    assert_int_equal(
+        fw_surroundings_cluster(solid->x, solid->y, solid->count, 0.9, members, &found, NULL),
+        FW_OK);
     assert_int_equal(found, 1);
     assert_int_equal(members[0], 1);
     fw_solid_destroy(solid);
