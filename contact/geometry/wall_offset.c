@@ -59,7 +59,7 @@ static fw_status move_pieces(const fw_wall_def *def, bool closed, double sign, d
 fw_status fw_wall_offset(const fw_wall_def *def, double distance, fw_vec2 *points,
                          fw_wall_def *moved, fw_error *error)
 {
-    const double outward = def->side == FW_INSIDE ? -distance : distance;
+    const double out = def->side == FW_INSIDE ? -1 : 1, outward = out * distance;
     *moved = *def;
     moved->points = points;
     memcpy(points, def->points, (size_t)def->point_count * sizeof *points);
@@ -78,8 +78,7 @@ fw_status fw_wall_offset(const fw_wall_def *def, double distance, fw_vec2 *point
         return moved->radius > 0 ? FW_OK : refuse(def, distance, error);
     case FW_POLYGON:
         /* Counter-clockwise, its inside lies to the left. */
-        return move_pieces(def, true, area_of(def) > 0 ? -outward / distance : outward / distance,
-                           distance, points, error);
+        return move_pieces(def, true, area_of(def) > 0 ? -out : out, distance, points, error);
     case FW_CHAIN:
         return move_pieces(def, def->closed, 1, distance, points, error);
     }

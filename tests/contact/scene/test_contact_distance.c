@@ -119,6 +119,8 @@ static void walls_move_to_their_free_side(void **state)
         assert_close(gap_before(&def, cases[n].before), 0, 0);
         must(fw_wall_offset(&def, .5, points, &moved, &error));
         assert_close(gap_before(&moved, cases[n].before), .1, 1e-12);
+        must(fw_wall_offset(&def, 0, points, &moved, &error));
+        assert_memory_equal(points, def.points, (size_t)def.point_count * sizeof *points);
     }
 }
 
