@@ -160,6 +160,7 @@ typedef struct fw_figure_pair {
 /* One pair beside each other, or several: the views in a row at one scale, what follows from them
  * below. Either all have maps, at the scale of colours of the first, or all have charts, at one
  * scale. */
+enum { FW_FIGURE_PAIRS_MAX = 6 }; /* that a page is wide enough for */
 typedef struct fw_figure_pairs_plan {
     const fw_figure_pair *pairs;
     int pair_count;
@@ -168,6 +169,7 @@ typedef struct fw_figure_pairs_plan {
     bool spots;             /* the particles are seen as white spots */
     const char *x_label;    /* of the charts */
 } fw_figure_pairs_plan;
+/* FW_BAD_INPUT for no pair or more than that. */
 fw_status fw_figure_pairs(const fw_page *page, const fw_figure_pairs_plan *plan, fw_error *error);
 
 #endif

@@ -7,8 +7,6 @@
 
 #include <math.h>
 
-enum { PAIRS_MAX = 6 };
-
 static const double gap = 7, highest_view = 120, chart_height = 36, spot = .3; /* mm */
 
 typedef struct layout {
@@ -210,11 +208,11 @@ static void draw_bars(const layout *l, fw_canvas *canvas)
 fw_status fw_figure_pairs(const fw_page *page, const fw_figure_pairs_plan *plan, fw_error *error)
 {
     layout l = {.plan = plan, .count = plan->pair_count};
-    fw_view views[PAIRS_MAX];
+    fw_view views[FW_FIGURE_PAIRS_MAX];
     fw_canvas *canvas;
-    if (plan->pair_count < 1 || plan->pair_count > PAIRS_MAX)
+    if (plan->pair_count < 1 || plan->pair_count > FW_FIGURE_PAIRS_MAX)
         return fw_fail(error, FW_BAD_INPUT, "the picture '%s' shows %d instants, expected 1 to %d",
-                       page->file, plan->pair_count, PAIRS_MAX);
+                       page->file, plan->pair_count, FW_FIGURE_PAIRS_MAX);
     for (int k = 0; k < l.count; ++k) views[k] = *plan->pairs[k].view;
     FW_TRY(fw_view_key_for(&l.key, views, l.count, plan->colouring, error));
     find_view_ranges(&l);

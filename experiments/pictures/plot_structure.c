@@ -8,8 +8,12 @@
 #include "core/particles/structure.h"
 #include "experiments/storage/csv.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+
+static_assert((int)FW_PICTURE_PAIRS_MAX <= (int)FW_FIGURE_PAIRS_MAX,
+              "a figure has no room for them");
 
 typedef struct pairs {
     int count;
