@@ -8,8 +8,8 @@
 #include "experiments/study/sweep.h"
 #include "experiments/text/json.h"
 #include "experiments/text/text.h"
+#include "report.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -149,11 +149,7 @@ static void write_json(fw_playback *playback, const fw_certificate *certificate)
         if (text) fw_json_text(&json, facts[n].key, text);
         free(text);
     }
-    fw_json_begin(&json, "certificate", '{');
-    for (int n = 0; n < FW_CERTIFICATE_ITEMS; ++n)
-        if (!isnan(certificate->worst[n]))
-            fw_json_number(&json, fw_certificate_rows[n].name, certificate->worst[n]);
-    fw_json_end(&json, '}');
+    fw_report_certificate_as_json(&json, certificate);
     fw_json_text(&json, "warnings", playback->warnings);
     fw_json_end(&json, '}');
 }

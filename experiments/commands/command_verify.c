@@ -48,16 +48,6 @@ static void write_verdict(fw_json *json, const fw_verdict *verdict)
     fw_json_end(json, '}');
 }
 
-/* Of what applies, the number. */
-static void write_certificate(fw_json *json, const fw_certificate *certificate)
-{
-    fw_json_begin(json, "certificate", '{');
-    for (int n = 0; n < FW_CERTIFICATE_ITEMS; ++n)
-        if (!isnan(certificate->worst[n]))
-            fw_json_number(json, fw_certificate_rows[n].name, certificate->worst[n]);
-    fw_json_end(json, '}');
-}
-
 /* `certificate` is NULL for a sweep, each case of which has its own. */
 static void judge(tally *sum, const char *name, const fw_scenario *scenario,
                   const fw_verdicts *verdicts, const fw_certificate *certificate, double seconds)
@@ -77,7 +67,7 @@ static void judge(tally *sum, const char *name, const fw_scenario *scenario,
     fw_json_text(json, "title", scenario->title);
     fw_json_text(json, "source", scenario->source);
     fw_json_number(json, "seconds", seconds);
-    if (certificate) write_certificate(json, certificate);
+    if (certificate) fw_report_certificate_as_json(json, certificate);
     fw_json_begin(json, "expectations", '[');
     for (int n = 0; n < verdicts->count; ++n)
         if (verdicts->item[n].asked) write_verdict(json, &verdicts->item[n]);

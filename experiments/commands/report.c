@@ -8,6 +8,8 @@
 #include "experiments/text/terminal.h"
 #include "experiments/text/text.h"
 
+#include <math.h>
+
 /* What may be done with a result; for people only, never for a script that reads on. */
 static void suggest_next(const fw_scenario *scenario, const char *directory)
 {
@@ -22,6 +24,15 @@ void fw_report_certificate(FILE *out, const fw_certificate *certificate)
     char line[FW_CERTIFICATE_SIZE];
     fw_certificate_print(certificate, line);
     if (line[0]) fprintf(out, "certificate: %s\n", line);
+}
+
+void fw_report_certificate_as_json(fw_json *json, const fw_certificate *certificate)
+{
+    fw_json_begin(json, "certificate", '{');
+    for (int n = 0; n < FW_CERTIFICATE_ITEMS; ++n)
+        if (!isnan(certificate->worst[n]))
+            fw_json_number(json, fw_certificate_rows[n].name, certificate->worst[n]);
+    fw_json_end(json, '}');
 }
 
 fw_status fw_report_result(const fw_scenario *scenario, const fw_verdicts *verdicts,

@@ -6,9 +6,12 @@
 
 #include "experiments/measures/verdict.h"
 #include "experiments/study/sweep.h"
+#include "experiments/text/json.h"
 
 /* A line of a run's certificate; none where it says nothing. */
 void fw_report_certificate(FILE *out, const fw_certificate *certificate);
+/* The numbers of what applies, as member `certificate` of an object. */
+void fw_report_certificate_as_json(fw_json *json, const fw_certificate *certificate);
 /* `certificate` and `warnings` may be NULL. FW_EXPECTATION_FAILED where one did not hold. */
 fw_status fw_report_result(const fw_scenario *scenario, const fw_verdicts *verdicts,
                            const fw_certificate *certificate, const char *warnings,
