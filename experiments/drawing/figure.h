@@ -27,7 +27,7 @@ typedef struct fw_figure_motion_plan {
     int view_count;
     const fw_figure_path *paths;
     int path_count;
-    fw_view_bounds bounds; /* of all frames; all zero: of the views and paths */
+    fw_view_bounds bounds; /* of all frames, with walls; all zero: of the views and paths */
 } fw_figure_motion_plan;
 fw_status fw_figure_motion(const fw_page *page, const fw_figure_motion_plan *plan, fw_error *error);
 
@@ -63,7 +63,7 @@ typedef struct fw_figure_field_plan {
     const fw_view *view;
     fw_view_look look;
     fw_colouring colouring;
-    fw_view_bounds bounds; /* of all frames; all zero: of the view */
+    fw_view_bounds bounds; /* of all frames, with walls; all zero: of the view */
 } fw_figure_field_plan;
 fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan, fw_error *error);
 
@@ -74,7 +74,6 @@ typedef struct fw_figure_strip_plan {
     int columns; /* 0: chosen */
     fw_view_look look;
     fw_colouring colouring;
-    fw_view_bounds bounds; /* of all frames; all zero: of the views */
 } fw_figure_strip_plan;
 fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan, fw_error *error);
 

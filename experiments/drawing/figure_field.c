@@ -44,7 +44,8 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
     FW_TRY(fw_view_key_for(&key, plan->view, 1, plan->colouring, error));
     fw_view_bounds bounds = fw_view_bounds_or_empty(plan->bounds);
     fw_view_bounds_include_bodies(&bounds, plan->view);
-    fw_view_bounds_include_walls(&bounds, plan->view, 1);
+    if (fw_view_bounds_are_unset(plan->bounds))
+        fw_view_bounds_include_walls(&bounds, plan->view, 1);
     panel.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = "x (length)"};
     panel.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = "y (length)"};
     double right = 3;
@@ -130,7 +131,7 @@ static int chosen_columns(const fw_figure_strip_plan *plan, double aspect)
 static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
                           strip_layout *layout)
 {
-    layout->bounds = fw_view_bounds_or_empty(plan->bounds);
+    layout->bounds = fw_view_bounds_empty();
     for (int k = 0; k < plan->view_count; ++k) {
         fw_view_bounds_include_bodies(&layout->bounds, &plan->views[k]);
     }

@@ -69,7 +69,8 @@ static fw_view_bounds bounds_of_motion(const fw_figure_motion_plan *plan)
         fw_range_include(&bounds.x, plan->paths[k].x, plan->paths[k].count, false);
         fw_range_include(&bounds.y, plan->paths[k].y, plan->paths[k].count, false);
     }
-    fw_view_bounds_include_walls(&bounds, plan->views, plan->view_count);
+    if (fw_view_bounds_are_unset(plan->bounds))
+        fw_view_bounds_include_walls(&bounds, plan->views, plan->view_count);
     return bounds;
 }
 

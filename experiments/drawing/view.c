@@ -15,11 +15,14 @@ fw_view_bounds fw_view_bounds_empty(void)
     return (fw_view_bounds){fw_range_empty(), fw_range_empty()};
 }
 
+bool fw_view_bounds_are_unset(fw_view_bounds bounds)
+{
+    return bounds.x.low == 0 && bounds.x.high == 0 && bounds.y.low == 0 && bounds.y.high == 0;
+}
+
 fw_view_bounds fw_view_bounds_or_empty(fw_view_bounds bounds)
 {
-    const bool unset =
-        bounds.x.low == 0 && bounds.x.high == 0 && bounds.y.low == 0 && bounds.y.high == 0;
-    return unset ? fw_view_bounds_empty() : bounds;
+    return fw_view_bounds_are_unset(bounds) ? fw_view_bounds_empty() : bounds;
 }
 
 void fw_view_print_name(const fw_view *view, char *text, size_t size)

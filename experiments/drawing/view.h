@@ -43,6 +43,8 @@ typedef struct fw_view_bounds {
 } fw_view_bounds;
 
 fw_view_bounds fw_view_bounds_empty(void);
+/* Are they all zero? */
+bool fw_view_bounds_are_unset(fw_view_bounds bounds);
 /* All zero counts as empty. */
 fw_view_bounds fw_view_bounds_or_empty(fw_view_bounds bounds);
 /* Widens the bounds by the particles, three quarters of a spacing more on each side. */

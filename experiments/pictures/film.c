@@ -82,13 +82,13 @@ static fw_status add_all(film *f, fw_error *error)
 static const char *default_kind(const fw_plot_result *result, const fw_film_wish *wish)
 {
     if (wish->picture || wish->kind || wish->field) return wish->kind;
-    return result->playback->field_count > 0 ? "field" : "motion";
+    return fw_plot_usual_field(result) ? "field" : "motion";
 }
 
 static fw_status prepare(film *f, const char *directory, const fw_film_wish *wish, fw_error *error)
 {
     FW_TRY(fw_plot_result_open(&f->result, directory, error));
-    FW_TRY(fw_plot_bounds_find(&f->bounds, &f->result, error));
+    FW_TRY(fw_plot_frame_find(&f->bounds, &f->result, true, error));
     f->result.bounds = &f->bounds;
     const int64_t frames = f->result.playback->frame_count;
     f->every = wish->every > 0 ? wish->every : 1 + (frames - 1) / FRAMES_DEFAULT;

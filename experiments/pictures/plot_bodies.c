@@ -155,7 +155,7 @@ fw_status fw_plot_draw_motion(const fw_plot_result *result, const fw_plot_pictur
     if (status == FW_OK) status = fw_plot_paths_find(&paths, result, picture, error);
     /* Single instants of a result have the same axes. */
     if (status == FW_OK && picture->fixed_axes && picture->frame_count == 1)
-        status = fw_plot_bounds_find(&bounds, result, error);
+        status = fw_plot_frame_find(&bounds, result, false, error);
     if (status == FW_OK) {
         const fw_figure_motion_plan plan = {.views = shown.views,
                                             .view_count = shown.count,
@@ -204,7 +204,7 @@ fw_status fw_plot_draw_field(const fw_plot_result *result, const fw_plot_picture
     fw_status status =
         fw_plot_view_load(&loaded, result, picture->frames[0], picture->asked.field.text, error);
     if (status == FW_OK && picture->fixed_axes)
-        status = fw_plot_bounds_find(&plan.bounds, result, error);
+        status = fw_plot_frame_find(&plan.bounds, result, false, error);
     if (status == FW_OK) status = fw_plot_colours_find(&plan.colouring, result, picture, error);
     if (status == FW_OK) status = fw_figure_field(&page, &plan, error);
     fw_plot_view_clear(&loaded);

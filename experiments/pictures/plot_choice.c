@@ -305,17 +305,21 @@ static bool is_of_contact(const char *name)
     return false;
 }
 
+const char *fw_plot_usual_field(const fw_plot_result *result)
+{
+    const fw_playback *playback = result->playback;
+    for (int n = 0; n < playback->field_count; ++n)
+        if (!is_of_contact(playback->fields[n].name)) return playback->fields[n].name;
+    return NULL;
+}
+
 static fw_status choose_field(draft *d, fw_error *error)
 {
-    const fw_playback *playback = d->result->playback;
     fw_scenario_picture *asked = &d->picture->asked;
     const char *name = d->wish->field ? d->wish->field : asked->field.text;
     if (name) return find_field(d, name, error);
-    int first = 0;
-    while (first < playback->field_count && is_of_contact(playback->fields[first].name)) ++first;
-    if (first < playback->field_count)
-        asked->field.text = playback->fields[first].name;
-    else if (asked->kind != FW_PICTURE_STRIP)
+    asked->field.text = fw_plot_usual_field(d->result);
+    if (!asked->field.text && asked->kind != FW_PICTURE_STRIP)
         return fw_fail(error, FW_BAD_INPUT,
                        "%s: no field was recorded; to have one, name it under record.fields and "
                        "run again",

@@ -24,6 +24,10 @@ fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
 fw_page fw_plot_page(const fw_plot_wish *wish);
 void fw_plot_choice_clear(fw_plot_choice *choice);
 
+/* The field that is shown where none is named: the first that was recorded; those of what a contact
+ * does are passed over. NULL: there is none. */
+const char *fw_plot_usual_field(const fw_plot_result *result);
+
 /* Is it drawn from one run, not from all cases of a sweep? */
 bool fw_plot_is_of_case(const fw_scenario_picture *picture);
 

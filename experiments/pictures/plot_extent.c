@@ -23,18 +23,14 @@ static int64_t frame_of(const fw_plot_result *result, int number, int count)
     return count > 1 ? number * (result->playback->frame_count - 1) / (count - 1) : 0;
 }
 
-fw_status fw_plot_bounds_find(fw_view_bounds *bounds, const fw_plot_result *result, fw_error *error)
+/* Of so many frames. */
+static fw_status include_bodies(fw_view_bounds *bounds, const fw_plot_result *result, int count,
+                                fw_error *error)
 {
     const fw_playback *playback = result->playback;
-    if (result->bounds) {
-        *bounds = *result->bounds;
-        return FW_OK;
-    }
-    const int count = looked_at(result);
     double *x = fw_array_of_doubles((size_t)playback->particle_count);
     double *y = fw_array_of_doubles((size_t)playback->particle_count);
     fw_status status = x && y ? FW_OK : fw_fail_memory(error, "the axes of a picture");
-    *bounds = fw_view_bounds_empty();
     for (int k = 0; k < count && status == FW_OK; ++k) {
         status =
             fw_playback_read_positions(result->playback, frame_of(result, k, count), x, y, error);
@@ -51,6 +47,53 @@ fw_status fw_plot_bounds_find(fw_view_bounds *bounds, const fw_plot_result *resu
     free(x);
     free(y);
     return status;
+}
+
+/* As much of them as a picture of all these bodies shows. */
+static fw_status include_walls(fw_view_bounds *bounds, const fw_plot_result *result, int count,
+                               fw_error *error)
+{
+    const fw_scenario *scenario = result->scenario;
+    const fw_view_bounds bodies_only = *bounds;
+    fw_outline *walls = calloc((size_t)scenario->wall_count + 1, sizeof *walls);
+    fw_view_body *bodies = calloc((size_t)scenario->body_count + 1, sizeof *bodies);
+    const fw_status status =
+        walls && bodies ? FW_OK : fw_fail_memory(error, "the axes of a picture");
+    for (int b = 0; b < scenario->body_count && status == FW_OK; ++b)
+        bodies[b].spacing = scenario->bodies[b].lattice.spacing;
+    for (int k = 0; k < count && status == FW_OK; ++k) {
+        fw_view_bounds frame = bodies_only;
+        fw_plot_walls_at(walls, result, frame_of(result, k, count));
+        const fw_view view = {.bodies = bodies,
+                              .body_count = scenario->body_count,
+                              .walls = walls,
+                              .wall_count = scenario->wall_count};
+        fw_view_bounds_include_walls(&frame, &view, 1);
+        fw_range_include(&bounds->x, (double[]){frame.x.low, frame.x.high}, 2, false);
+        fw_range_include(&bounds->y, (double[]){frame.y.low, frame.y.high}, 2, false);
+    }
+    free(walls);
+    free(bodies);
+    return status;
+}
+
+fw_status fw_plot_bounds_find(fw_view_bounds *bounds, const fw_plot_result *result, fw_error *error)
+{
+    *bounds = fw_view_bounds_empty();
+    return include_bodies(bounds, result, looked_at(result), error);
+}
+
+fw_status fw_plot_frame_find(fw_view_bounds *bounds, const fw_plot_result *result, bool each,
+                             fw_error *error)
+{
+    const int count = each ? (int)result->playback->frame_count : looked_at(result);
+    if (result->bounds) {
+        *bounds = *result->bounds;
+        return FW_OK;
+    }
+    *bounds = fw_view_bounds_empty();
+    FW_TRY(include_bodies(bounds, result, count, error));
+    return include_walls(bounds, result, count, error);
 }
 
 fw_status fw_plot_colours_find(fw_colouring *colouring, const fw_plot_result *result,

@@ -10,6 +10,10 @@
  * among them. */
 fw_status fw_plot_bounds_find(fw_view_bounds *bounds, const fw_plot_result *result,
                               fw_error *error);
+/* The same with what is shown of walls, wherever they are in these frames. With `each` all frames
+ * are looked at, however many there are. */
+fw_status fw_plot_frame_find(fw_view_bounds *bounds, const fw_plot_result *result, bool each,
+                             fw_error *error);
 
 /* The colours of the picture's field: between the ends that it gives, else of all
  * values in the same frames but the 0.5 % at each end of each of them. */

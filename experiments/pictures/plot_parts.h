@@ -37,6 +37,9 @@ void fw_plot_result_close(fw_plot_result *result);
 /* The frame nearest to a step. */
 int64_t fw_plot_nearest_frame(const fw_plot_result *result, int64_t step);
 
+/* Outlines of all walls of the scenario, where they are in a frame. */
+void fw_plot_walls_at(fw_outline *walls, const fw_plot_result *result, int64_t frame);
+
 /* One frame as a view; the links that are broken (stretched beyond where they break) are left out.
  */
 typedef struct fw_plot_view {

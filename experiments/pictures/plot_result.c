@@ -182,6 +182,14 @@ static fw_vec2 displacement_of(const fw_plot_result *result, int wall, int64_t f
     return fw_vec2_add(from, fw_vec2_scale(part, fw_vec2_subtract(to, from)));
 }
 
+void fw_plot_walls_at(fw_outline *walls, const fw_plot_result *result, int64_t frame)
+{
+    for (int w = 0; w < result->scenario->wall_count; ++w) {
+        walls[w] = fw_wall_outline(fw_wall_definition(result->walls[w]), result->corners[w]);
+        walls[w].displacement = displacement_of(result, w, frame);
+    }
+}
+
 /* Where every lattice has spacing 1, that is the unit of length. */
 static const char *sentence_of_units(const fw_scenario *scenario)
 {
@@ -314,10 +322,7 @@ static void describe_view(fw_plot_view *view, const fw_plot_result *result, int6
             .spacing = scenario->bodies[b].lattice.spacing,
         };
     }
-    for (int w = 0; w < scenario->wall_count; ++w) {
-        view->walls[w] = fw_wall_outline(fw_wall_definition(result->walls[w]), result->corners[w]);
-        view->walls[w].displacement = displacement_of(result, w, frame);
-    }
+    fw_plot_walls_at(view->walls, result, frame);
     view->view = (fw_view){.name = view->name,
                            .step = result->steps[frame],
                            .bodies = view->bodies,

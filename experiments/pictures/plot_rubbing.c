@@ -251,7 +251,9 @@ fw_status fw_plot_draw_slip(const fw_plot_result *result, const fw_plot_picture 
 fw_status fw_plot_draw_heat(const fw_plot_result *result, const fw_plot_picture *picture,
                             fw_error *error)
 {
-    const fw_colouring colouring = {.label = "heat of friction (energy/time)"};
+    /* What swings while it sticks takes a little back in places: that is no second kind of heat. */
+    const fw_colouring colouring = {.label = "heat of friction (energy/time)",
+                                    .map = FW_PALETTE_SEQUENTIAL};
     return draw(result, picture, FW_FIELD_HEAT, false, colouring,
                 "Heat of friction at each particle, between two frames; between two bodies half of "
                 "it comes to either.",

@@ -90,6 +90,41 @@ static void film_has_all_frames_on_the_same_axes(void **state)
     remove_folder(folder);
 }
 
+/* A wall that goes away makes no frame larger; what was recorded for maps of friction is no field
+ * that anybody named. */
+static void film_keeps_its_size_where_walls_move(void **state)
+{
+    (void)state;
+    static const char moved[] =
+        "title: a piston goes up from a block that slides\n"
+        "materials: {soft: {lattice-boltzmann: {rest-mass: 0}}}\n"
+        "bodies: {block: {material: soft, shape: {rectangle: [4, 3]}, velocity: [.1, 0]}}\n"
+        "walls:\n"
+        "  floor: {chain: [[-9, -.01], [19, -.01]], surface: {coulomb: 0.3}}\n"
+        "  lid: {box: [-1, 2.1, 6, 4], side: outside, piston: {mass: 5, velocity: [0, .1]}}\n"
+        "forces: {weight: {body: block, acceleration: [0, -.01]}}\n"
+        "run: {steps: 20, record-every: 2}\n"
+        "measure: [energy]\n"
+        "pictures: {where: {kind: slip}}\n";
+    char folder[64];
+    if (!has_ffmpeg()) skip();
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", moved);
+    outcome seen = run_program(
+        folder, "run file.yaml -o out --no-plot --quiet --set record.fields=[friction-heat]");
+    expect_end(&seen, 0, "");
+    seen = run_program(folder, "film out -o film.mp4");
+    expect_end(&seen, 0, "");
+    check_film(folder, "film.mp4", 11);
+    seen = run_program(
+        folder, "run file.yaml -o out --overwrite --no-plot --quiet --set record.fields=[speed]");
+    expect_end(&seen, 0, "");
+    seen = run_program(folder, "film out -o film.mp4 --field speed");
+    expect_end(&seen, 0, "");
+    check_film(folder, "film.mp4", 11);
+    remove_folder(folder);
+}
+
 static void film_refuses_what_it_cannot_do(void **state)
 {
     (void)state;
@@ -141,6 +176,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(film_has_all_frames_on_the_same_axes),
+        cmocka_unit_test(film_keeps_its_size_where_walls_move),
         cmocka_unit_test(film_refuses_what_it_cannot_do),
         cmocka_unit_test(film_that_fails_leaves_nothing),
     };

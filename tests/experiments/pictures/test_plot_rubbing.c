@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_plot_rubbing.c - maps of where a contact sticks, slides and heats. */
+#include "experiments/drawing/palette.h"
 #include "experiments/pictures/plot.h"
 #include "experiments/pictures/plot_parts.h"
 
@@ -92,6 +93,35 @@ static void maps_are_drawn_and_refused(void **state)
     remove_folder(other);
 }
 
+/* The top of the bar of colours as it stands in an SVG file. */
+static bool svg_has_top_of(const char *path, fw_palette_map map)
+{
+    char line[4096], wanted[96];
+    const fw_colour top = fw_palette_at(map, 1 - .5 / 256);
+    snprintf(wanted, sizeof wanted, "rgb(%.4f", 100 * top.red);
+    FILE *file = fopen(path, "r");
+    assert_non_null(file);
+    bool found = false;
+    while (!found && fgets(line, sizeof line, file)) found = strstr(line, wanted) != NULL;
+    fclose(file);
+    return found;
+}
+
+/* Swings of what sticks take a little heat back in places. The scale begins dark all the same: in
+ * the middle of one with two ends no heat would be as grey as no contact. */
+static void heat_has_one_scale(void **state)
+{
+    (void)state;
+    char path[128];
+    snprintf(path, sizeof path, "%s/heat.svg", folder);
+    const fw_plot_wish wish = {.kind = "heat", .range = {-1, 1}, .file = path};
+    FILE *out = tmpfile();
+    assert_fine(fw_plot_one(folder, &wish, out, &error));
+    assert_true(svg_has_top_of(path, FW_PALETTE_SEQUENTIAL));
+    assert_false(svg_has_top_of(path, FW_PALETTE_DIVERGING));
+    fclose(out);
+}
+
 /* The picture lets them be recorded: at rest the floor bears the weight, in each frame. */
 static void reactions_bear_the_weight(void **state)
 {
@@ -142,6 +172,7 @@ int main(void)
         cmocka_unit_test(heat_over_place_and_time_adds_up),
         cmocka_unit_test(what_slid_sticks_in_the_end),
         cmocka_unit_test(maps_are_drawn_and_refused),
+        cmocka_unit_test(heat_has_one_scale),
         cmocka_unit_test(reactions_bear_the_weight),
         cmocka_unit_test(maps_need_friction),
     };
