@@ -28,7 +28,7 @@ function numbersOf(Type, letters) {
 function digits(value) {
   if (value === null || !Number.isFinite(value)) return "–";
   const text = value.toPrecision(6);
-  return text.includes("e") || !text.includes(".") ? text : text.replace(/\.?0+$/, "");
+  return text.replace(/(\.\d*?)0*(e.*)?$/, (all, part, power) => (part === "." ? "" : part) + (power || ""));
 }
 
 // Round numbers of a range, at most about `wanted` of them.
@@ -378,7 +378,7 @@ class Player {
     let low = Infinity, high = -Infinity;
     for (const value of values) if (Number.isFinite(value)) { low = Math.min(low, value); high = Math.max(high, value); }
     if (!(low <= high)) { low = 0; high = 1; }
-    const room = Math.max((high - low) * 0.06, Math.abs(high) * 1e-6, 1e-30);
+    const room = low < high ? Math.max((high - low) * 0.06, Math.abs(high) * 1e-6) : Math.abs(high) * 0.1 || 1;
     low -= room;
     high += room;
     const left = 70, top = 22, width = this.plot.clientWidth - left - 26, height = 96;
@@ -446,7 +446,7 @@ function section(title, ...children) {
 }
 
 function provenance(run) {
-  const rows = Object.entries(run.provenance).map(([name, text]) => cells(name, text));
+  const rows = Object.entries(run.provenance).map(([name, text]) => cells(name, text.trim().replace(/\n/g, "; ")));
   rows.unshift(cells("ended", run.ended), cells("seed", run.seeds > 1 ? `${run.seed} and ${run.seeds - 1} more` : String(run.seed)));
   return tableOf(["", ""], rows);
 }
