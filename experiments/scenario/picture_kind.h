@@ -61,7 +61,7 @@ enum { FW_PICTURE_PAIRS_MAX = 6 };
     ROW(PROFILE, profile, "profile",                                                               \
         "the bodies, coloured by a field, above their profile, the control beside them",           \
         "field range", FW_PICTURE_NEEDS_PROFILE, 1, "return-force")                                \
-    ROW(LOOP, loop, "loop", "force along the interface against slip", "",                          \
+    ROW(LOOP, loop, "loop", "force along the interface against slip, with a `profile`", "",        \
         FW_PICTURE_NEEDS_PROFILE | FW_PICTURE_NEEDS_TWO_GRIPS, 0, NULL)                            \
     ROW(SLIP, slip, "slip", "where a contact sticks and where it slides, over place and time",     \
         "body from until range", FW_PICTURE_NEEDS_FRICTION, 0, NULL)                               \
