@@ -43,8 +43,8 @@ typedef struct fw_body_ledger {
 typedef struct fw_contact_ledger {
     double ticks;       /* in which bodies touched */
     double iterations;  /* of midpoint normals, of all islands together */
-    double unconverged; /* ticks with an island in which they did not settle: gaps are then inexact,
-                           energy and momentum are not */
+    double unconverged; /* ticks with an island in which normals or friction did not settle: gaps
+                           or cones are then inexact, energy and momentum are not */
     double heat;        /* of friction between bodies, >= 0 */
     double overstep;    /* the most by which friction went beyond its cone, as a part of the widest
                            cone of that tick */
