@@ -89,9 +89,10 @@ static fw_status write_curve(fw_json *json, fw_playback *playback, const fw_colu
     fw_json_text(json, "name", name);
     fw_json_text(json, "unit", of->unit);
     fw_json_text(json, "meaning", of->meaning);
-    fw_report_bytes(json, "values", shown, (size_t)rows * sizeof *shown);
+    const fw_status status =
+        fw_report_bytes(json, "values", shown, (size_t)rows * sizeof *shown, error);
     fw_json_end(json, '}');
-    return FW_OK;
+    return status;
 }
 
 static fw_status write_curves(fw_json *json, const fw_plot_result *result, fw_error *error)

@@ -88,7 +88,8 @@ static fw_status write_places(player *p, fw_error *error)
                 places[n++] = on_grid(p->y[particle], p->box.y);
             }
     }
-    if (status == FW_OK) fw_report_bytes(p->json, "places", places, 2 * count * sizeof *places);
+    if (status == FW_OK)
+        status = fw_report_bytes(p->json, "places", places, 2 * count * sizeof *places, error);
     free(places);
     return status;
 }
@@ -144,8 +145,8 @@ static fw_status write_field(player *p, const fw_playback_field *field, fw_error
         fw_json_number(p->json, "low", s.range.low);
         fw_json_number(p->json, "high", s.range.high);
         write_map(p->json, colouring.map);
-        fw_report_bytes(p->json, "shades", s.shade,
-                        (size_t)p->thin.frames * (size_t)p->thin.particles);
+        status = fw_report_bytes(p->json, "shades", s.shade,
+                                 (size_t)p->thin.frames * (size_t)p->thin.particles, error);
         fw_json_end(p->json, '}');
     }
     free(s.shade);
@@ -171,7 +172,8 @@ static fw_status write_forces(player *p, fw_error *error)
                 forces[n++] = (float)p->y[playback->bodies[b].first + i];
             }
     }
-    if (status == FW_OK) fw_report_bytes(p->json, "forces", forces, 2 * count * sizeof *forces);
+    if (status == FW_OK)
+        status = fw_report_bytes(p->json, "forces", forces, 2 * count * sizeof *forces, error);
     free(forces);
     return status;
 }
@@ -212,10 +214,10 @@ static fw_status write_links(player *p, fw_error *error)
         }
         fw_plot_view_clear(&view);
         if (f == 0 && status == FW_OK && n < count)
-            memset(pairs + 3 * n, 0, 12 * (size_t)(count - n));
+            memset(pairs + 3 * n, 0, 3 * (size_t)(count - n) * sizeof *pairs);
     }
     if (status == FW_OK)
-        fw_report_bytes(p->json, "links", pairs, 3 * (size_t)count * sizeof *pairs);
+        status = fw_report_bytes(p->json, "links", pairs, 3 * (size_t)count * sizeof *pairs, error);
     free(pairs);
     return status;
 }
@@ -259,7 +261,7 @@ static fw_status write_walls(player *p, fw_error *error)
         }
         fw_plot_view_clear(&view);
     }
-    if (status == FW_OK) fw_report_bytes(p->json, "gone", gone, n * sizeof *gone);
+    if (status == FW_OK) status = fw_report_bytes(p->json, "gone", gone, n * sizeof *gone, error);
     free(gone);
     return status;
 }

@@ -6,8 +6,9 @@
 #include "experiments/text/json.h"
 #include "plot_parts.h"
 
-/* Bytes as a text of letters (base64.h). */
-void fw_report_bytes(fw_json *json, const char *key, const void *bytes, size_t count);
+/* Bytes as a text of letters (base64.h). FW_SYSTEM_FAILED without memory. */
+fw_status fw_report_bytes(fw_json *json, const char *key, const void *bytes, size_t count,
+                          fw_error *error);
 
 /* The motion of a result in about `budget` bytes, into the object that is open: of long or large
  * results every so many frames and particles. Places are those of a grid of 65535 x 65535 points

@@ -31,11 +31,14 @@ static char *letters_of(const char *begin, const void *bytes, size_t count)
     return NULL;
 }
 
-void fw_report_bytes(fw_json *json, const char *key, const void *bytes, size_t count)
+fw_status fw_report_bytes(fw_json *json, const char *key, const void *bytes, size_t count,
+                          fw_error *error)
 {
     char *text = letters_of("", bytes, count);
+    if (!text) return fw_fail_memory(error, "a report");
     fw_json_text(json, key, text);
     free(text);
+    return FW_OK;
 }
 
 /* Draws one picture as a file and reads it. */
@@ -65,9 +68,10 @@ static fw_status write_picture(fw_json *json, const char *directory,
     }
     if (status == FW_OK) {
         char *image = letters_of(begin, bytes, size);
+        if (!image) status = fw_fail_memory(error, "a picture of a report");
         fw_json_begin(json, NULL, '{');
         fw_json_text(json, "title", picture->title ? picture->title : picture->name);
-        fw_json_text(json, "image", image);
+        if (image) fw_json_text(json, "image", image);
         fw_json_end(json, '}');
         free(image);
     }
