@@ -74,8 +74,8 @@ static void a_setting_changes_what_rests_on_a_name(void **state)
 static void formulas_are_printed_with_their_values(void **state)
 {
     static const char *const lines[] = {
-        "parameters: {half: \"w/2\", v: 0.2, w: \"24*v\", n: 4}  # = 2.4000000000000004, "
-        "4.800000000000001\n",
+        ("parameters: {half: \"w/2\", v: 0.2, w: \"24*v\", n: 4}  # = 2.4000000000000004, "
+         "4.800000000000001\n"),
         "    velocity: [\"v\", \"max(v, w)/100\"]  # = 0.2, 0.04800000000000001\n",
         "run: {steps: \"10*n\", record-every: \"n\"}  # = 40, 4\n"};
     fw_scenario *first = scenario_of(formulas, NULL), *second;
