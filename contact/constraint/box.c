@@ -59,7 +59,10 @@ bool joint_solve_box(joint_system *system, const double *limit, int bandwidth, d
         joint_band_multiply(&p, p.lambda, p.rest);
         settled = change_states(&p, limit, state, round >= ROUNDS_AT_ONCE) == 0;
     }
+    /* What is at its limit is so to the last bit: whoever asks takes less for sticking. */
     for (int n = 0; n < p.count; ++n)
-        system->lambda[n] = fmin(fmax(p.lambda[n] * p.scale[n], -limit[n]), limit[n]);
+        system->lambda[n] = state[n] == 0
+                                ? fmin(fmax(p.lambda[n] * p.scale[n], -limit[n]), limit[n])
+                                : state[n] * limit[n];
     return settled;
 }

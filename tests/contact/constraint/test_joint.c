@@ -310,6 +310,35 @@ static void what_has_no_way_is_counted(void **state)
     release(&p);
 }
 
+/* Each of 1000 particles slides on a plane of its own direction: it bears its limit to the last bit
+ * and is not taken for one that sticks. */
+static void what_slides_bears_its_limit_to_the_last_bit(void **state)
+{
+    (void)state;
+    problem p = with_room(1000, 1000);
+    for (int n = 0; n < 1000; ++n) {
+        const double angle = 3.2 * random_of(6, 3 * n);
+        const fw_vec2 normal = {-sin(angle), cos(angle)}, along = {cos(angle), sin(angle)};
+        const fw_vec2 free =
+            fw_vec2_add(fw_vec2_scale(-0.1 - fabs(random_of(6, 3 * n + 1)), normal), along);
+        add_end(&p, (fw_vec2){0, 0}, free, 1.0 / 3);
+        p.ends[n].inertial = free;
+        p.rows[p.row_count++] = (fw_joint_row){
+            .kind = FW_JOINT_PLANE,
+            .end = {n},
+            .normal = normal,
+            .rub = {.coefficient = 0.1 + fabs(random_of(6, 3 * n + 2)) / 10, .before = 0.1},
+            .fresh = true};
+    }
+    solve(&p);
+    for (int n = 0; n < 1000; ++n) {
+        assert_true(fabs(p.rows[n].rub.slip) > 0.1);
+        assert_true(fabs(p.rows[n].rub.traction) == p.rows[n].rub.limit);
+        assert_false(p.rows[n].rub.stuck);
+    }
+    release(&p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -320,6 +349,7 @@ int main(void)
         cmocka_unit_test(walls_push_what_they_meet),
         cmocka_unit_test(equal_points_swap),
         cmocka_unit_test(what_has_no_way_is_counted),
+        cmocka_unit_test(what_slides_bears_its_limit_to_the_last_bit),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

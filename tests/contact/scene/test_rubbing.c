@@ -90,18 +90,20 @@ static void what_sticks_bears_more_than_what_slides(void **state)
 {
     (void)state;
     fw_scene *scene = two_surfaces((fw_friction){0.2, 0.4},
-                                   (fw_path){.velocity = {1e-4, 0}, .from = 1000, .until = 4000});
+                                   (fw_path){.velocity = {1e-4, 0}, .from = 1000, .until = 6000});
     double most = 0;
     for (int t = 0; t < 3600; ++t) {
         run(scene, 1);
         most = fmax(most, -fw_scene_body_ledger(scene, 1, 0)->reaction.x);
     }
     assert_true(most > 1.3 * 0.2 * 0.2 && most < 0.4 * 0.2);
-    /* Particles stick and slip, and what is stored in the beams comes and goes. */
+    /* Particles stick and slip, and what is stored in the beams comes and goes: over 400 steps the
+     * heat is off by a tenth. */
     const double before = fw_scene_contact_ledger(scene)->heat;
     run(scene, 400);
-    assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.04, 8e-5);
     assert_true(fw_scene_contact_ledger(scene)->overstep < 0.04);
+    run(scene, 2000);
+    assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.24, 3.8e-4);
     assert_energy_closes(scene, 1e-12);
     fw_scene_destroy(scene);
 }
