@@ -60,6 +60,13 @@ static inline fw_box fw_box_around(fw_vec2 p, fw_vec2 q)
     return fw_box_joined(at_p, at_q);
 }
 
+/* Does one box lie in the other? A box lies in itself. */
+static inline bool fw_box_lies_within(fw_box inner, fw_box outer)
+{
+    return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
+           inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
+}
+
 /* Where particles are free to be. */
 typedef enum fw_side { FW_INSIDE, FW_OUTSIDE } fw_side;
 

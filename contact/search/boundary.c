@@ -210,12 +210,6 @@ static void sweep_run(fw_boundary *boundary, int run, const double *restrict x,
     boundary->swept[run] = (fw_box){{low_x - room, low_y - room}, {high_x + room, high_y + room}};
 }
 
-static bool lies_within(fw_box inner, fw_box outer)
-{
-    return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
-           inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
-}
-
 /* Room for `capacity` facets in every run; the lists move, from the last to the first. */
 static fw_status enlarge_lists(fw_boundary *boundary, int capacity, fw_error *error)
 {
@@ -260,7 +254,8 @@ fw_status fw_boundary_refresh(fw_boundary *boundary, const fw_solid *solid,
         sweep_run(boundary, run, solid->x, solid->y, wall_sweep);
     for (int run = 0; run < boundary->run_count; ++run) {
         const fw_box swept = boundary->swept[run];
-        if (generation == boundary->generation && lies_within(swept, boundary->fat[run])) continue;
+        if (generation == boundary->generation && fw_box_lies_within(swept, boundary->fat[run]))
+            continue;
         double step = boundary->reach[run] + wall_sweep;
         /* A quarter of the spacing at least, so that the trembling of a body at rest needs no
          * query: 32 particles in a row are 31 spacings long. */
@@ -280,7 +275,7 @@ fw_status fw_boundary_extend(fw_boundary *boundary, const fw_broadphase *broadph
 {
     assert(run >= 0 && run < boundary->run_count);
     fw_box *fat = &boundary->fat[run];
-    if (lies_within((fw_box){point, point}, *fat)) return FW_OK;
+    if (fw_box_lies_within((fw_box){point, point}, *fat)) return FW_OK;
     const fw_box wider = fw_box_joined(*fat, (fw_box){point, point});
     return query(boundary, broadphase, run, wider, error);
 }

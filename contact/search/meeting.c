@@ -41,12 +41,6 @@ static fw_box joined(fw_box box, fw_vec2 point)
     return fw_box_joined(box, (fw_box){point, point});
 }
 
-static bool lies_within(fw_box inner, fw_box outer)
-{
-    return inner.low.x >= outer.low.x && inner.low.y >= outer.low.y &&
-           inner.high.x <= outer.high.x && inner.high.y <= outer.high.y;
-}
-
 static bool meets(fw_box a, fw_box b)
 {
     return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
@@ -258,11 +252,12 @@ fw_status fw_meeting_begin(fw_meeting *meeting, const fw_meeting_body *bodies, d
         const double pace = known ? farthest_corner(before, meeting->here[run]) / steps : expected;
         calm &= known && 2 * (NAP + 1) * pace <= 0.5 * meeting->margin[run];
         meeting->moved[run] = 0;
-        if (known && lies_within(fw_box_grown(meeting->here[run], 0.5 * meeting->margin[run]),
-                                 meeting->fat[run]))
+        if (known &&
+            fw_box_lies_within(fw_box_grown(meeting->here[run], 0.5 * meeting->margin[run]),
+                               meeting->fat[run]))
             continue;
         if (known && !meeting->is_busy[run] &&
-            !lies_within(meeting->here[run], meeting->fat[run]) &&
+            !fw_box_lies_within(meeting->here[run], meeting->fat[run]) &&
             may_have_passed(meeting, run, before)) {
             *jumped = run;
             return fw_fail(error, FW_DIVERGED, "points jump");
@@ -291,7 +286,8 @@ fw_status fw_meeting_find(fw_meeting *meeting, double reach, fw_error *error)
     for (int n = 0; n < meeting->busy_count; ++n) {
         const int run = meeting->busy[n];
         meeting->moved[run] = 0;
-        if (lies_within(fw_box_grown(meeting->here[run], reach), meeting->fat[run])) continue;
+        if (fw_box_lies_within(fw_box_grown(meeting->here[run], reach), meeting->fat[run]))
+            continue;
         fatten(meeting, run, steps_ahead * reach);
         moved += 1;
     }

@@ -53,14 +53,6 @@ static void mark_plain(lb_solid *lb, uint8_t *plain)
     form->plain_mass = lb_get(&lb->mass, first);
 }
 
-static void add_matrices(fw_arena *arena, matrices *m, size_t count, bool full)
-{
-    FW_ARENA_ADD(arena, m->xx, count);
-    if (!full) return;
-    FW_ARENA_ADD(arena, m->xy, count);
-    FW_ARENA_ADD(arena, m->yy, count);
-}
-
 static fw_status allocate(lb_solid *lb, fw_error *error)
 {
     displacement_form *form = &lb->form;
@@ -74,8 +66,8 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
     }
     FW_ARENA_ADD(arena, form->force_x, places);
     FW_ARENA_ADD(arena, form->force_y, places);
-    add_matrices(arena, &form->mobility, places, lb->matrix);
-    if (lb->mu < 1) add_matrices(arena, &form->mass, places, lb->matrix);
+    lb_add_matrices(arena, &form->mobility, places, lb->matrix);
+    if (lb->mu < 1) lb_add_matrices(arena, &form->mass, places, lb->matrix);
     FW_ARENA_ADD(arena, form->site_x, count);
     FW_ARENA_ADD(arena, form->site_y, count);
     FW_ARENA_ADD(arena, form->passed, rows * LB_DEPTH);

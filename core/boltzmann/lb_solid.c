@@ -112,14 +112,6 @@ static void choose_kernels(lb_solid *lb, const fw_lb_solid_def *def)
                     lb_grid_pays(def->sites);
 }
 
-static void add_matrices(fw_arena *arena, matrices *m, size_t count, bool full)
-{
-    FW_ARENA_ADD(arena, m->xx, count);
-    if (!full) return;
-    FW_ARENA_ADD(arena, m->xy, count);
-    FW_ARENA_ADD(arena, m->yy, count);
-}
-
 static fw_status allocate(lb_solid *lb, fw_error *error)
 {
     fw_arena *arena = &lb->head.arena;
@@ -129,15 +121,15 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
         FW_ARENA_ADD(arena, lb->slot_x[d], count);
         FW_ARENA_ADD(arena, lb->slot_y[d], count);
     }
-    add_matrices(arena, &lb->inverse, count, lb->matrix);
-    add_matrices(arena, &lb->mass, count, lb->matrix);
-    if (lb->resting) add_matrices(arena, &lb->rest_mass, count, lb->matrix);
+    lb_add_matrices(arena, &lb->inverse, count, lb->matrix);
+    lb_add_matrices(arena, &lb->mass, count, lb->matrix);
+    if (lb->resting) lb_add_matrices(arena, &lb->rest_mass, count, lb->matrix);
     if (lb->resting && !lb->displaced) {
         FW_ARENA_ADD(arena, lb->rest_x, count);
         FW_ARENA_ADD(arena, lb->rest_y, count);
     }
     for (int d = FW_EAST; d <= FW_NORTH && lb->weighted; ++d)
-        add_matrices(arena, &lb->stiffness[d], count, lb->matrix);
+        lb_add_matrices(arena, &lb->stiffness[d], count, lb->matrix);
     for (int d = 0; d < FW_DIRECTIONS; ++d) FW_ARENA_ADD(arena, lb->neighbour[d], count);
     FW_ARENA_ADD(arena, lb->present, count);
     FW_ARENA_ADD(arena, lb->edge, count);

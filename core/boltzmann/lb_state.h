@@ -31,6 +31,15 @@ typedef struct matrices {
     double *xx, *xy, *yy;
 } matrices;
 
+/* Room for so many of them: `full`, or multiples of 1 (xx alone). */
+static inline void lb_add_matrices(fw_arena *arena, matrices *m, size_t count, bool full)
+{
+    FW_ARENA_ADD(arena, m->xx, count);
+    if (!full) return;
+    FW_ARENA_ADD(arena, m->xy, count);
+    FW_ARENA_ADD(arena, m->yy, count);
+}
+
 /* Consecutive particles. `full`: all have four links, and their neighbours lie at constant
  * distances in memory, so that the step runs over contiguous memory without tables. A span never
  * crosses a chunk. */

@@ -189,4 +189,10 @@ fw_status fw_scenario_allocate(const fw_scenario *scenario, size_t count, size_t
 fw_status fw_scenario_find(const fw_scenario *scenario, const fw_node *named, const char *kind,
                            const fw_node *name, int *index, fw_error *error);
 
+/* A pair [i, j]. */
+static inline fw_site fw_scenario_read_site(const fw_node *pair)
+{
+    return (fw_site){(int)fw_node_integer(pair->first), (int)fw_node_integer(pair->last)};
+}
+
 #endif

@@ -26,11 +26,6 @@ const fw_section fw_selection_section = {
     "belong to the body.",
     .keys = selection_keys};
 
-static fw_site read_site(const fw_node *pair)
-{
-    return (fw_site){(int)fw_node_integer(pair->first), (int)fw_node_integer(pair->last)};
-}
-
 static int compare_sites(const void *left, const void *right)
 {
     const fw_site *a = left, *b = right;
@@ -45,7 +40,7 @@ static fw_status select_list(const fw_scenario *scenario, const fw_node *list,
     FW_TRY(fw_scenario_allocate(scenario, (size_t)list->count, sizeof *sites, &sites, error));
     int count = 0;
     for (const fw_node *pair = list->first; pair; pair = pair->next) {
-        fw_site site = read_site(pair);
+        fw_site site = fw_scenario_read_site(pair);
         if (!fw_scenario_has_site(body, site))
             return fw_scenario_fail(scenario, pair->place, error,
                                     "site [%d, %d] is not one of body '%s', whose sites lie in "

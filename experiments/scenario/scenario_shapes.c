@@ -68,11 +68,6 @@ static void measure_sites(fw_scenario_shape *shape)
 
 /* --- reading shapes --- */
 
-static fw_site read_site(const fw_node *pair)
-{
-    return (fw_site){(int)fw_node_integer(pair->first), (int)fw_node_integer(pair->last)};
-}
-
 /* The sentence of the maker of sites, at the place where the shape was written. */
 static fw_status fail_shape(const fw_scenario *scenario, const fw_node *node, const char *body,
                             fw_status status, fw_error *error)
@@ -88,7 +83,7 @@ static fw_status read_list(const fw_scenario *scenario, const fw_node *list, fw_
     if (!sites) return fw_document_fail_memory(scenario->document, error);
     int count = 0;
     for (const fw_node *pair = list->first; pair; pair = pair->next)
-        sites[count++] = read_site(pair);
+        sites[count++] = fw_scenario_read_site(pair);
     const fw_status status = fw_sites_list(&body->shape.sites, sites, count, error);
     free(sites);
     FW_TRY(fail_shape(scenario, list, body->name, status, error));

@@ -8,6 +8,7 @@
 #include "experiments/setup/memory.h"
 #include "experiments/storage/csv.h"
 #include "experiments/storage/folder.h"
+#include "experiments/study/interrupt.h"
 #include "experiments/study/summary.h"
 
 #include <math.h>
@@ -225,11 +226,6 @@ static int threads_of(const fw_study *study)
     return wanted < most ? wanted : most;
 }
 
-static bool is_signal(fw_status status)
-{
-    return status == FW_INTERRUPTED || status == FW_TERMINATED || status == FW_HUNG_UP;
-}
-
 /* Of several runs at a time: steps of all of them, as the progress counts them. */
 static fw_status report_signal(const fw_study *study, fw_status status, fw_error *error)
 {
@@ -262,7 +258,7 @@ static fw_status run_all(fw_study *study, fw_error *error)
     fw_progress_end(study->replicas[0].options.progress);
     for (int n = 0; n < study->run_count; ++n) {
         if (study->replicas[n].status == FW_OK) continue;
-        if (study->run_count > 1 && is_signal(study->replicas[n].status))
+        if (study->run_count > 1 && fw_interrupt_is(study->replicas[n].status))
             return report_signal(study, study->replicas[n].status, error);
         *error = study->replicas[n].error;
         return study->replicas[n].status;
