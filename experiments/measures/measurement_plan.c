@@ -320,8 +320,17 @@ static fw_status check_compared(request *r, fw_schema_name name)
     const fw_quantity *quantity;
     FW_TRY(fw_subject_find_quantity(r->observer, name, &quantity, r->error));
     if (quantity->scope == FW_SCOPE_STUDY && scenario->profile.every != 0) return FW_OK;
-    for (int n = 0; n < scenario->expectation_count; ++n)
-        if (strcmp(scenario->expectations[n].quantity.text, name.text) == 0) return FW_OK;
+    const char *near = NULL;
+    for (int n = 0; n < scenario->expectation_count; ++n) {
+        const char *expected = scenario->expectations[n].quantity.text;
+        if (strcmp(expected, name.text) == 0) return FW_OK;
+        if (strcmp(expected, quantity->name) == 0) near = expected;
+    }
+    if (near)
+        return fw_scenario_fail(scenario, name.place, r->error,
+                                "a picture of a sweep draws %s, expected %s alone: it shows what "
+                                "'expect' asks of it",
+                                name.text, near);
     return fw_scenario_fail(scenario, name.place, r->error,
                             "a picture of a sweep draws %s, which the sweep does not compare: "
                             "expected a quantity of 'expect'%s",

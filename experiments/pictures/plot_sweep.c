@@ -123,14 +123,62 @@ fw_status fw_plot_sweep_along(fw_sweep_along *along, const fw_plot_sweep *sweep,
 
 /* --- words --- */
 
-const char *fw_plot_sweep_label(const fw_sweep_column *column, bool whole, char *label, size_t size)
+/* A name in its parts: "wave-front.bar x, rate" has the subject "bar" and the component "x". */
+typedef struct name_parts {
+    int quantity, subject_at, subject, component_at, component; /* where they begin, how long */
+    const char *end;                                            /* ", rate", or "" */
+} name_parts;
+
+static name_parts parts_of(const char *name)
 {
-    char quantity[FW_SWEEP_NAME];
-    const size_t length = strcspn(column->name, " .,");
-    const char *part = column->name + length, *comma = strrchr(column->name, ',');
-    snprintf(quantity, sizeof quantity, "%.*s%s", (int)length, column->name,
-             whole && comma ? comma : "");
+    const char *comma = strrchr(name, ',');
+    const int quantity = (int)strcspn(name, " .,");
+    const int end = comma ? (int)(comma - name) : (int)strlen(name);
+    int space = end;
+    for (int n = quantity; n < end; ++n)
+        if (name[n] == ' ') space = n;
+    name_parts parts = {.quantity = quantity, .end = name + end};
+    parts.component_at = space + (space < end);
+    parts.component = end - parts.component_at;
+    parts.subject_at = quantity + (name[quantity] == '.');
+    parts.subject = space > parts.subject_at ? space - parts.subject_at : 0;
+    return parts;
+}
+
+/* Is the same quantity of something else in the table? */
+static bool is_of_several(const fw_sweep_column *column, const fw_sweep_table *table)
+{
+    const name_parts own = parts_of(column->name);
+    for (int c = 0; c < table->column_count; ++c) {
+        const char *name = table->columns[c].name;
+        const name_parts other = parts_of(name);
+        if (other.quantity != own.quantity ||
+            strncmp(name, column->name, (size_t)own.quantity) != 0)
+            continue;
+        if (other.subject != own.subject ||
+            strncmp(name + other.subject_at, column->name + own.subject_at, (size_t)own.subject) !=
+                0)
+            return true;
+    }
+    return false;
+}
+
+const char *fw_plot_sweep_label(const fw_sweep_column *column, const fw_sweep_table *table,
+                                bool whole, char *label, size_t size)
+{
+    char quantity[FW_SWEEP_NAME + 8] = "";
+    const char *name = column->name;
+    const name_parts parts = parts_of(name);
+    fw_text_append(quantity, sizeof quantity, "%.*s", parts.quantity, name);
+    if (whole && parts.component > 0)
+        fw_text_append(quantity, sizeof quantity, " %.*s", parts.component,
+                       name + parts.component_at);
+    if (whole && parts.subject > 0 && is_of_several(column, table))
+        fw_text_append(quantity, sizeof quantity, " of %.*s", parts.subject,
+                       name + parts.subject_at);
+    if (whole) fw_text_append(quantity, sizeof quantity, "%s", parts.end);
     fw_label_print(label, size, quantity, column->unit);
+    const char *part = name + parts.quantity;
     return part + strspn(part, " .,");
 }
 

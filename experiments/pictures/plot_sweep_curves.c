@@ -244,8 +244,8 @@ static fw_status fill_panel(drawing *d, int number, const fw_sweep_column *colum
                                 &panel->curves[d->line_count + n]);
         used += PARTS * (size_t)d->lines[n].count;
     }
-    const char *part =
-        fw_plot_sweep_label(column, d->line_count > 1, panel->label, sizeof panel->label);
+    const char *part = fw_plot_sweep_label(column, &d->sweep->table, d->line_count > 1,
+                                           panel->label, sizeof panel->label);
     name_curves(d, panel, part, number, expected);
     d->charts[number] = (fw_chart){.label = panel->label,
                                    .curves = panel->curves,
@@ -297,7 +297,7 @@ static fw_status draw(drawing *d, const fw_sweep_choice *choice, fw_page *page, 
     const fw_sweep_axis *axis = &d->sweep->table.axes[d->along];
     char label[FW_SWEEP_NAME + 80], caption[3072] = "";
     fw_label_print(label, sizeof label, axis->name, axis->unit);
-    if (d->across) fw_plot_sweep_label(d->across, true, label, sizeof label);
+    if (d->across) fw_plot_sweep_label(d->across, &d->sweep->table, true, label, sizeof label);
     write_caption(d, choice, caption, sizeof caption);
     page->caption = caption;
     const fw_figure_stack_plan plan = {.charts = d->charts,

@@ -179,6 +179,21 @@ static fw_status fill_raster(map *m, fw_error *error)
 
 /* --- the line --- */
 
+static bool is_of(const fw_sweep_column *column, const char *quantity)
+{
+    const size_t length = strlen(quantity);
+    return strncmp(column->name, quantity, length) == 0 &&
+           (!column->name[length] || strchr(" .,", column->name[length]));
+}
+
+/* The level of a picture is that of its own number, not of another that is wished for. */
+static bool has_level(const map *m, const fw_plot_wish *wish, const fw_scenario_picture *own)
+{
+    if (!own || !own->has_level) return false;
+    if (wish->observable_count == 0) return true;
+    return own->observables.count > 0 && is_of(m->column, own->observables.item[0].text);
+}
+
 /* As wished for, or as the picture has it, or that which the number is expected to cross. */
 static bool find_level(const map *m, const fw_plot_wish *wish, const fw_scenario_picture *own,
                        double *level)
@@ -186,13 +201,13 @@ static bool find_level(const map *m, const fw_plot_wish *wish, const fw_scenario
     const fw_scenario *scenario = m->sweep->scenario;
     if (wish->level) *level = *wish->level;
     if (wish->level) return true;
-    if (own && own->has_level) *level = own->level;
-    if (own && own->has_level) return true;
+    if (has_level(m, wish, own)) {
+        *level = own->level;
+        return true;
+    }
     for (int n = 0; n < scenario->expectation_count; ++n) {
         const fw_expectation *e = &scenario->expectations[n];
-        const size_t length = strlen(e->quantity.text);
-        if (!e->has_level || strncmp(m->column->name, e->quantity.text, length) != 0) continue;
-        if (m->column->name[length] && !strchr(" .,", m->column->name[length])) continue;
+        if (!e->has_level || !is_of(m->column, e->quantity.text)) continue;
         *level = e->level;
         return true;
     }
@@ -327,7 +342,7 @@ fw_status fw_plot_sweep_map(const fw_plot_sweep *sweep, const fw_plot_wish *wish
     if (!m) return fw_fail_memory(error, "a map of a sweep");
     m->sweep = sweep;
     m->column = &table->columns[choice.columns[0]];
-    fw_plot_sweep_label(m->column, true, label, sizeof label);
+    fw_plot_sweep_label(m->column, table, true, label, sizeof label);
     fw_colouring colouring = {.label = label,
                               .logarithmic = wish->logarithmic || (own && own->logarithmic)};
     const double *range = wish->range[0] < wish->range[1] ? wish->range : own ? own->range : NULL;

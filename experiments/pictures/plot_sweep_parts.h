@@ -29,10 +29,11 @@ fw_status fw_plot_sweep_choose(fw_sweep_choice *choice, const fw_plot_sweep *swe
                                const fw_plot_wish *wish, const fw_scenario_picture *own,
                                fw_error *error);
 /* "kinetic fraction", "layer contact (force)": words in place of the name, and the unit where that
- * says more. Returns what of the quantity it is, "sheet, minimum", or "": `whole`, its end is said
- * as well, "wave front, rate (length/time)". */
-const char *fw_plot_sweep_label(const fw_sweep_column *column, bool whole, char *label,
-                                size_t size);
+ * says more. Returns what of the quantity it is, "sheet, minimum", or "": `whole`, its component
+ * and end are said as well, "centre of mass x, rate (length/time)", and where the table has it of
+ * several bodies, of which. */
+const char *fw_plot_sweep_label(const fw_sweep_column *column, const fw_sweep_table *table,
+                                bool whole, char *label, size_t size);
 /* Adds to a caption what the column's quantity means, where it says so by itself. */
 void fw_plot_sweep_explain(const fw_sweep_column *column, char *caption, size_t size);
 

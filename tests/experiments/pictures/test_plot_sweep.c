@@ -157,6 +157,17 @@ static void seeds_have_rows_whose_means_are_those_of_the_cases(void **state)
     shell(folder, "cmp it/sweep.h5 again/sweep.h5 && cmp it/sweep-seeds.csv again/sweep-seeds.csv");
     seen = run_program(folder, "plot it --kind map --observable kinetic-energy --level 1x");
     expect_end(&seen, 2, "--level 1x, expected a number");
+    /* The line of the scenario's map is that of its own number. */
+    static const char *const lines[] = {
+        "plot it --kind map --observable thermostat-heat -o heat.png",
+        "plot it --kind map --observable thermostat-heat --level 0.01 -o heat-line.png",
+        "plot it --kind map --observable kinetic-energy -o energy.png",
+        "plot it --kind map --observable kinetic-energy --level 0.01 -o energy-line.png"};
+    for (int n = 0; n < 4; ++n) {
+        seen = run_program(folder, lines[n]);
+        expect_end(&seen, 0, "");
+    }
+    shell(folder, "cmp energy.png energy-line.png && ! cmp -s heat.png heat-line.png");
     seen = run_program(folder, "plot it --kind map --along thermostat-heat");
     expect_end(&seen, 2,
                "a map lies over two parameters, and thermostat-heat is a number of the sweep");
@@ -179,12 +190,41 @@ static void seeds_have_rows_whose_means_are_those_of_the_cases(void **state)
     skip_unseen();
 }
 
+/* Panels of one quantity are told from each other. */
+static void labels_name_what_differs(void **state)
+{
+    fw_sweep_column columns[] = {{.name = "centre-of-mass.block x, change", .unit = "length"},
+                                 {.name = "centre-of-mass.slab y, at the end", .unit = "length"},
+                                 {.name = "reaction.floor x, mean", .unit = "force"},
+                                 {.name = "centre-of-mass-error, mean", .unit = "length"},
+                                 {.name = "slip x", .unit = "length"},
+                                 {.name = "layer-contact", .unit = "force"}};
+    static const char *const wanted[][2] = {
+        {"centre of mass x of block, change (length)", "block x, change"},
+        {"centre of mass y of slab, at the end (length)", "slab y, at the end"},
+        {"reaction x, mean (force)", "floor x, mean"},
+        {"centre of mass error, mean (length)", "mean"},
+        {"slip x (length)", "x"},
+        {"layer contact (force)", ""}};
+    const fw_sweep_table table = {.columns = columns, .column_count = 6};
+    char label[200];
+    (void)state;
+    for (int n = 0; n < 6; ++n) {
+        const char *part = fw_plot_sweep_label(&columns[n], &table, true, label, sizeof label);
+        assert_string_equal(label, wanted[n][0]);
+        assert_string_equal(part, wanted[n][1]);
+    }
+    fw_plot_sweep_label(&columns[0], &table, false, label, sizeof label);
+    assert_string_equal(label, "centre of mass (length)");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_line_of_a_plane_is_straight),
         cmocka_unit_test(a_saddle_is_parted_by_its_middle),
         cmocka_unit_test(a_hole_ends_the_line),
+        cmocka_unit_test(labels_name_what_differs),
         cmocka_unit_test(seeds_have_rows_whose_means_are_those_of_the_cases),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

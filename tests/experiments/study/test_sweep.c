@@ -202,6 +202,9 @@ static const struct {
      "7:3: the case v=0.1: flights.yaml:16:39: a picture of a sweep draws momentum, which the "
      "sweep "
      "does not compare: expected a quantity of 'expect'"},
+    {"kind: sweep", "kind: sweep, observables: [energy.sheet]",
+     "7:3: the case v=0.1: flights.yaml:16:39: a picture of a sweep draws energy.sheet, expected "
+     "energy alone: it shows what 'expect' asks of it"},
     /* Of two parameters. */
     {TAIL("", "v", "0.2"), TAIL("      w: {values: [1, 2]}\n", "w*v", "0.2"),
      "14:30: 'when' is 0.2, but study.sweep has 2 parameters: expected their names, as {v: 0.2}"},
