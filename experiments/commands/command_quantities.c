@@ -126,6 +126,11 @@ static void write_json(const wanted *w)
     fw_json_end(&json, '}');
 }
 
+static const char *article_of(const listed_field *field)
+{
+    return !field->model ? "" : strchr("aeiou", field->of[0]) ? "an " : "a ";
+}
+
 static void print_one(const char *word)
 {
     const fw_quantity *q = fw_quantity_find(word);
@@ -139,7 +144,7 @@ static void print_one(const char *word)
     for (int g = 0; g < FIELD_GROUPS; ++g)
         for (int n = 0; (field = field_at(g, n)).name; ++n)
             if (strcmp(field.name, word) == 0)
-                printf("%s, a field of %s%s%s: %s\n", word, field.model ? "a " : "", field.of,
+                printf("%s, a field of %s%s%s: %s\n", word, article_of(&field), field.of,
                        field.model ? " solid" : "", field.meaning);
 }
 
@@ -163,7 +168,7 @@ static void print_table(const wanted *w)
             if (!is_wanted(w, field.name, field.meaning, field.model)) continue;
             if (!named)
                 printf("%sFields of %s%s%s (record.fields, plot --field):\n", begun ? "\n" : "",
-                       field.model ? "a " : "", field.of, field.model ? " solid" : "");
+                       article_of(&field), field.of, field.model ? " solid" : "");
             begun = named = true;
             printf("  %-20s %s\n", field.name, field.meaning);
         }

@@ -42,8 +42,35 @@ static double size_of_texts(const fw_figure_map_plan *plan, const fw_panel *pane
     return size < .55 * FW_SMALL_SIZE ? 0 : size;
 }
 
-/* Black on what is light, white on what is dark; low in the cell, whose middle curves pass. A curve
- * that comes so low is interrupted. */
+static bool has_marker_in(const fw_figure_map_plan *plan, const fw_panel *panel, fw_rect room)
+{
+    const double reach = 1.1; /* mm */
+    for (int k = 0; k < plan->curve_count; ++k) {
+        const fw_curve *curve = &plan->curves[k];
+        for (int n = 0; n < curve->count && curve->look == FW_CURVE_MARKERS; ++n) {
+            const fw_vec2 at = fw_panel_place(panel, curve->x[n], curve->y[n]);
+            if (fabs(at.x - room.left - room.width / 2) < room.width / 2 + reach &&
+                fabs(at.y - room.top - room.height / 2) < room.height / 2 + reach)
+                return true;
+        }
+    }
+    return false;
+}
+
+/* Room for a text, so much above the middle of its cell. */
+static fw_rect room_of_text(const fw_figure_map_plan *plan, const fw_panel *panel, long n,
+                            double size, double above)
+{
+    const double p = plan->p_first + (double)(n % plan->columns) * plan->p_step;
+    const double q = plan->q_first + ((double)(n / plan->columns) + above) * plan->q_step;
+    const fw_vec2 at = fw_panel_place(panel, p, q);
+    const double width = fw_canvas_text_width(plan->texts[n], size, false) + 1;
+    const double height = fw_canvas_line_height(size);
+    return (fw_rect){at.x - width / 2, at.y - height / 2, width, height};
+}
+
+/* Black on what is light, white on what is dark; low in the cell, whose middle curves pass, or high
+ * where a marker lies below. A curve that comes so low is interrupted. */
 static void draw_texts(const fw_figure_map_plan *plan, const fw_panel *panel,
                        const fw_colour_scale *scale)
 {
@@ -52,16 +79,13 @@ static void draw_texts(const fw_figure_map_plan *plan, const fw_panel *panel,
         if (!plan->texts[n]) continue;
         const fw_colour below = fw_colour_scale_at(scale, plan->values[n]);
         const double light = .3 * below.red + .59 * below.green + .11 * below.blue;
-        const double p = plan->p_first + (double)(n % plan->columns) * plan->p_step;
-        const double q = plan->q_first + ((double)(n / plan->columns) - .36) * plan->q_step;
         const fw_text_look look = {.size = size,
                                    .colour = fw_colour_grey(light > .5 ? 0 : 1),
                                    .across = FW_TEXT_CENTRE,
                                    .along = FW_TEXT_MIDDLE};
-        const fw_vec2 at = fw_panel_place(panel, p, q);
-        const double width = fw_canvas_text_width(plan->texts[n], size, false) + 1;
-        const double height = fw_canvas_line_height(size);
-        const fw_rect room = {at.x - width / 2, at.y - height / 2, width, height};
+        fw_rect room = room_of_text(plan, panel, n, size, -.36);
+        if (has_marker_in(plan, panel, room)) room = room_of_text(plan, panel, n, size, .36);
+        const fw_vec2 at = {room.left + room.width / 2, room.top + room.height / 2};
         fw_canvas_rectangle(panel->canvas, room, below);
         fw_canvas_text(panel->canvas, at, plan->texts[n], look);
     }

@@ -17,7 +17,7 @@ const fw_certificate_row fw_certificate_rows[FW_CERTIFICATE_ITEMS] = {
     [FW_CERTIFICATE_MOMENTUM] = {"momentum", "1", "momentum minus what the ledger of impulses says, over the largest impulse so far, or (2 M E)^(1/2) of all bodies with that energy"},
     [FW_CERTIFICATE_OVERSTEP] = {"overstep", "1", "by how much friction went beyond its cone, as a part of the widest one of that step"},
     [FW_CERTIFICATE_CREEP] = {"creep", "length", "how far any particle moved along a wall or an edge while it stuck to it"},
-    [FW_CERTIFICATE_UNCONVERGED] = {"unconverged", "1", "steps in which normals of bodies that touch did not settle: gaps are inexact there, energy and momentum are not"},
+    [FW_CERTIFICATE_UNCONVERGED] = {"unconverged", "1", "steps in which normals or friction of bodies that touch did not settle: gaps, or the bound of friction, are inexact there, energy and momentum are not"},
     [FW_CERTIFICATE_UNRESOLVED] = {"unresolved", "1", "contacts with walls in which no consistent set of them was found"},
     [FW_CERTIFICATE_STEPS] = {"contact-steps", "1", "steps in which bodies touched"},
 };

@@ -84,7 +84,7 @@ const fw_quantity fw_contact_quantities[] = {
     {"body-stuck", FW_SCOPE_BODY, "", "1", "its particles that have stuck to what rubs them, a wall or another body, for at least 50 steps on end", NULL, body_stuck, NULL, FW_NEEDS_NOTHING},
     {"body-penetration", FW_SCOPE_SCENE, "", "length", "how deep any particle lies in another body; bodies that keep out of each other", LINKED, body_penetration, NULL, FW_NEEDS_NOTHING},
     {"contact-steps", FW_SCOPE_SCENE, "", "1", "steps since the start in which bodies touched", LINKED, contact_steps, NULL, FW_NEEDS_NOTHING},
-    {"contact-unconverged", FW_SCOPE_SCENE, "", "1", "those of them in which normals did not settle: gaps are inexact there, energy and momentum are not", LINKED, unconverged, NULL, FW_NEEDS_NOTHING},
+    {"contact-unconverged", FW_SCOPE_SCENE, "", "1", "those of them in which normals or friction did not settle: gaps, or the bound of friction, are inexact there, energy and momentum are not", LINKED, unconverged, NULL, FW_NEEDS_NOTHING},
     {"contact-heat", FW_SCOPE_SCENE, "", "energy", "of friction between bodies since the start", LINKED, heat, NULL, FW_NEEDS_NOTHING},
     {"contact-overstep", FW_SCOPE_SCENE, "", "1", "the most by which friction between bodies went beyond its cone since the start, as a part of the widest one of that step", LINKED, overstep, NULL, FW_NEEDS_NOTHING},
     {"contact-creep", FW_SCOPE_SCENE, "", "length", "the furthest that any particle moved along an edge while it stuck to it, since the start", LINKED, creep, NULL, FW_NEEDS_NOTHING},

@@ -66,6 +66,7 @@ static void quantities_tells_one(void **state)
     seen = run_program("/", "quantities speed");
     contains(seen.out, "speed, a field of a lattice-boltzmann solid: ");
     contains(seen.out, "speed, a field of a movable-particles solid: ");
+    contains(seen.out, "speed, a field of an elastic-automaton solid: ");
 }
 
 static void words_that_are_no_name_are_looked_for(void **state)
