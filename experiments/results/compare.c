@@ -37,6 +37,12 @@ static int tell(const pair *p, const char *name, const char *row, const int64_t 
     return 1;
 }
 
+static int tell_single(const char *name, FILE *out)
+{
+    fprintf(out, "  %s is only in one of them\n", name);
+    return 1;
+}
+
 typedef fw_status (*read_vectors)(fw_playback *playback, int64_t frame, double *x, double *y,
                                   fw_error *error);
 
@@ -94,12 +100,14 @@ static fw_status compare_frames(fw_playback *one, fw_playback *other, FILE *out,
     const struct {
         const char *name;
         read_vectors read;
-        bool there;
-    } vectors[] = {{"position", fw_playback_read_positions, true},
-                   {"velocity", fw_playback_read_velocities, one->velocity && other->velocity},
-                   {"force", fw_playback_read_forces, one->force && other->force}};
+        bool in_one, in_other;
+    } vectors[] = {{"position", fw_playback_read_positions, true, true},
+                   {"velocity", fw_playback_read_velocities, one->velocity, other->velocity},
+                   {"force", fw_playback_read_forces, one->force, other->force}};
     for (int v = 0; v < 3 && status == FW_OK; ++v) {
-        if (!vectors[v].there) continue;
+        if (vectors[v].in_one != vectors[v].in_other)
+            *differing += tell_single(vectors[v].name, out);
+        if (!vectors[v].in_one || !vectors[v].in_other) continue;
         status = compare_vectors(one, other, &p, vectors[v].read, error);
         if (status == FW_OK) *differing += tell(&p, vectors[v].name, "frame", steps, out);
     }
@@ -120,8 +128,7 @@ static fw_status compare_observable(fw_playback *one, fw_playback *other, int ob
     const fw_playback_observable *of = &one->observables[observable];
     const int found = fw_playback_find_observable(other, of->name);
     if (found < 0 || other->observables[found].components != of->components) {
-        fprintf(out, "  %s is only in one of them\n", of->name);
-        *differing += 1;
+        *differing += tell_single(of->name, out);
         return FW_OK;
     }
     const size_t width = (size_t)of->components, rows = (size_t)one->sample_count;
@@ -166,7 +173,8 @@ fw_status fw_compare(fw_playback *one, fw_playback *other, FILE *out, int *diffe
     *differing = counts_differ("particles", one->particle_count, other->particle_count, out) +
                  counts_differ("frames", one->frame_count, other->frame_count, out) +
                  counts_differ("samples", one->sample_count, other->sample_count, out) +
-                 counts_differ("fields", one->field_count, other->field_count, out);
+                 counts_differ("fields", one->field_count, other->field_count, out) +
+                 counts_differ("observables", one->observable_count, other->observable_count, out);
     if (*differing > 0) return FW_OK;
     FW_TRY(compare_frames(one, other, out, differing, error));
     return compare_samples(one, other, out, differing, error);

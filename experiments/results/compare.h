@@ -8,8 +8,8 @@
 #include <stdio.h>
 
 /* Writes a line on `out` for each thing that differs (particles, frames, samples, positions,
- * velocities, forces, fields, observables), with where it differs first and by how much at most.
- * *differing: how many do. Failures are those of reading. */
+ * velocities, forces, fields, observables; not profiles and analyses), with where it differs first
+ * and by how much at most. *differing: how many do. Failures are those of reading. */
 fw_status fw_compare(fw_playback *one, fw_playback *other, FILE *out, int *differing,
                      fw_error *error);
 

@@ -5,6 +5,8 @@
 
 #include "tests/support/program.h"
 
+#include "experiments/results/compare.h"
+
 static const char scenario[] =
     "title: a gas\n"
     "materials: {gas: {movable-particles: {strength: 0}}}\n"
@@ -59,6 +61,41 @@ static void what_differs_is_named(void **state)
     skip_unseen();
 }
 
+/* The same motion, recorded otherwise. */
+static void what_is_only_in_one_is_named(void **state)
+{
+    (void)state;
+    static const char *const cases[][2] = {
+        {"record.velocity=false", "  velocity is only in one of them\n"},
+        {"measure=[energy]", "  observables: 2 and 1\n"}};
+    char folder[64], text[128];
+    make_result(folder);
+    write_scenario(folder, "file.yaml", scenario);
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; ++n) {
+        fw_playback *one, *other;
+        char *said = NULL;
+        size_t size;
+        int differing;
+        snprintf(text, sizeof text, "run file.yaml -o other --overwrite --no-plot --quiet --set %s",
+                 cases[n][0]);
+        const outcome seen = run_program(folder, text);
+        expect_end(&seen, 1, "");
+        snprintf(text, sizeof text, "%s/out", folder);
+        assert_int_equal(fw_playback_open(&one, text, &error), FW_OK);
+        snprintf(text, sizeof text, "%s/other", folder);
+        assert_int_equal(fw_playback_open(&other, text, &error), FW_OK);
+        FILE *out = open_memstream(&said, &size);
+        assert_int_equal(fw_compare(one, other, out, &differing, &error), FW_OK);
+        fclose(out);
+        assert_string_equal(said, cases[n][1]);
+        assert_int_equal(differing, 1);
+        free(said);
+        fw_playback_close(one);
+        fw_playback_close(other);
+    }
+    remove_folder(folder);
+}
+
 static void rerun_refuses_what_it_cannot_do(void **state)
 {
     (void)state;
@@ -79,6 +116,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_result_gives_itself_again),
         cmocka_unit_test(what_differs_is_named),
+        cmocka_unit_test(what_is_only_in_one_is_named),
         cmocka_unit_test(rerun_refuses_what_it_cannot_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
