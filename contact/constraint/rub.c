@@ -36,14 +36,14 @@ static double slip_of(const constrain_problem *p, const constrain_row *r)
 
 /* A step that is long against the radius turns the tangent so far that friction would push along
  * with the slip: then there is none. What is left of the slip of a particle that sticks is
- * rounding, and means nothing. */
+ * rounding, and means nothing, as is what is left of the traction of one that needs none. */
 static bool feeds(const constrain_problem *p, const constrain_row *r, double traction)
 {
     const fw_vec2 motion = r->candidate->motion;
     const double slip = slip_of(p, r);
     const double size = fabs(p->free->displacement.x) + fabs(p->free->displacement.y) +
                         fabs(motion.x) + fabs(motion.y);
-    return traction * slip > 1e-12 * fabs(traction) * size;
+    return fabs(traction) > 1e-12 * r->lambda && traction * slip > 1e-12 * fabs(traction) * size;
 }
 
 double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate *all,

@@ -137,10 +137,32 @@ static void one_particle_obeys_the_laws_between_any_walls(void **state)
     }
 }
 
+/* What sticking lets through is all that the particle would slip, so that it needs no traction:
+ * it sticks, from whichever direction it comes. The sign of what rounding leaves says nothing. */
+static void what_needs_no_traction_sticks(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 360; ++n) {
+        const double angle = FW_TWO_PI * n / 360;
+        const fw_vec2 normal = {cos(angle), sin(angle)}, along = fw_vec2_turn(normal);
+        const fw_facet facet = fw_facet_round(0, fw_vec2_scale(-1.01, normal), 1, FW_OUTSIDE, 0);
+        const fw_candidate wall = {.facet = &facet,
+                                   .surface = {.law = FW_COULOMB, .friction = 0.3}};
+        const fw_vec2 path = fw_vec2_add(fw_vec2_scale(-0.1, normal), fw_vec2_scale(0.01, along));
+        const fw_prediction free = {
+            .displacement = path, .inertial = path, .mobility = fw_sym2_scalar(0.5)};
+        fw_contact_memory memory = {.reaction = 0.1, .inertial = -1, .facet = 1, .stuck = true};
+        const fw_contact_solution c =
+            fw_constrain((fw_vec2){0, 0}, &free, &wall, 1, &wall, &memory);
+        assert_true(c.held && memory.stuck);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_particle_obeys_the_laws_between_any_walls),
+        cmocka_unit_test(what_needs_no_traction_sticks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
