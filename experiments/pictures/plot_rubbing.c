@@ -245,7 +245,9 @@ fw_status fw_plot_draw_slip(const fw_plot_result *result, const fw_plot_picture 
 {
     const fw_colouring colouring = {.label = "part of the steps in which it slid", .range = {0, 1}};
     return draw(result, picture, FW_FIELD_SLIDING, true, colouring,
-                "Between two frames: 0 sticks, 1 slides all the time.", error);
+                "Between two frames: 0 sticks, 1 slides all the time. Between two bodies also 0.5: "
+                "points of one are at their bound of friction, and those of the other hold it.",
+                error);
 }
 
 fw_status fw_plot_draw_heat(const fw_plot_result *result, const fw_plot_picture *picture,
