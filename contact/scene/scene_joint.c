@@ -208,7 +208,10 @@ static void add_wall_contact(const fw_scene *scene, fw_contact_solution *solutio
                                       fw_vec2_scale(rub->traction, rub->weight[0]));
     int k = 0;
     while (k < solution->wall_contact_count && solution->wall_contact[k].wall != wall) ++k;
-    if (k == FW_WALL_CONTACTS) return;
+    if (k == FW_WALL_CONTACTS) {
+        solution->unresolved = true; /* the books would lack its force: that is counted */
+        return;
+    }
     fw_wall_contact *contact = &solution->wall_contact[k];
     if (k == solution->wall_contact_count)
         solution->wall_contact[solution->wall_contact_count++] = (fw_wall_contact){.wall = wall};
