@@ -301,10 +301,27 @@ static void write_times(const player *p)
     fw_json_integer(p->json, "stride", p->thin.stride);
 }
 
+/* All bodies, and of the walls as much as pictures show, where they begin and where they end. */
+static fw_status find_box(player *p, fw_error *error)
+{
+    fw_plot_view *ends = calloc(2, sizeof *ends);
+    if (!ends) return fw_fail_memory(error, "a frame");
+    fw_status status = fw_plot_bounds_find(&p->box, p->result, error);
+    if (status == FW_OK) status = fw_plot_view_load(&ends[0], p->result, 0, NULL, error);
+    if (status == FW_OK)
+        status = fw_plot_view_load(&ends[1], p->result, p->result->playback->frame_count - 1, NULL,
+                                   error);
+    if (status == FW_OK)
+        fw_view_bounds_include_walls(&p->box, (fw_view[]){ends[0].view, ends[1].view}, 2);
+    for (int n = 0; n < 2; ++n) fw_plot_view_clear(&ends[n]);
+    free(ends);
+    return status;
+}
+
 static fw_status write_all(player *p, fw_error *error)
 {
     const fw_playback *playback = p->result->playback;
-    FW_TRY(fw_plot_bounds_find(&p->box, p->result, error));
+    FW_TRY(find_box(p, error));
     write_times(p);
     write_bodies(p);
     FW_TRY(write_places(p, error));
