@@ -30,13 +30,13 @@ double fw_colour_bar_width(const fw_colour_bar *bar)
 
 double fw_colour_bar_head(const fw_colour_bar *bar)
 {
-    double excess = bar->scale.exceeds_high ? 2.6 : 0;
+    double excess = bar->scale.exceeds_high || bar->scale.fixed ? 2.6 : 0;
     return excess + fw_axis_note_height(&bar->axis);
 }
 
 double fw_colour_bar_foot(const fw_colour_bar *bar)
 {
-    return bar->scale.exceeds_low ? 2.6 : 0;
+    return bar->scale.exceeds_low || bar->scale.fixed ? 2.6 : 0;
 }
 
 /* Arrow heads at the ends say that some values lie beyond. */

@@ -26,6 +26,7 @@ fw_colour_scale fw_colour_scale_for(fw_colouring wish, const double *values, lon
     }
     if (!fixed && !wish.logarithmic) scale.range = fw_range_without_rounding(scale.range);
     scale.range = fw_range_roomy(scale.range, 0, wish.logarithmic);
+    scale.fixed = fixed;
     scale.exceeds_low = all.low < scale.range.low;
     scale.exceeds_high = all.high > scale.range.high;
     return scale;

@@ -22,6 +22,7 @@ typedef struct fw_colour_scale {
     bool logarithmic;
     fw_palette_map map;             /* not AUTO */
     bool exceeds_low, exceeds_high; /* some values lie beyond the ends */
+    bool fixed; /* the ends were given: all pictures that share them have the same layout */
 } fw_colour_scale;
 
 /* Scale for `count` values; those that are not finite are passed over. A diverging map gets ends
