@@ -23,6 +23,7 @@ typedef struct player {
     const fw_plot_result *result;
     thinning thin;
     fw_view_bounds box;
+    int *shown;     /* particles, in the order of the player */
     double *values; /* one number per particle */
     double *x, *y;
 } player;
@@ -51,15 +52,14 @@ static thinning thin_out(const fw_playback *playback, size_t budget)
     return thin;
 }
 
-/* Number of the n-th particle that is shown, body after body: calls `put` for each. */
-static void for_shown(const player *p, const double *values, void *out,
-                      void (*put)(void *out, int64_t n, double value), int64_t first)
+/* Numbers of the particles that are shown, body after body; to be freed, NULL without memory. */
+static int *list_shown(const fw_playback *playback, const thinning *thin)
 {
-    const fw_playback *playback = p->result->playback;
-    int64_t n = first;
-    for (int b = 0; b < playback->body_count; ++b)
-        for (int i = 0; i < playback->bodies[b].count; i += p->thin.stride)
-            put(out, n++, values[playback->bodies[b].first + i]);
+    int *shown = fw_array_allocate((size_t)thin->particles, sizeof *shown), n = 0;
+    for (int b = 0; shown && b < playback->body_count; ++b)
+        for (int i = 0; i < playback->bodies[b].count; i += thin->stride)
+            shown[n++] = playback->bodies[b].first + i;
+    return shown;
 }
 
 /* --- places --- */
@@ -72,7 +72,6 @@ static uint16_t on_grid(double value, fw_range range)
 
 static fw_status write_places(player *p, fw_error *error)
 {
-    const fw_playback *playback = p->result->playback;
     const size_t count = (size_t)p->thin.frames * (size_t)p->thin.particles;
     uint16_t *places = fw_array_allocate(2 * count, sizeof *places);
     if (!places) return fw_fail_memory(error, "the places of a report");
@@ -81,12 +80,10 @@ static fw_status write_places(player *p, fw_error *error)
     for (int64_t f = 0; f < p->thin.frames && status == FW_OK; ++f) {
         status =
             fw_playback_read_positions(p->result->playback, f * p->thin.every, p->x, p->y, error);
-        for (int b = 0; b < playback->body_count && status == FW_OK; ++b)
-            for (int i = 0; i < playback->bodies[b].count; i += p->thin.stride) {
-                const int particle = playback->bodies[b].first + i;
-                places[n++] = on_grid(p->x[particle], p->box.x);
-                places[n++] = on_grid(p->y[particle], p->box.y);
-            }
+        for (int k = 0; k < p->thin.particles && status == FW_OK; ++k) {
+            places[n++] = on_grid(p->x[p->shown[k]], p->box.x);
+            places[n++] = on_grid(p->y[p->shown[k]], p->box.y);
+        }
     }
     if (status == FW_OK)
         status = fw_report_bytes(p->json, "places", places, 2 * count * sizeof *places, error);
@@ -96,17 +93,10 @@ static fw_status write_places(player *p, fw_error *error)
 
 /* --- colours --- */
 
-typedef struct shades {
-    unsigned char *shade;
-    fw_range range;
-} shades;
-
-static void put_shade(void *out, int64_t n, double value)
+static unsigned char shade_of(double value, fw_range range)
 {
-    const shades *s = out;
-    const double part = (value - s->range.low) / (s->range.high - s->range.low);
-    s->shade[n] =
-        isnan(part) ? ABSENT : (unsigned char)lround((SHADES - 1) * fmin(fmax(part, 0), 1));
+    const double part = (value - range.low) / (range.high - range.low);
+    return isnan(part) ? ABSENT : (unsigned char)lround((SHADES - 1) * fmin(fmax(part, 0), 1));
 }
 
 static void write_map(fw_json *json, fw_palette_map map)
@@ -128,28 +118,30 @@ static fw_status write_field(player *p, const fw_playback_field *field, fw_error
     fw_colouring colouring;
     fw_label_print(picture.field_label, sizeof picture.field_label, field->name, NULL);
     FW_TRY(fw_plot_colours_find(&colouring, p->result, &picture, error));
-    shades s = {.range = colouring.range};
-    if (!(s.range.low < s.range.high)) s.range = (fw_range){0, 1};
-    s.shade = fw_array_allocate((size_t)p->thin.frames * (size_t)p->thin.particles, 1);
-    if (!s.shade) return fw_fail_memory(error, "the colours of a report");
+    fw_range range = colouring.range;
+    if (!(range.low < range.high)) range = (fw_range){0, 1};
+    const size_t count = (size_t)p->thin.frames * (size_t)p->thin.particles;
+    unsigned char *shades = fw_array_allocate(count, 1);
+    if (!shades) return fw_fail_memory(error, "the colours of a report");
     fw_status status = FW_OK;
+    size_t n = 0;
     for (int64_t f = 0; f < p->thin.frames && status == FW_OK; ++f) {
         status = fw_playback_read_field(p->result->playback, f * p->thin.every, field->name,
                                         p->values, error);
-        if (status == FW_OK) for_shown(p, p->values, &s, put_shade, f * p->thin.particles);
+        for (int k = 0; k < p->thin.particles && status == FW_OK; ++k)
+            shades[n++] = shade_of(p->values[p->shown[k]], range);
     }
     if (status == FW_OK) {
         fw_json_begin(p->json, NULL, '{');
         fw_json_text(p->json, "name", picture.field_label);
         fw_json_text(p->json, "meaning", field->meaning);
-        fw_json_number(p->json, "low", s.range.low);
-        fw_json_number(p->json, "high", s.range.high);
+        fw_json_number(p->json, "low", range.low);
+        fw_json_number(p->json, "high", range.high);
         write_map(p->json, colouring.map);
-        status = fw_report_bytes(p->json, "shades", s.shade,
-                                 (size_t)p->thin.frames * (size_t)p->thin.particles, error);
+        status = fw_report_bytes(p->json, "shades", shades, count, error);
         fw_json_end(p->json, '}');
     }
-    free(s.shade);
+    free(shades);
     return status;
 }
 
@@ -157,8 +149,7 @@ static fw_status write_field(player *p, const fw_playback_field *field, fw_error
 
 static fw_status write_forces(player *p, fw_error *error)
 {
-    const fw_playback *playback = p->result->playback;
-    if (!playback->force) return FW_OK;
+    if (!p->result->playback->force) return FW_OK;
     const size_t count = (size_t)p->thin.frames * (size_t)p->thin.particles;
     float *forces = fw_array_allocate(2 * count, sizeof *forces);
     if (!forces) return fw_fail_memory(error, "the forces of a report");
@@ -166,11 +157,10 @@ static fw_status write_forces(player *p, fw_error *error)
     size_t n = 0;
     for (int64_t f = 0; f < p->thin.frames && status == FW_OK; ++f) {
         status = fw_playback_read_forces(p->result->playback, f * p->thin.every, p->x, p->y, error);
-        for (int b = 0; b < playback->body_count && status == FW_OK; ++b)
-            for (int i = 0; i < playback->bodies[b].count; i += p->thin.stride) {
-                forces[n++] = (float)p->x[playback->bodies[b].first + i];
-                forces[n++] = (float)p->y[playback->bodies[b].first + i];
-            }
+        for (int k = 0; k < p->thin.particles && status == FW_OK; ++k) {
+            forces[n++] = (float)p->x[p->shown[k]];
+            forces[n++] = (float)p->y[p->shown[k]];
+        }
     }
     if (status == FW_OK)
         status = fw_report_bytes(p->json, "forces", forces, 2 * count * sizeof *forces, error);
@@ -346,12 +336,14 @@ fw_status fw_report_motion(fw_json *json, const fw_plot_result *result, size_t b
                 .values = fw_array_of_doubles(count),
                 .x = fw_array_of_doubles(count),
                 .y = fw_array_of_doubles(count)};
-    fw_status status = p.values && p.x && p.y ? FW_OK : fw_fail_memory(error, "a frame");
+    p.shown = list_shown(playback, &p.thin);
+    fw_status status = p.shown && p.values && p.x && p.y ? FW_OK : fw_fail_memory(error, "a frame");
     fw_json_begin(json, "motion", '{');
     if (status == FW_OK) status = write_all(&p, error);
     fw_json_end(json, '}');
     *kept = (double)p.thin.frames * p.thin.particles /
             ((double)playback->frame_count * playback->particle_count);
+    free(p.shown);
     free(p.values);
     free(p.x);
     free(p.y);
