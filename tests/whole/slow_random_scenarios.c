@@ -1,19 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* slow_random_scenarios.c - for longer: random scenarios within the schema, and what must hold of
- * each; see random_scenarios.py. */
-#include "tests/support/laws.h"
-#include "tests/support/scratch.h"
+/* slow_random_scenarios.c - random scenarios within the schema, for longer. */
+#include "tests/support/random_scenarios.h"
 
 static void what_check_accepts_runs_and_reads_back(void **state)
 {
-    char folder[64], arguments[256];
     (void)state;
-    make_quick_folder(folder, sizeof folder);
-    snprintf(arguments, sizeof arguments, "%s %s 90 2", FW_PROGRAM, folder);
-    const int status = run_python("random_scenarios.py", arguments);
-    if (status > 0) fail_msg("failed: random_scenarios.py %s", arguments);
-    remove_folder(folder);
-    skip_unseen();
+    try_random_scenarios(90, 2);
 }
 
 int main(void)
