@@ -117,4 +117,32 @@ static inline void copy_state(fw_scene *from, fw_scene *to)
     must(fw_scene_restored(to, &error));
 }
 
+/* A run to tick `ticks`, and runs whose state goes over into another scene at tick `from` and every
+ * `apart` ticks from there, end with the same bytes. `make`: a scene that has begun. */
+static inline void assert_goes_on_elsewhere(fw_scene *(*make)(void), int ticks, int from, int apart)
+{
+    fw_scene *whole = make();
+    run(whole, ticks);
+    for (int at = from; at < ticks; at += apart) {
+        fw_scene *first = make(), *second = make();
+        run(first, at);
+        copy_state(first, second);
+        run(second, ticks - at);
+        assert_true(hash_of(second) == hash_of(whole));
+        fw_scene_destroy(first);
+        fw_scene_destroy(second);
+    }
+    fw_scene_destroy(whole);
+}
+
+/* What bodies gave each other, each by its first part, adds up to nothing. */
+static inline void assert_action_is_reaction(const fw_scene *scene, int bodies, double tolerance)
+{
+    fw_vec2 sum = {0, 0};
+    for (int b = 0; b < bodies; ++b)
+        sum = fw_vec2_add(sum, fw_scene_body_ledger(scene, b, 0)->impulse);
+    assert_close(sum.x, 0, tolerance);
+    assert_close(sum.y, 0, tolerance);
+}
+
 #endif

@@ -230,18 +230,7 @@ static fw_scene *hot_scene(void)
 static void run_that_goes_on_elsewhere_has_the_same_bytes(void **state)
 {
     (void)state;
-    fw_scene *whole = hot_scene();
-    run(whole, 1500);
-    for (int at = 217; at < 1500; at += 391) {
-        fw_scene *first = hot_scene(), *second = hot_scene();
-        run(first, at);
-        copy_state(first, second);
-        run(second, 1500 - at);
-        assert_true(hash_of(second) == hash_of(whole));
-        fw_scene_destroy(first);
-        fw_scene_destroy(second);
-    }
-    fw_scene_destroy(whole);
+    assert_goes_on_elsewhere(hot_scene, 1500, 217, 391);
 }
 
 static void threads_do_not_change_a_bit(void **state)
