@@ -17,8 +17,8 @@ typedef struct fw_box_tree fw_box_tree;
 fw_box_tree *fw_box_tree_create(int count, fw_box extent);
 void fw_box_tree_destroy(fw_box_tree *tree);
 
-/* Puts a box where it is now, for the first time or again. False without memory. */
-bool fw_box_tree_put(fw_box_tree *tree, int number, fw_box box);
+/* Puts a box where it is now, for the first time or again. */
+void fw_box_tree_put(fw_box_tree *tree, int number, fw_box box);
 
 /* Numbers of all boxes that meet this one, and perhaps of others near it, in no order. Writes at
  * most `capacity` and returns how many there are. */

@@ -17,6 +17,7 @@
 #include <cassert>
 #include <cfloat>
 #include <cmath>
+#include <memory>
 #include <new>
 #include <vector>
 
@@ -338,13 +339,13 @@ class box_list
 fw_box_tree *fw_box_tree_create(int count, fw_box extent)
 {
     try {
-        auto *made = new fw_box_tree;
+        auto made = std::make_unique<fw_box_tree>();
         const fw_vec2 size = fw_vec2_subtract(extent.high, extent.low);
         made->origin = fw_vec2_add(extent.low, fw_vec2_scale(0.5, size));
         const double span = magnitude(size);
         made->scale = span > 0 ? std::exp2(std::floor(std::log2(span_of_boxes / span))) : 1;
         made->proxies.assign(static_cast<size_t>(count), b2_nullNode);
-        return made;
+        return made.release();
     } catch (...) {
         return nullptr;
     }
@@ -355,19 +356,14 @@ void fw_box_tree_destroy(fw_box_tree *tree)
     delete tree;
 }
 
-bool fw_box_tree_put(fw_box_tree *tree, int number, fw_box box)
+void fw_box_tree_put(fw_box_tree *tree, int number, fw_box box)
 {
-    try {
-        int32 &proxy = tree->proxies[static_cast<size_t>(number)];
-        if (proxy == b2_nullNode)
-            proxy = tree->tree.CreateProxy(
-                tree->outward(box), reinterpret_cast<void *>(static_cast<uintptr_t>(number)));
-        else
-            tree->tree.MoveProxy(proxy, tree->outward(box), b2Vec2_zero);
-        return true;
-    } catch (...) {
-        return false;
-    }
+    int32 &proxy = tree->proxies[static_cast<size_t>(number)];
+    if (proxy == b2_nullNode)
+        proxy = tree->tree.CreateProxy(tree->outward(box),
+                                       reinterpret_cast<void *>(static_cast<uintptr_t>(number)));
+    else
+        tree->tree.MoveProxy(proxy, tree->outward(box), b2Vec2_zero);
 }
 
 int fw_box_tree_query(const fw_box_tree *tree, fw_box box, int *numbers, int capacity)

@@ -181,8 +181,7 @@ static fw_status renew_pairs(fw_meeting *meeting, fw_error *error)
     }
     meeting->near_count = kept;
     for (int run = 0; run < meeting->run_count; ++run)
-        if (meeting->moved[run] && !fw_box_tree_put(meeting->tree, run, meeting->fat[run]))
-            return fw_fail_memory(error, "the search between bodies");
+        if (meeting->moved[run]) fw_box_tree_put(meeting->tree, run, meeting->fat[run]);
     for (int run = 0; run < meeting->run_count; ++run)
         if (meeting->moved[run]) FW_TRY(search_around(meeting, run, error));
     return FW_OK;

@@ -9,6 +9,7 @@
 
 #include <complex.h>
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -63,42 +64,55 @@ static void fill_dense(const fw_automaton *body, gsl_matrix *dense, double *unit
     }
 }
 
-static double symmetric_growth(const fw_automaton *body, gsl_matrix *dense)
+/* The masses of white's cells, along the diagonal. */
+static void fill_masses(const fw_automaton *body, gsl_matrix *masses)
 {
-    const size_t size = dense->size1;
-    gsl_matrix *masses = gsl_matrix_calloc(size, size);
-    gsl_vector *values = gsl_vector_alloc(size);
-    gsl_eigen_gensymm_workspace *workspace = gsl_eigen_gensymm_alloc(size);
-    double largest = 0;
-    for (size_t n = 0; n < size / 2; ++n) {
+    for (size_t n = 0; n < masses->size1 / 2; ++n) {
         const fw_sym2 m = fw_automaton_cell_mass(body, FW_WHITE, (int)n);
         gsl_matrix_set(masses, 2 * n, 2 * n, m.xx);
         gsl_matrix_set(masses, 2 * n, 2 * n + 1, m.xy);
         gsl_matrix_set(masses, 2 * n + 1, 2 * n, m.xy);
         gsl_matrix_set(masses, 2 * n + 1, 2 * n + 1, m.yy);
     }
-    gsl_eigen_gensymm(dense, masses, values, workspace);
-    for (size_t n = 0; n < size; ++n) largest = fmax(largest, gsl_vector_get(values, n));
+}
+
+/* False without memory; so does general_growth(). */
+static bool symmetric_growth(const fw_automaton *body, gsl_matrix *dense, double *growth)
+{
+    const size_t size = dense->size1;
+    gsl_matrix *masses = gsl_matrix_calloc(size, size);
+    gsl_vector *values = gsl_vector_alloc(size);
+    gsl_eigen_gensymm_workspace *workspace = gsl_eigen_gensymm_alloc(size);
+    const bool enough = masses && values && workspace;
+    if (enough) {
+        fill_masses(body, masses);
+        gsl_eigen_gensymm(dense, masses, values, workspace);
+        double largest = 0;
+        for (size_t n = 0; n < size; ++n) largest = fmax(largest, gsl_vector_get(values, n));
+        *growth = growth_of(largest);
+    }
     gsl_matrix_free(masses);
     gsl_vector_free(values);
     gsl_eigen_gensymm_free(workspace);
-    return growth_of(largest);
+    return enough;
 }
 
-static double general_growth(gsl_matrix *dense)
+static bool general_growth(gsl_matrix *dense, double *growth)
 {
     const size_t size = dense->size1;
     gsl_vector_complex *values = gsl_vector_complex_alloc(size);
     gsl_eigen_nonsymm_workspace *workspace = gsl_eigen_nonsymm_alloc(size);
-    double largest = 0;
-    gsl_eigen_nonsymm(dense, values, workspace);
-    for (size_t n = 0; n < size; ++n) {
+    const bool enough = values && workspace;
+    *growth = 0;
+    /* Who knows what an eigenvalue is that was not found. */
+    if (enough && gsl_eigen_nonsymm(dense, values, workspace) != GSL_SUCCESS) *growth = INFINITY;
+    for (size_t n = 0; enough && n < size; ++n) {
         const gsl_complex z = gsl_vector_complex_get(values, n);
-        largest = fmax(largest, growth_of(GSL_REAL(z) + I * GSL_IMAG(z)));
+        *growth = fmax(*growth, growth_of(GSL_REAL(z) + I * GSL_IMAG(z)));
     }
     gsl_vector_complex_free(values);
     gsl_eigen_nonsymm_free(workspace);
-    return largest;
+    return enough;
 }
 
 fw_status fw_automaton_spectral_radius(const fw_automaton *body, double *radius, fw_error *error)
@@ -111,17 +125,15 @@ fw_status fw_automaton_spectral_radius(const fw_automaton *body, double *radius,
     const size_t black = 2 * (size_t)body->colour[FW_BLACK].count;
     double *room = fw_array_of_doubles(2 * white + black);
     gsl_matrix *dense = gsl_matrix_alloc(white, white);
-    fw_status status = FW_OK;
-    if (room && dense) {
+    bool enough = room && dense;
+    if (enough) {
         const bool symmetric = body->boundary != FW_BOUNDARY_MIRROR;
         fill_dense(body, dense, room, room + 2 * white, room + white, symmetric);
-        *radius = symmetric ? symmetric_growth(body, dense) : general_growth(dense);
-    } else {
-        status = fw_fail_memory(error, "the update of an automaton as a matrix");
+        enough = symmetric ? symmetric_growth(body, dense, radius) : general_growth(dense, radius);
     }
     gsl_matrix_free(dense);
     free(room);
-    return status;
+    return enough ? FW_OK : fw_fail_memory(error, "the update of an automaton as a matrix");
 }
 
 /* Lanczos iteration for the largest z, in the scalar product of white's masses. */

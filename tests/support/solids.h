@@ -189,12 +189,17 @@ static inline void shake(start *s, double displacement, double velocity)
     }
 }
 
-static inline fw_solid *made(const solid_kind *kind, start *s)
+static inline void release_start(start *s)
 {
-    fw_solid *solid = kind->make(s);
     fw_sites_clear(&s->sites);
     free(s->displacement);
     free(s->velocity);
+}
+
+static inline fw_solid *made(const solid_kind *kind, start *s)
+{
+    fw_solid *solid = kind->make(s);
+    release_start(s);
     return solid;
 }
 

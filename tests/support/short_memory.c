@@ -1,0 +1,144 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* short_memory.c - what asks for memory in a test named *_short_memory, put before the libraries by
+ * the linker (--wrap): counts what is there, and lets one allocation fail. GSL's makers count as
+ * one allocation each; what libraries ask for on their own does not fail.
+ *
+ * State: how many allocations were asked for since short_memory_fail(), and how many pieces of
+ * memory there are. */
+#include "tests/support/short_memory.h"
+
+#include <gsl/gsl_eigen.h>
+#include <gsl/gsl_matrix.h>
+#include <gsl/gsl_vector.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+static atomic_long asked, wanted, pieces;
+
+void short_memory_fail(long which)
+{
+    asked = 0;
+    wanted = which;
+}
+
+bool short_memory_failed(void)
+{
+    return wanted > 0 && asked >= wanted;
+}
+
+long short_memory_pieces(void)
+{
+    return pieces;
+}
+
+static bool fails(void)
+{
+    return wanted > 0 && ++asked == wanted;
+}
+
+static void *counted(void *memory)
+{
+    pieces += memory != NULL;
+    return memory;
+}
+
+void *__real_malloc(size_t bytes);
+void *__real_calloc(size_t count, size_t bytes);
+void *__real_realloc(void *memory, size_t bytes);
+void *__real_aligned_alloc(size_t alignment, size_t bytes);
+char *__real_strdup(const char *text);
+void __real_free(void *memory);
+/* C++'s new and delete. */
+void *__real__Znwm(size_t bytes);
+void __real__ZdlPvm(void *memory, size_t bytes);
+
+void *__wrap_malloc(size_t bytes);
+void *__wrap_malloc(size_t bytes)
+{
+    return fails() ? NULL : counted(__real_malloc(bytes));
+}
+
+void *__wrap_calloc(size_t count, size_t bytes);
+void *__wrap_calloc(size_t count, size_t bytes)
+{
+    return fails() ? NULL : counted(__real_calloc(count, bytes));
+}
+
+void *__wrap_realloc(void *memory, size_t bytes);
+void *__wrap_realloc(void *memory, size_t bytes)
+{
+    if (fails()) return NULL;
+    return memory ? __real_realloc(memory, bytes) : counted(__real_realloc(NULL, bytes));
+}
+
+void *__wrap_aligned_alloc(size_t alignment, size_t bytes);
+void *__wrap_aligned_alloc(size_t alignment, size_t bytes)
+{
+    return fails() ? NULL : counted(__real_aligned_alloc(alignment, bytes));
+}
+
+char *__wrap_strdup(const char *text);
+char *__wrap_strdup(const char *text)
+{
+    return fails() ? NULL : counted(__real_strdup(text));
+}
+
+void __wrap_free(void *memory);
+void __wrap_free(void *memory)
+{
+    pieces -= memory != NULL;
+    __real_free(memory);
+}
+
+/* More than there is makes it throw what it throws without memory; a sanitizer would end the
+ * program for that. */
+void *__wrap__Znwm(size_t bytes);
+void *__wrap__Znwm(size_t bytes)
+{
+#ifdef FW_NEW_CANNOT_FAIL
+    return counted(__real__Znwm(bytes));
+#else
+    return fails() ? __real__Znwm(PTRDIFF_MAX) : counted(__real__Znwm(bytes));
+#endif
+}
+
+void __wrap__ZdlPvm(void *memory, size_t bytes);
+void __wrap__ZdlPvm(void *memory, size_t bytes)
+{
+    pieces -= memory != NULL;
+    __real__ZdlPvm(memory, bytes);
+}
+
+/* GSL's makers, which give back what they made by a function of the same kind. */
+#define MAKER(type, make, ask, give)                                                               \
+    type *__real_##make ask;                                                                       \
+    type *__wrap_##make ask;                                                                       \
+    type *__wrap_##make ask                                                                        \
+    {                                                                                              \
+        return fails() ? NULL : counted(__real_##make give);                                       \
+    }
+#define RELEASE(type, release)                                                                     \
+    void __real_##release(type *made);                                                             \
+    void __wrap_##release(type *made);                                                             \
+    void __wrap_##release(type *made)                                                              \
+    {                                                                                              \
+        pieces -= made != NULL;                                                                    \
+        __real_##release(made);                                                                    \
+    }
+MAKER(gsl_matrix, gsl_matrix_alloc, (size_t rows, size_t columns), (rows, columns))
+MAKER(gsl_matrix, gsl_matrix_calloc, (size_t rows, size_t columns), (rows, columns))
+RELEASE(gsl_matrix, gsl_matrix_free)
+MAKER(gsl_matrix_complex, gsl_matrix_complex_alloc, (size_t rows, size_t columns), (rows, columns))
+RELEASE(gsl_matrix_complex, gsl_matrix_complex_free)
+MAKER(gsl_vector, gsl_vector_alloc, (size_t size), (size))
+RELEASE(gsl_vector, gsl_vector_free)
+MAKER(gsl_vector_complex, gsl_vector_complex_alloc, (size_t size), (size))
+RELEASE(gsl_vector_complex, gsl_vector_complex_free)
+MAKER(gsl_eigen_gensymm_workspace, gsl_eigen_gensymm_alloc, (size_t size), (size))
+RELEASE(gsl_eigen_gensymm_workspace, gsl_eigen_gensymm_free)
+MAKER(gsl_eigen_nonsymm_workspace, gsl_eigen_nonsymm_alloc, (size_t size), (size))
+RELEASE(gsl_eigen_nonsymm_workspace, gsl_eigen_nonsymm_free)
+MAKER(gsl_eigen_herm_workspace, gsl_eigen_herm_alloc, (size_t size), (size))
+RELEASE(gsl_eigen_herm_workspace, gsl_eigen_herm_free)
+MAKER(gsl_eigen_hermv_workspace, gsl_eigen_hermv_alloc, (size_t size), (size))
+RELEASE(gsl_eigen_hermv_workspace, gsl_eigen_hermv_free)
