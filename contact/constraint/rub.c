@@ -5,6 +5,7 @@
 
 #include "contact/constraint/friction_law.h"
 
+#include <float.h>
 #include <math.h>
 
 /* What friction exceeds its cone by that part is rounding. */
@@ -34,16 +35,25 @@ static double slip_of(const constrain_problem *p, const constrain_row *r)
     return fw_vec2_dot(fw_vec2_turn(r->normal), fw_vec2_subtract(p->w, r->candidate->motion));
 }
 
-/* A step that is long against the radius turns the tangent so far that friction would push along
- * with the slip: then there is none. What is left of the slip of a particle that sticks is
- * rounding, and means nothing, as is what is left of the traction of one that needs none. */
-static bool feeds(const constrain_problem *p, const constrain_row *r, double traction)
+/* What is left of the slip of a particle that sticks to a circle: rounding of the way, and of where
+ * it lies about the centre. */
+static double slip_rounding(const constrain_problem *p, const constrain_row *r)
 {
     const fw_vec2 motion = r->candidate->motion;
-    const double slip = slip_of(p, r);
-    const double size = fabs(p->free->displacement.x) + fabs(p->free->displacement.y) +
-                        fabs(motion.x) + fabs(motion.y);
-    return fabs(traction) > 1e-12 * r->lambda && traction * slip > 1e-12 * fabs(traction) * size;
+    const fw_vec2 from = fw_vec2_subtract(fw_vec2_subtract(p->position, r->candidate->place),
+                                          r->candidate->facet->a);
+    return 1e-12 * (fabs(p->free->displacement.x) + fabs(p->free->displacement.y) + fabs(motion.x) +
+                    fabs(motion.y)) +
+           4 * DBL_EPSILON * (fabs(from.x) + fabs(from.y));
+}
+
+/* A step that is long against the radius turns the tangent so far that friction would push along
+ * with the slip: then there is none. What rounding leaves of a slip means nothing, and neither does
+ * what is left of the traction of a particle that needs none. */
+static bool feeds(const constrain_problem *p, const constrain_row *r, double traction)
+{
+    return fabs(traction) > 1e-12 * r->lambda &&
+           traction * slip_of(p, r) > fabs(traction) * slip_rounding(p, r);
 }
 
 double constrain_rub(constrain_problem *p, constrain_row *r, const fw_candidate *all,

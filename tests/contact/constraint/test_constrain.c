@@ -158,11 +158,37 @@ static void what_needs_no_traction_sticks(void **state)
     }
 }
 
+/* On a circle that is large beside the way of a step, what is left of the slip of a particle that
+ * sticks is rounding of where it lies about the centre: it sticks on, and is not let go. */
+static void what_sticks_to_a_large_circle_sticks_on(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 360; ++n) {
+        const fw_vec2 normal = {cos(FW_TWO_PI * n / 360), sin(FW_TWO_PI * n / 360)};
+        const fw_vec2 along = fw_vec2_turn(normal);
+        const fw_facet facet = fw_facet_round(0, fw_vec2_scale(-500, normal), 500, FW_OUTSIDE, 0);
+        const fw_candidate wall = {.facet = &facet,
+                                   .surface = {.law = FW_COULOMB, .friction = 0.3}};
+        const fw_vec2 path = fw_vec2_add(fw_vec2_scale(-1e-3, normal), fw_vec2_scale(1e-5, along));
+        const fw_prediction free = {
+            .displacement = path, .inertial = path, .mobility = fw_sym2_scalar(0.5)};
+        fw_contact_memory memory = {.reaction = 2e-3,
+                                    .inertial = fw_vec2_dot(path, along) + 1e-9,
+                                    .facet = 1,
+                                    .stuck = true};
+        const fw_contact_solution c =
+            fw_constrain((fw_vec2){0, 0}, &free, &wall, 1, &wall, &memory);
+        assert_true(c.held && memory.stuck);
+        assert_close(fw_vec2_dot(c.force, along), -2e-5, 1e-9);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_particle_obeys_the_laws_between_any_walls),
         cmocka_unit_test(what_needs_no_traction_sticks),
+        cmocka_unit_test(what_sticks_to_a_large_circle_sticks_on),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
