@@ -121,6 +121,7 @@ typedef struct scene_rubbed {
     double steps, sliding; /* in which it rubbed, and slid */
     double stuck;          /* ticks in a row in which it stuck, until ... */
     double last;           /* ... this one, in which it rubbed last; they are counted from 1 */
+    double held;           /* the tick in which a row between bodies last stuck to it */
 } scene_rubbed;
 
 typedef struct scene_body {
@@ -320,6 +321,8 @@ void scene_list_records(scene_body *body, fw_state_list *list);
 void scene_restore_records(scene_body *body);
 /* The constraints of this tick. */
 void scene_record_forces(fw_scene *scene, int body);
+/* First of all rows: which particles are held. */
+void scene_record_hold(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub);
 void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub);
 void scene_record_rub_on_walls(const fw_scene *scene, scene_body *body,
                                const scene_contact *contact);

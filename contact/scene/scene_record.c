@@ -132,13 +132,18 @@ void fw_scene_add_contact_forces(const fw_scene *scene, int number, double *x, d
 
 /* --- friction --- */
 
+static double this_tick(const fw_scene *scene)
+{
+    return (double)scene->clock.ticks + 1;
+}
+
 /* Sticking ends where it slides, and where it loses touch. */
-static void count_sticking(const fw_scene *scene, scene_body *body, int particle, bool slides)
+static void count_sticking(const fw_scene *scene, scene_body *body, int particle, bool slid)
 {
     scene_rubbed *rubbed = &body->rubbed[particle];
-    const double now = (double)scene->clock.ticks + 1;
+    const double now = this_tick(scene);
     const bool goes_on = now - rubbed->last <= body->solid->model->ticks_per_step;
-    rubbed->stuck = slides ? 0 : goes_on ? rubbed->stuck + (now - rubbed->last) : 1;
+    rubbed->stuck = slid ? 0 : goes_on ? rubbed->stuck + (now - rubbed->last) : 1;
     rubbed->last = now;
 }
 
@@ -154,30 +159,62 @@ int fw_scene_count_stuck(const fw_scene *scene, int number, int first, int count
     return stuck;
 }
 
-static void add_rub(scene_body *body, int particle, double share, double heat, bool slides)
+static void add_rub(scene_body *body, int particle, double share, double heat, bool slid)
 {
     scene_rubbed *rubbed = &body->rubbed[particle];
     rubbed->heat += heat;
     rubbed->steps += share;
-    if (slides) rubbed->sliding += share;
+    if (slid) rubbed->sliding += share;
+}
+
+/* The particles of a row, and how much of what happens on its second side comes to each. */
+typedef struct rubbing_row {
+    scene_body *body, *other;
+    int point, from, to; /* particles */
+    double part;         /* of `to`; the rest is that of `from` */
+} rubbing_row;
+
+static rubbing_row particles_of(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub)
+{
+    scene_body *body = &scene->bodies[row->point_body], *other = &scene->bodies[row->body];
+    return (rubbing_row){.body = body,
+                         .other = other,
+                         .point = body->edge->contour.particles[row->point],
+                         .from = other->edge->contour.particles[row->from],
+                         .to = other->edge->contour.particles[row->to],
+                         .part = sqrt(fw_vec2_dot(rub->weight[2], rub->weight[2]))};
+}
+
+void scene_record_hold(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub)
+{
+    const rubbing_row r = particles_of(scene, row, rub);
+    if (!rub->stuck) return;
+    r.body->rubbed[r.point].held = this_tick(scene);
+    if (r.part < 1) r.other->rubbed[r.from].held = this_tick(scene);
+    if (r.part > 0) r.other->rubbed[r.to].held = this_tick(scene);
+}
+
+/* Points of one face may be at their bound while those of the other hold the place: it slides
+ * where all of its rows do. */
+static bool slides(const fw_scene *scene, const scene_body *body, int particle)
+{
+    return body->rubbed[particle].held != this_tick(scene);
 }
 
 /* The heat is shared by the two bodies: half of it comes to the point, half to the ends of the
  * segment, by how near they are. */
 void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub)
 {
-    scene_body *body = &scene->bodies[row->point_body], *other = &scene->bodies[row->body];
+    const rubbing_row r = particles_of(scene, row, rub);
     const double heat = -rub->traction * rub->slip;
-    const double part = sqrt(fw_vec2_dot(rub->weight[2], rub->weight[2]));
-    const bool slides = !rub->stuck;
     if (heat == 0 && !(rub->limit > 0)) return;
-    add_rub(body, body->edge->contour.particles[row->point], 1, 0.5 * heat, slides);
-    count_sticking(scene, body, body->edge->contour.particles[row->point], slides);
-    if (part < 1)
-        add_rub(other, other->edge->contour.particles[row->from], 1 - part, 0.5 * (1 - part) * heat,
-                slides);
-    if (part > 0)
-        add_rub(other, other->edge->contour.particles[row->to], part, 0.5 * part * heat, slides);
+    add_rub(r.body, r.point, 1, 0.5 * heat, slides(scene, r.body, r.point));
+    count_sticking(scene, r.body, r.point, slides(scene, r.body, r.point));
+    if (r.part < 1)
+        add_rub(r.other, r.from, 1 - r.part, 0.5 * (1 - r.part) * heat,
+                slides(scene, r.other, r.from));
+    if (r.part > 0)
+        add_rub(r.other, r.to, r.part, 0.5 * r.part * heat, slides(scene, r.other, r.to));
 }
 
 /* A wall has no particles: all of the heat comes to that of the body. */
@@ -191,9 +228,9 @@ void scene_record_rub_on_walls(const fw_scene *scene, scene_body *body,
         cone += contact->solution.wall_contact[n].cone;
     }
     if (!(cone > 0) && heat == 0) return;
-    const bool slides = !body->memory[contact->particle].stuck;
-    add_rub(body, contact->particle, 1, heat, slides);
-    count_sticking(scene, body, contact->particle, slides);
+    const bool slid = !body->memory[contact->particle].stuck;
+    add_rub(body, contact->particle, 1, heat, slid);
+    count_sticking(scene, body, contact->particle, slid);
 }
 
 /* --- as fields --- */
@@ -217,7 +254,7 @@ static void fill_sliding(const scene_rubbed *rubbed, int count, double *values)
 const fw_contact_field fw_contact_fields[FW_CONTACT_FIELDS + 1] = {
     {FW_FIELD_HEAT, "heat of friction at the particle since the start: all of it at a wall, half of it between bodies", fill_heat},
     {FW_FIELD_RUBBING, "steps since the start in which the particle was pressed on what rubs it; of a face, by its share", fill_rubbing},
-    {FW_FIELD_SLIDING, "steps of `rubbing` in which it slid", fill_sliding},
+    {FW_FIELD_SLIDING, "steps of `rubbing` in which it slid, and nothing that touches it stuck to it", fill_sliding},
     {NULL, NULL, NULL}};
 /* clang-format on */
 

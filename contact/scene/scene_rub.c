@@ -175,6 +175,9 @@ void scene_remember_rubbing(fw_scene *scene)
     if (!scene->joint->rubs) return;
     follow_creep(scene);
     forget(scene);
+    for (int n = 0; n < joint->row_count; ++n)
+        if (joint->rows[n].facet < 0 && joint->joint_rows[n].rub.coefficient > 0)
+            scene_record_hold(scene, &joint->rows[n], &joint->joint_rows[n].rub);
     for (int n = 0; n < joint->row_count; ++n) {
         const scene_row *row = &joint->rows[n];
         const fw_joint_row *solved = &joint->joint_rows[n];

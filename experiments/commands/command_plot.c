@@ -63,7 +63,7 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
     const char *directory = a->words[0];
     if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
         !a->range && !a->along && !a->level && !a->logarithmic && !a->width && !a->dots &&
-        !a->bare && !a->letter)
+        !a->bare && !a->letter && !a->body && !a->from && !a->until)
         return fw_plot_all(directory, stdout, error);
     plot_lists *lists = calloc(1, sizeof *lists);
     if (!lists) return fw_fail_memory(error, "what to draw");
@@ -78,6 +78,9 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
                          .resolution = (double)a->dots,
                          .bare = a->bare,
                          .letter = a->letter,
+                         .body = a->body,
+                         .from = a->from,
+                         .until = a->until,
                          .steps = lists->steps};
     fw_status status = fw_column_names_read(a->observable, &lists->text, &lists->names,
                                             &wish.observable_count, error);

@@ -104,9 +104,10 @@ const fw_option fw_option_observable = {
     "--observable",      NULL,
     "NAME[,NAME]",       "observables that are drawn or written over time",
     FW_INTO(observable), .complete = FW_COMPLETE_QUANTITY};
-const fw_option fw_option_at = {"--at", NULL, "STEP[,STEP]",
-                                "steps that are drawn; of a series, from the first to the second",
-                                FW_INTO(at)};
+const fw_option fw_option_at = {
+    "--at", NULL, "STEP[,STEP]",
+    "steps that are drawn; of a series or a map over time, from the first to the second",
+    FW_INTO(at)};
 const fw_option fw_option_logarithmic = {"--logarithmic", NULL, NULL,
                                          "logarithmic axes for the values of a series",
                                          FW_INTO(logarithmic)};
@@ -120,6 +121,14 @@ const fw_option fw_option_along = {"--along", NULL, "NAME",
 const fw_option fw_option_level = {"--level", NULL, "VALUE",
                                    "of a map of a sweep: a line where its number has this value",
                                    FW_INTO(level)};
+const fw_option fw_option_body = {
+    "--body", NULL, "NAME", "of slip and heat: the body whose particles are shown", FW_INTO(body)};
+const fw_option fw_option_from = {
+    "--from",      NULL,       "STEP",           "first step of a series or a map over time",
+    FW_INTO(from), .least = 0, .most = INT64_MAX};
+const fw_option fw_option_until = {
+    "--until",      NULL,       "STEP",           "last step of a series or a map over time",
+    FW_INTO(until), .least = 1, .most = INT64_MAX};
 const fw_option fw_option_picture = {"--picture", NULL, "NAME",
                                      "one of the scenario's own pictures", FW_INTO(picture)};
 const fw_option fw_option_verdicts = {"--json",

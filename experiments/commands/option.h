@@ -25,9 +25,11 @@ typedef struct fw_arguments {
     fw_option_list settings;         /* of --set, in order */
     fw_option_list additions;        /* of --add */
     const char *output;              /* -o; NULL: not given */
-    const char *field, *picture, *observable, *at, *kind, *json_file, *axis, *range, *along, *level;
-    int64_t threads; /* 0: not given */
-    int64_t seed;    /* -1: not given */
+    const char *field, *picture, *observable, *at, *kind, *json_file, *axis, *range, *along, *level,
+        *body;
+    int64_t threads;     /* 0: not given */
+    int64_t seed;        /* -1: not given */
+    int64_t from, until; /* steps; 0: not given */
     const char *one_case;
     const char *to; /* the format of export */
     const char *letter;
@@ -80,12 +82,12 @@ typedef struct fw_option {
 extern const fw_option fw_option_folder, fw_option_picture_file, fw_option_table_file,
     fw_option_set, fw_option_seed, fw_option_threads, fw_option_quiet, fw_option_overwrite,
     fw_option_no_plot, fw_option_kind, fw_option_field, fw_option_observable, fw_option_at,
-    fw_option_logarithmic, fw_option_range, fw_option_along, fw_option_level, fw_option_picture,
-    fw_option_verdicts, fw_option_axis, fw_option_list_cases, fw_option_case, fw_option_add,
-    fw_option_json, fw_option_names, fw_option_full, fw_option_export_file, fw_option_to,
-    fw_option_every, fw_option_film_file, fw_option_film_kind, fw_option_rate,
-    fw_option_report_file, fw_option_rerun_folder, fw_option_width, fw_option_dots, fw_option_bare,
-    fw_option_letter, fw_option_help;
+    fw_option_logarithmic, fw_option_range, fw_option_along, fw_option_level, fw_option_body,
+    fw_option_from, fw_option_until, fw_option_picture, fw_option_verdicts, fw_option_axis,
+    fw_option_list_cases, fw_option_case, fw_option_add, fw_option_json, fw_option_names,
+    fw_option_full, fw_option_export_file, fw_option_to, fw_option_every, fw_option_film_file,
+    fw_option_film_kind, fw_option_rate, fw_option_report_file, fw_option_rerun_folder,
+    fw_option_width, fw_option_dots, fw_option_bare, fw_option_letter, fw_option_help;
 
 struct fw_command;
 

@@ -19,6 +19,8 @@ typedef struct fw_plot_wish {
     int observable_count;           /* 0: the picture's own, or the energies */
     const int64_t *steps;           /* that are drawn; of a series, its first and its last */
     int step_count;                 /* 0: the picture's own, or chosen */
+    int64_t from, until;            /* of what is drawn over time; 0: the picture's own */
+    const char *body;               /* whose particles a map shows, or NULL */
     bool logarithmic;               /* axes of a series' values */
     double range[2];                /* ends of the colours; equal: those of the whole result */
     double width, resolution;       /* mm, dots per inch; 0: 160 and 200 */

@@ -217,18 +217,23 @@ static fw_status take_frames(draft *d, fw_error *error)
     return FW_OK;
 }
 
-/* The steps between which a series is drawn. */
+/* The steps between which something is drawn over time. */
 static fw_status take_span(draft *d, fw_error *error)
 {
     const fw_plot_wish *wish = d->wish;
-    if (wish->step_count == 0) return FW_OK;
-    if (wish->step_count != 2 || wish->steps[0] >= wish->steps[1])
+    fw_scenario_picture *asked = &d->picture->asked;
+    const bool listed = wish->step_count > 0;
+    if (listed && (wish->step_count != 2 || wish->from > 0 || wish->until > 0))
         return fw_fail(error, FW_BAD_INPUT,
-                       "a series is drawn from one step to a later one, expected --at FROM,UNTIL");
-    if (!holds_step(d, wish->steps[0])) return refuse_step(d, wish->steps[0], error);
-    d->picture->asked.from = wish->steps[0];
-    d->picture->asked.until = wish->steps[1];
-    return FW_OK;
+                       "a series is drawn from one step to a later one, expected --at FROM,UNTIL, "
+                       "or --from and --until");
+    if (!listed && wish->from == 0 && wish->until == 0) return FW_OK;
+    if (listed || wish->from > 0) asked->from = listed ? wish->steps[0] : wish->from;
+    if (listed || wish->until > 0) asked->until = listed ? wish->steps[1] : wish->until;
+    if (asked->from >= asked->until)
+        return fw_fail(error, FW_BAD_INPUT, "from step %lld until step %lld, expected a later one",
+                       (long long)asked->from, (long long)asked->until);
+    return holds_step(d, asked->from) ? FW_OK : refuse_step(d, asked->from, error);
 }
 
 /* --- from wish to picture --- */
@@ -257,6 +262,9 @@ static fw_status check_wish(const draft *d, fw_error *error)
     if (wish->step_count > 0 && fw_picture_rows[kind].frames == 0 &&
         !fw_picture_reads(kind, "from"))
         return refuse_stray(d, "steps", error);
+    if ((wish->from > 0 || wish->until > 0) && !fw_picture_reads(kind, "from"))
+        return refuse_stray(d, "anything from one step until another", error);
+    if (wish->body && !fw_picture_reads(kind, "body")) return refuse_stray(d, "one body", error);
     if (wish->step_count > 1 && kind == FW_PICTURE_PROFILE)
         return refuse_stray(d, "more than one step", error);
     return FW_OK;
@@ -294,6 +302,7 @@ static fw_status choose_kind(draft *d, fw_error *error)
     if (asked->kind == FW_PICTURE_FIELD && asked->instant_count > 1) asked->kind = FW_PICTURE_STRIP;
     if (wish->range[0] < wish->range[1]) memcpy(asked->range, wish->range, sizeof asked->range);
     asked->logarithmic |= wish->logarithmic;
+    if (wish->body) asked->body.text = wish->body;
     return check_wish(d, error);
 }
 

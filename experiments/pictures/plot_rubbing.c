@@ -73,10 +73,12 @@ static fw_status choose_body(rubbing *r, fw_error *error)
 {
     const fw_playback *playback = r->result->playback;
     const char *name = r->picture->asked.body.text;
+    bool found = !name;
     FW_TRY(read(r, r->from, FW_FIELD_RUBBING, r->before, error));
     FW_TRY(read(r, r->until, FW_FIELD_RUBBING, r->now, error));
     for (int b = 0; b < playback->body_count; ++b) {
         if (name && strcmp(playback->bodies[b].name, name) != 0) continue;
+        found = true;
         r->body = b;
         r->first = playback->bodies[b].first;
         r->count = playback->bodies[b].count;
@@ -84,6 +86,8 @@ static fw_status choose_body(rubbing *r, fw_error *error)
         for (int i = r->first; i < r->first + r->count; ++i) r->row_count += rubs_in_span(r, i);
         if (r->row_count > 0) return FW_OK;
     }
+    if (!found)
+        return fw_fail(error, FW_BAD_INPUT, "%s: there is no body %s", r->result->directory, name);
     return fw_fail(error, FW_BAD_INPUT, "%s: nothing rubs %s%s from step %lld to %lld",
                    r->result->directory, name ? "body " : "any body", name ? name : "",
                    (long long)r->result->steps[r->from], (long long)r->result->steps[r->until]);
@@ -245,8 +249,8 @@ fw_status fw_plot_draw_slip(const fw_plot_result *result, const fw_plot_picture 
 {
     const fw_colouring colouring = {.label = "part of the steps in which it slid", .range = {0, 1}};
     return draw(result, picture, FW_FIELD_SLIDING, true, colouring,
-                "Between two frames: 0 sticks, 1 slides all the time. Between two bodies also 0.5: "
-                "points of one are at their bound of friction, and those of the other hold it.",
+                "Between two frames: 0 sticks, 1 slides all the time. A place between two bodies "
+                "sticks as long as anything there holds it.",
                 error);
 }
 

@@ -40,6 +40,17 @@ static void push(fw_scene *scene, int body, fw_vec2 force)
     must(fw_scene_add_load(scene, body, &def, &error));
 }
 
+static void grip_row(fw_scene *scene, int body, int row, fw_drive drive)
+{
+    int particles[8];
+    for (int i = 0; i < COLUMNS; ++i) particles[i] = row * COLUMNS + i;
+    const fw_grip_def def = {.name = body == 0 ? "below" : "above",
+                             .particles = particles,
+                             .particle_count = COLUMNS,
+                             .drive = drive};
+    must(fw_scene_add_grip(scene, body, &def, &error));
+}
+
 static void add_floor(fw_scene *scene, double friction)
 {
     const fw_vec2 corners[] = {{-50, 0}, {50, 0}};
@@ -135,6 +146,35 @@ static void what_slides_is_told_from_what_sticks(void **state)
     fw_scene_destroy(scene);
 }
 
+/* Where faces stick the points of one may be at their bound while those of the other hold the
+ * place: it slides where all of its rows do. */
+static void a_place_that_anything_holds_sticks(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene(1e4);
+    add_body(scene, (body_options){.columns = COLUMNS, .rows = ROWS, .mu = .9});
+    add_body(scene,
+             (body_options){
+                 .columns = COLUMNS, .rows = ROWS, .origin = {.5, ROWS - 1 + .001}, .mu = .9});
+    grip_row(scene, 0, 0, (fw_drive){.prescribed_x = true, .prescribed_y = true});
+    /* To and fro: it slides, and sticks where it has turned. */
+    grip_row(scene, 1, ROWS - 1,
+             (fw_drive){.prescribed_x = true,
+                        .path = {.amplitude = {.1, 0}, .period = 2000, .until = INFINITY},
+                        .force = {0, -.2}});
+    fw_scene_set_friction(scene, 0.3);
+    begin(scene);
+    run(scene, 1550);
+    double rubbing = sum_of_field(scene, 1, FW_FIELD_RUBBING, false);
+    double slid = sum_of_field(scene, 1, FW_FIELD_SLIDING, false);
+    run(scene, 150);
+    rubbing = sum_of_field(scene, 1, FW_FIELD_RUBBING, false) - rubbing;
+    slid = sum_of_field(scene, 1, FW_FIELD_SLIDING, false) - slid;
+    assert_true(rubbing > 1000);
+    assert_close(slid, 0, 0);
+    fw_scene_destroy(scene);
+}
+
 static void nothing_is_recorded_where_nothing_rubs(void **state)
 {
     (void)state;
@@ -151,6 +191,7 @@ int main(void)
         cmocka_unit_test(reactions_do_not_alternate),
         cmocka_unit_test(heat_of_all_particles_is_that_of_the_ledger),
         cmocka_unit_test(what_slides_is_told_from_what_sticks),
+        cmocka_unit_test(a_place_that_anything_holds_sticks),
         cmocka_unit_test(nothing_is_recorded_where_nothing_rubs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -93,6 +93,32 @@ static void maps_are_drawn_and_refused(void **state)
     remove_folder(other);
 }
 
+static fw_status wish_for(fw_plot_wish wish)
+{
+    FILE *out = tmpfile();
+    const fw_status status = fw_plot_one(folder, &wish, out, &error);
+    fclose(out);
+    return status;
+}
+
+static void body_and_steps_can_be_named(void **state)
+{
+    (void)state;
+    assert_fine(wish_for((fw_plot_wish){.kind = "heat", .body = "block", .from = 100}));
+    assert_fine(wish_for((fw_plot_wish){.kind = "slip", .from = 100, .until = 200}));
+    assert_refused(wish_for((fw_plot_wish){.kind = "slip", .body = "far"}), FW_BAD_INPUT,
+                   "nothing rubs body far from step 0 to 300");
+    assert_refused(wish_for((fw_plot_wish){.kind = "slip", .body = "blok"}), FW_BAD_INPUT,
+                   "there is no body blok");
+    assert_refused(wish_for((fw_plot_wish){.kind = "heat", .from = 400}), FW_BAD_INPUT, "step 400");
+    assert_refused(wish_for((fw_plot_wish){.kind = "heat", .from = 200, .until = 100}),
+                   FW_BAD_INPUT, "from step 200 until step 100, expected a later one");
+    assert_refused(wish_for((fw_plot_wish){.kind = "motion", .body = "block"}), FW_BAD_INPUT,
+                   "a picture of kind motion does not draw one body");
+    assert_refused(wish_for((fw_plot_wish){.kind = "motion", .until = 100}), FW_BAD_INPUT,
+                   "does not draw anything from one step until another");
+}
+
 /* The top of the bar of colours as it stands in an SVG file. */
 static bool svg_has_top_of(const char *path, fw_palette_map map)
 {
@@ -172,6 +198,7 @@ int main(void)
         cmocka_unit_test(heat_over_place_and_time_adds_up),
         cmocka_unit_test(what_slid_sticks_in_the_end),
         cmocka_unit_test(maps_are_drawn_and_refused),
+        cmocka_unit_test(body_and_steps_can_be_named),
         cmocka_unit_test(heat_has_one_scale),
         cmocka_unit_test(reactions_bear_the_weight),
         cmocka_unit_test(maps_need_friction),
