@@ -184,6 +184,39 @@ void lb_displacements_terms(const lb_solid *lb, int row, int place, int count,
         ->terms(&arrays, place, count, here->north, here->south, terms);
 }
 
+/* V = M^-1 sum f, of particles at consecutive places. */
+static void velocities_of(const lb_solid *lb, int row, int place, int particle, int count,
+                          double *restrict x, double *restrict y)
+{
+    const int from = place % LB_BLOCK;
+    const double *restrict inverse = lb->inverse.xx + particle;
+    lb_field_terms terms;
+    lb_displacements_terms(lb, row, place - from, from + count, &terms);
+    for (int k = 0; k < count; ++k) {
+        const fw_vec2 psi = {terms.psi_x[from + k], terms.psi_y[from + k]};
+        const fw_vec2 v = fw_sym2_apply(fw_sym2_scalar(inverse[k]), psi);
+        x[particle + k] = v.x;
+        y[particle + k] = v.y;
+    }
+}
+
+bool lb_displacements_velocities(const lb_solid *lb, double *x, double *y)
+{
+    enum { TOGETHER = LB_TERMS_MAX - LB_BLOCK };
+    const lb_grid *grid = &lb->form.grid;
+    if (lb->resting || lb->inverse.xy) return false;
+#pragma omp parallel for schedule(static) if (lb->head.count > ALONE)
+    for (int row = 0; row < grid->row_count; ++row)
+        for (int n = grid->rows[row].stretch; n < grid->rows[row + 1].stretch; ++n) {
+            const lb_stretch s = grid->stretches[n];
+            for (int k = 0; k < s.count; k += TOGETHER) {
+                const int count = s.count - k < TOGETHER ? s.count - k : TOGETHER;
+                velocities_of(lb, row, s.place + k, s.particle + k, count, x, y);
+            }
+        }
+    return true;
+}
+
 /* Row by row, whoever advanced it, and step by step. */
 static void add_passed(lb_solid *lb, int steps)
 {

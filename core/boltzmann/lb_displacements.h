@@ -24,6 +24,9 @@ void lb_displacements_advance_free(lb_solid *lb, int ticks);
  * momentum; 0 where there are none. */
 void lb_displacements_terms(const lb_solid *lb, int row, int place, int count,
                             lb_field_terms *terms);
+/* Velocities of all particles. False, and nothing done, where they have rest fields or masses that
+ * are no multiples of one. */
+bool lb_displacements_velocities(const lb_solid *lb, double *x, double *y);
 /* Makes all positions. */
 void lb_displacements_place(lb_solid *lb);
 

@@ -277,6 +277,7 @@ static fw_vec2 centre_of_mass(const fw_solid *solid)
 static void velocities(const fw_solid *solid, double *x, double *y)
 {
     const lb_solid *lb = (const lb_solid *)solid;
+    if (lb->displaced && lb_displacements_velocities(lb, x, y)) return;
     for (int l = 0; l < solid->count; ++l) {
         fw_vec2 v = fw_sym2_apply(lb_get(&lb->inverse, l), lb_psi(lb, l));
         x[l] = v.x;
