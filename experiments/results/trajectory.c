@@ -86,9 +86,6 @@ static fw_status allocate(fw_trajectory **trajectory, const fw_trajectory_def *d
         fresh->counts[i] = def->bodies[i].count;
         fresh->particle_count += def->bodies[i].count;
     }
-    fresh->vectors = fw_array_of_doubles(3 * (size_t)fresh->particle_count);
-    fresh->scalars = fw_array_of_doubles((size_t)fresh->particle_count);
-    if (!fresh->vectors || !fresh->scalars) return fw_fail_memory(error, "a frame of results");
     return FW_OK;
 }
 
@@ -134,18 +131,25 @@ static fw_status add_series(fw_trajectory *trajectory, const fw_trajectory_def *
     return complete ? FW_OK : fw_fail_memory(error, "the rows of results");
 }
 
+/* After what is still being written. */
+static void close_file(fw_trajectory *trajectory)
+{
+    fw_error ignored;
+    fw_series_destroy(trajectory->frames);
+    fw_series_destroy(trajectory->samples);
+    trajectory->frames = trajectory->samples = NULL;
+    fw_hdf5_close(trajectory->file, &ignored);
+    trajectory->file = NULL;
+}
+
 static void release(fw_trajectory *trajectory)
 {
     if (!trajectory) return;
-    fw_series_destroy(trajectory->frames);
-    fw_series_destroy(trajectory->samples);
     free(trajectory->counts);
     free(trajectory->fields);
     free(trajectory->components);
     free(trajectory->moments);
     free(trajectory->sample);
-    free(trajectory->vectors);
-    free(trajectory->scalars);
     free(trajectory);
 }
 
@@ -188,8 +192,8 @@ static fw_status forget(const fw_folder *folder, fw_error *error)
 {
     for (int n = 0; fw_result_file(n); ++n) {
         const char *name = fw_result_file(n);
-        const bool stays = strcmp(name, FW_TRAJECTORY_FILE) == 0 ||
-                           strcmp(name, FRESH_FILE) == 0 || strcmp(name, FW_MANIFEST_FILE) == 0;
+        const bool stays = strcmp(name, FW_TRAJECTORY_FILE) == 0 || strcmp(name, FRESH_FILE) == 0 ||
+                           strcmp(name, FW_MANIFEST_FILE) == 0;
         if (!stays) FW_TRY(fw_folder_remove(folder, name, error));
     }
     return fw_head_remove(folder, error);
@@ -223,9 +227,8 @@ static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
     /* The size of the structure is a suggestion; HDF5 reports afterwards whether it was enough. */
     bool cramped = true;
     for (size_t structure = fw_layout_structure(def); cramped; structure *= 2) {
-        fw_error ignored;
         if (*trajectory) {
-            fw_hdf5_close((*trajectory)->file, &ignored);
+            close_file(*trajectory);
             release(*trajectory);
         }
         FW_TRY(allocate(trajectory, def, error));
@@ -244,8 +247,7 @@ fw_status fw_trajectory_create(fw_trajectory **trajectory, const fw_trajectory_d
     FW_TRY(fw_folder_create(&folder, def->directory, error));
     fw_status status = create_in(folder, trajectory, def, error);
     if (status == FW_OK) return FW_OK;
-    fw_error ignored;
-    if (*trajectory) fw_hdf5_close((*trajectory)->file, &ignored);
+    if (*trajectory) close_file(*trajectory);
     fw_folder_discard(folder, FRESH_FILE);
     fw_folder_abandon(folder);
     release(*trajectory);
@@ -314,9 +316,8 @@ fw_status fw_trajectory_reopen(fw_trajectory **trajectory, const fw_trajectory_d
         (*trajectory)->folder = folder;
         status = resume_in(*trajectory, def, frames, samples, error);
         if (status == FW_OK) return FW_OK;
-        fw_error ignored;
-        fw_hdf5_close((*trajectory)->file, &ignored);
     }
+    if (*trajectory) close_file(*trajectory);
     fw_folder_close(folder);
     release(*trajectory);
     *trajectory = NULL;
@@ -327,7 +328,7 @@ void fw_trajectory_abandon(fw_trajectory *trajectory)
 {
     if (!trajectory) return;
     fw_error ignored;
-    fw_hdf5_close(trajectory->file, &ignored);
+    close_file(trajectory);
     fw_trajectory_discard(trajectory->folder, &ignored);
     fw_folder_abandon(trajectory->folder);
     release(trajectory);
@@ -336,8 +337,7 @@ void fw_trajectory_abandon(fw_trajectory *trajectory)
 void fw_trajectory_destroy(fw_trajectory *trajectory)
 {
     if (!trajectory) return;
-    fw_error ignored;
-    fw_hdf5_close(trajectory->file, &ignored);
+    close_file(trajectory);
     fw_folder_close(trajectory->folder);
     release(trajectory);
 }

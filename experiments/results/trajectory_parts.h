@@ -18,7 +18,6 @@ struct fw_trajectory {
     double *sample; /* the last one, all components; not a number before the first */
     int64_t sample_step;
     size_t sample_width;
-    double *vectors, *scalars; /* a row of particles; the z of vectors stays 0 */
 };
 
 #endif

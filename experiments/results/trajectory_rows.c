@@ -29,7 +29,7 @@ fw_status fw_trajectory_write_frame(fw_trajectory *trajectory, int64_t step, dou
     const int kinds[] = {trajectory->position, trajectory->velocity, trajectory->force};
     for (int kind = 0; kind < 3; ++kind) {
         if (kinds[kind] < 0) continue;
-        double *restrict to = trajectory->vectors;
+        double *restrict to = fw_series_fill(trajectory->frames, kinds[kind]);
         for (int body = 0; body < trajectory->body_count; ++body) {
             const fw_frame_body *from = &bodies[body];
             const double *x = kind == 0 ? from->x : kind == 1 ? from->velocity_x : from->force_x;
@@ -37,17 +37,16 @@ fw_status fw_trajectory_write_frame(fw_trajectory *trajectory, int64_t step, dou
             for (int i = 0; i < trajectory->counts[body]; ++i, to += 3) {
                 to[0] = x[i];
                 to[1] = y[i];
+                to[2] = 0;
             }
         }
-        fw_series_write(trajectory->frames, kinds[kind], trajectory->vectors);
     }
     for (int field = 0; field < trajectory->field_count; ++field) {
-        double *to = trajectory->scalars;
+        double *to = fw_series_fill(trajectory->frames, trajectory->fields[field]);
         for (int body = 0; body < trajectory->body_count; ++body) {
             const double *from = bodies[body].fields ? bodies[body].fields[field] : NULL;
             for (int i = 0; i < trajectory->counts[body]; ++i) *to++ = from ? from[i] : NAN;
         }
-        fw_series_write(trajectory->frames, trajectory->fields[field], trajectory->scalars);
     }
     write_moments(trajectory, step);
     fw_series_end_row(trajectory->frames, step, time);

@@ -184,12 +184,14 @@ fw_status fw_hdf5_close(fw_hdf5 *file, fw_error *error)
 
 fw_status fw_hdf5_check(const fw_hdf5 *file, fw_error *error)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file) && error) *error = file->failure;
     return file->failure.status;
 }
 
 void fw_hdf5_refuse(fw_hdf5 *file, const char *path)
 {
+    FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return;
     fw_fail(&file->failure, FW_BAD_INPUT,
             "%s is damaged or foreign: /%s is missing or not as expected", file->path, path);
@@ -197,6 +199,7 @@ void fw_hdf5_refuse(fw_hdf5 *file, const char *path)
 
 void fw_hdf5_give_up(fw_hdf5 *file, const char *what)
 {
+    FW_HDF5_ALONE;
     if (!fw_hdf5_failed(file)) fw_fail_memory(&file->failure, what);
 }
 
@@ -207,9 +210,9 @@ void fw_hdf5_flush(fw_hdf5 *file)
         fw_hdf5_fail_writing(file, "the file");
 }
 
-/* The descriptor of the open file; -1 when the file has failed. */
-static int descriptor_of(fw_hdf5 *file)
+int fw_hdf5_descriptor(fw_hdf5 *file)
 {
+    FW_HDF5_ALONE;
     int *descriptor = NULL;
     if (fw_hdf5_failed(file)) return -1;
     if (H5Fget_vfd_handle(file->id, H5P_DEFAULT, (void **)&descriptor) >= 0) return *descriptor;
@@ -221,10 +224,16 @@ void fw_hdf5_sync(fw_hdf5 *file)
 {
     FW_HDF5_ALONE;
     fw_hdf5_flush(file);
-    int descriptor = descriptor_of(file);
-    if (descriptor < 0 || fsync(descriptor) == 0) return;
+    int descriptor = fw_hdf5_descriptor(file);
+    if (descriptor >= 0 && fsync(descriptor) != 0) fw_hdf5_fail_system(file, errno);
+}
+
+void fw_hdf5_fail_system(fw_hdf5 *file, int reason)
+{
+    FW_HDF5_ALONE;
     file->broken = true;
-    fw_fail(&file->failure, FW_SYSTEM_FAILED, "cannot write %s: %s", file->path, strerror(errno));
+    if (fw_hdf5_failed(file)) return;
+    fw_fail(&file->failure, FW_SYSTEM_FAILED, "cannot write %s: %s", file->path, strerror(reason));
 }
 
 void fw_hdf5_reserve(fw_hdf5 *file)
@@ -232,7 +241,7 @@ void fw_hdf5_reserve(fw_hdf5 *file)
     FW_HDF5_ALONE;
     fw_hdf5_flush(file);
     uint64_t whole = fw_hdf5_size(file);
-    int descriptor = descriptor_of(file);
+    int descriptor = fw_hdf5_descriptor(file);
     if (descriptor < 0) return;
     int reason = posix_fallocate(descriptor, 0, (off_t)whole);
     if (reason == 0 || reason == EOPNOTSUPP || reason == EINVAL) return;
@@ -254,7 +263,7 @@ uint64_t fw_hdf5_checksum(fw_hdf5 *file, uint64_t end)
     FW_HDF5_ALONE;
     uint64_t sum = FW_CHECKSUM_OF_NOTHING;
     if (file->writable) fw_hdf5_flush(file);
-    const int descriptor = descriptor_of(file);
+    const int descriptor = fw_hdf5_descriptor(file);
     if (descriptor < 0 || end < FW_HDF5_SUPERBLOCK) return 0;
     const int reason =
         fw_checksum_file(descriptor, FW_HDF5_SUPERBLOCK, end - FW_HDF5_SUPERBLOCK, &sum);
@@ -284,6 +293,19 @@ uint64_t fw_hdf5_address(fw_hdf5 *file, fw_dataset dataset)
     if (fw_hdf5_failed(file)) return 0;
     haddr_t address = H5Dget_offset(dataset);
     if (address == HADDR_UNDEF) fw_hdf5_fail_reading(file);
+    return address == HADDR_UNDEF ? 0 : address;
+}
+
+uint64_t fw_hdf5_row_address(fw_hdf5 *file, fw_dataset dataset, uint64_t row)
+{
+    FW_HDF5_ALONE;
+    if (fw_hdf5_failed(file)) return 0;
+    const hsize_t start[H5S_MAX_RANK] = {row};
+    haddr_t address = HADDR_UNDEF;
+    hsize_t size = 0;
+    if (H5Dget_chunk_info_by_coord(dataset, start, NULL, &address, &size) < 0 ||
+        address == HADDR_UNDEF)
+        fw_hdf5_fail_writing(file, "a row");
     return address == HADDR_UNDEF ? 0 : address;
 }
 

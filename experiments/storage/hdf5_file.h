@@ -68,6 +68,13 @@ const char *fw_hdf5_path(const fw_hdf5 *file);
 bool fw_hdf5_is_compact(fw_hdf5 *file);
 /* Where the data of an array begins. */
 uint64_t fw_hdf5_address(fw_hdf5 *file, fw_dataset dataset);
+/* Where one row lies, of a dataset whose rows are chunks of their own. */
+uint64_t fw_hdf5_row_address(fw_hdf5 *file, fw_dataset dataset, uint64_t row);
+/* The file as the operating system knows it, for data that are written to their addresses without
+ * HDF5; -1 when the file has failed. */
+int fw_hdf5_descriptor(fw_hdf5 *file);
+/* Lets the file fail because the operating system did not take such data; `reason`: errno. */
+void fw_hdf5_fail_system(fw_hdf5 *file, int reason);
 
 /* Making. Groups on the way to `path` must be there. */
 void fw_hdf5_make_group(fw_hdf5 *file, const char *path);

@@ -92,7 +92,9 @@ fw_dataset fw_hdf5_make_text(fw_hdf5 *file, const char *path, size_t capacity)
 {
     FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return -1;
-    return make_dataset(file, path, fw_hdf5_text_type(capacity), H5Screate(H5S_SCALAR), 0, NULL);
+    /* So numbers behind it begin at a multiple of their size (row_writer.h). */
+    const size_t whole = (capacity / sizeof(double) + 1) * sizeof(double);
+    return make_dataset(file, path, fw_hdf5_text_type(whole), H5Screate(H5S_SCALAR), 0, NULL);
 }
 
 fw_dataset fw_hdf5_make_rows(fw_hdf5 *file, const char *path, fw_element element, int rank,

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* series.c - rows that are gathered, written and then committed.
- * State: datasets of step, time and each quantity, and a block of rows in memory. Invariant: rows
- * [0, committed) are in the file; rows [committed, ended) are in the block, where a block of one
- * row writes its quantities straight to the file. Start reading at fw_series_commit(). */
+ * State: datasets of step, time and each quantity, a block of rows in memory, and the writer of
+ * long rows. Invariant: rows [0, committed) are in the file; rows [committed, ended) are in the
+ * block. While the writer has a row, `committed` and what commits are its own: everybody else waits
+ * for it first. Start reading at commit_rows(). */
 #include "experiments/storage/series.h"
+
+#include "experiments/storage/row_writer.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -15,8 +18,11 @@ enum { CHUNK_BYTES = 65536, CHUNK_ROWS = 1024, LEAST_ROWS = 16, LONGEST_PATH = 5
 
 typedef struct quantity {
     fw_dataset value;
-    size_t width;  /* doubles in a row */
-    double *block; /* rows not yet written; NULL where rows are written at once */
+    size_t width; /* doubles in a row */
+    void *memory;
+    double *block;    /* in that memory: rows not yet written */
+    bool is_long;     /* of one row, for the writer */
+    uint64_t address; /* of that row in the file */
 } quantity;
 
 struct fw_series {
@@ -30,6 +36,8 @@ struct fw_series {
     double *times;
     quantity *quantities;
     int count;
+    fw_row_writer *writer;      /* NULL: no row is long */
+    fw_row_piece *pieces;       /* of its row */
     char moments[LONGEST_PATH]; /* the element that first had step and time */
 };
 
@@ -38,6 +46,12 @@ static double seconds_now(void)
     struct timespec now;
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* Until the writer has no row any more. */
+static void await(fw_series *series)
+{
+    if (series->writer) fw_row_writer_wait(series->writer);
 }
 
 fw_series *fw_series_create(fw_hdf5 *file, const char *counter, bool fresh, int block,
@@ -70,8 +84,10 @@ fw_series *fw_series_create(fw_hdf5 *file, const char *counter, bool fresh, int 
 void fw_series_destroy(fw_series *series)
 {
     if (!series) return;
-    for (int i = 0; i < series->count; ++i) free(series->quantities[i].block);
+    fw_row_writer_destroy(series->writer);
+    for (int i = 0; i < series->count; ++i) free(series->quantities[i].memory);
     free(series->quantities);
+    free(series->pieces);
     free(series->steps);
     free(series->times);
     free(series);
@@ -129,6 +145,19 @@ static bool is_line(fw_series *series, fw_dataset dataset, fw_element element)
            shape.element == element && shape.rank == 1 && (int64_t)shape.extent[0] == series->room;
 }
 
+/* For one more quantity. */
+static bool make_memory(fw_series *series, int rank, const uint64_t *extent)
+{
+    quantity *added = &series->quantities[series->count];
+    *added = (quantity){.width = 1};
+    for (int i = 0; i < rank; ++i) added->width *= extent[i];
+    const size_t bytes = (size_t)series->block * added->width * sizeof(double);
+    added->is_long = series->block == 1 && bytes >= FW_LONG_ROW_BYTES;
+    added->memory = added->is_long ? fw_row_memory(bytes) : fw_array_allocate(bytes, 1);
+    added->block = added->memory;
+    return added->memory;
+}
+
 int fw_series_add(fw_series *series, const char *path, int rank, const uint64_t *extent)
 {
     assert(strlen(path) < LONGEST_PATH && rank < FW_DATASET_RANK);
@@ -136,13 +165,8 @@ int fw_series_add(fw_series *series, const char *path, int rank, const uint64_t 
         realloc(series->quantities, (size_t)(series->count + 1) * sizeof *series->quantities);
     if (!more) return -1;
     series->quantities = more;
-    quantity *added = &more[series->count];
-    *added = (quantity){.width = 1};
-    for (int i = 0; i < rank; ++i) added->width *= extent[i];
-    if (series->block > 1) {
-        added->block = fw_array_of_doubles((size_t)series->block * added->width);
-        if (!added->block) return -1;
-    }
+    if (!make_memory(series, rank, extent)) return -1;
+    quantity *added = &series->quantities[series->count];
     char value[LONGEST_PATH + 8];
     snprintf(value, sizeof value, "%s/value", path);
     if (series->fresh) {
@@ -163,6 +187,7 @@ int fw_series_add(fw_series *series, const char *path, int rank, const uint64_t 
 void fw_series_reserve(fw_series *series, int64_t rows)
 {
     if (series->count == 0) return;
+    await(series);
     fw_hdf5_resize(series->file, series->step, (uint64_t)rows);
     fw_hdf5_resize(series->file, series->time, (uint64_t)rows);
     /* Chunks lie in the order in which they get their room; cutting off rows then frees the end of
@@ -181,34 +206,38 @@ int64_t fw_series_room(const fw_series *series)
     return series->room;
 }
 
+/* Where the value of the row at hand is kept: of a long one, so that the writer can take it. */
+static double *place_of(fw_series *series, quantity *filled)
+{
+    if (filled->is_long) {
+        const uint64_t row = (uint64_t)series->ended;
+        filled->address = fw_hdf5_row_address(series->file, filled->value, row);
+        filled->block = fw_row_place(filled->memory, filled->address);
+        return filled->block;
+    }
+    return filled->block + (size_t)(series->ended - series->committed) * filled->width;
+}
+
+double *fw_series_fill(fw_series *series, int number)
+{
+    await(series);
+    return place_of(series, &series->quantities[number]);
+}
+
 void fw_series_write(fw_series *series, int number, const double *values)
 {
-    quantity *written = &series->quantities[number];
-    if (written->block)
-        memcpy(written->block + (size_t)(series->ended - series->committed) * written->width,
-               values, written->width * sizeof *values);
-    else
-        fw_hdf5_write(series->file, written->value, FW_F64, (uint64_t)series->ended, 1, values);
+    const size_t width = series->quantities[number].width;
+    memcpy(fw_series_fill(series, number), values, width * sizeof *values);
 }
 
-void fw_series_end_row(fw_series *series, int64_t step, double time)
-{
-    series->steps[series->ended - series->committed] = step;
-    series->times[series->ended - series->committed] = time;
-    series->ended += 1;
-    if (series->ended - series->committed == series->block ||
-        seconds_now() - series->last_commit >= series->longest)
-        fw_series_commit(series);
-}
-
-void fw_series_commit(fw_series *series)
+/* First the data, then how many of them count. */
+static void commit_rows(fw_series *series)
 {
     uint64_t first = (uint64_t)series->committed;
     uint64_t count = (uint64_t)(series->ended - series->committed);
-    if (count == 0) return;
     for (int i = 0; i < series->count; ++i) {
         quantity *written = &series->quantities[i];
-        if (written->block)
+        if (!written->is_long)
             fw_hdf5_write(series->file, written->value, FW_F64, first, count, written->block);
     }
     if (series->count > 0) {
@@ -222,6 +251,57 @@ void fw_series_commit(fw_series *series)
     series->last_commit = seconds_now();
 }
 
+static void commit_long_row(void *owner, int reason)
+{
+    fw_series *series = owner;
+    if (reason != 0) fw_hdf5_fail_system(series->file, reason);
+    commit_rows(series);
+}
+
+/* The long values of the row at hand go to the writer; false: there are none, or they cannot. */
+static bool hand_over(fw_series *series)
+{
+    int count = 0;
+    for (int i = 0; i < series->count; ++i) count += series->quantities[i].is_long;
+    if (count == 0 || fw_hdf5_check(series->file, NULL) != FW_OK) return false;
+    if (!series->writer) {
+        series->pieces = calloc((size_t)count, sizeof *series->pieces);
+        series->writer =
+            fw_row_writer_create(fw_hdf5_descriptor(series->file), commit_long_row, series);
+    }
+    if (!series->writer || !series->pieces) {
+        fw_hdf5_give_up(series->file, "a row of results");
+        return false;
+    }
+    count = 0;
+    for (int i = 0; i < series->count; ++i) {
+        const quantity *written = &series->quantities[i];
+        if (!written->is_long) continue;
+        series->pieces[count++] =
+            (fw_row_piece){written->block, written->width * sizeof(double), written->address};
+    }
+    fw_row_writer_start(series->writer, series->pieces, count);
+    return true;
+}
+
+void fw_series_end_row(fw_series *series, int64_t step, double time)
+{
+    await(series);
+    series->steps[series->ended - series->committed] = step;
+    series->times[series->ended - series->committed] = time;
+    series->ended += 1;
+    if (hand_over(series)) return;
+    if (series->ended - series->committed == series->block ||
+        seconds_now() - series->last_commit >= series->longest)
+        commit_rows(series);
+}
+
+void fw_series_commit(fw_series *series)
+{
+    await(series);
+    if (series->ended > series->committed) commit_rows(series);
+}
+
 int64_t fw_series_count(const fw_series *series)
 {
     return series->ended;
@@ -229,6 +309,7 @@ int64_t fw_series_count(const fw_series *series)
 
 void fw_series_rewind(fw_series *series, int64_t rows)
 {
+    await(series);
     assert(rows <= series->committed);
     series->committed = series->ended = rows;
     fw_hdf5_write(series->file, series->counter, FW_I64, 0, 1, &rows);

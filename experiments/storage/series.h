@@ -37,7 +37,11 @@ int64_t fw_series_room(const fw_series *series);
 
 /* The value of a quantity in the row that is being written; all are to be given, in any order. */
 void fw_series_write(fw_series *series, int quantity, const double *values);
-/* Ends the row. */
+/* The same without a copy: memory for that value, with whatever is in it, to be filled before the
+ * row ends. Failures of the file give it as well. */
+double *fw_series_fill(fw_series *series, int quantity);
+/* Ends the row. Long values are written, and the row then committed, while the caller goes on:
+ * what fails then is known at the next call that writes or commits. */
 void fw_series_end_row(fw_series *series, int64_t step, double time);
 /* Makes all ended rows count. */
 void fw_series_commit(fw_series *series);

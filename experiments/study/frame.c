@@ -9,23 +9,38 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of one body. */
+/* Of one body: what it has of the fields. */
 struct fw_body_arrays {
-    double *velocity_x, *velocity_y, *force_x, *force_y;
     double **fields; /* NULL where the body does not have that field */
 };
 
+/* Of one solid of the scene, whose bodies are parts of it. */
+struct fw_solid_arrays {
+    double *velocity_x, *velocity_y, *force_x, *force_y;
+    double *field;
+};
+
+static bool allocate(double **array, bool wanted, size_t count)
+{
+    if (wanted) *array = fw_array_of_doubles(count);
+    return *array || !wanted;
+}
+
 static fw_status allocate_solids(fw_frame *f, fw_error *error)
 {
-    int count = fw_scene_body_count(f->experiment->scene);
-    f->solid_x = calloc((size_t)count, sizeof *f->solid_x);
-    f->solid_y = calloc((size_t)count, sizeof *f->solid_y);
-    if (!f->solid_x || !f->solid_y) return fw_fail_memory(error, "a frame");
+    const int count = fw_scene_body_count(f->experiment->scene);
+    const bool velocity = f->def->velocity, force = f->def->force, field = f->def->field_count > 0;
+    f->solids = calloc((size_t)count, sizeof *f->solids);
+    if (!f->solids) return fw_fail_memory(error, "a frame");
     for (int s = 0; s < count; ++s) {
-        size_t particles = (size_t)fw_scene_observe_body(f->experiment->scene, s)->count;
-        f->solid_x[s] = fw_array_of_doubles(particles);
-        f->solid_y[s] = fw_array_of_doubles(particles);
-        if (!f->solid_x[s] || !f->solid_y[s]) return fw_fail_memory(error, "a frame");
+        fw_solid_arrays *solid = &f->solids[s];
+        const size_t particles = (size_t)fw_scene_observe_body(f->experiment->scene, s)->count;
+        if (!allocate(&solid->velocity_x, velocity, particles) ||
+            !allocate(&solid->velocity_y, velocity, particles) ||
+            !allocate(&solid->force_x, force, particles) ||
+            !allocate(&solid->force_y, force, particles) ||
+            !allocate(&solid->field, field, particles))
+            return fw_fail_memory(error, "a frame");
     }
     return FW_OK;
 }
@@ -41,14 +56,8 @@ fw_status fw_frame_make(fw_frame *f, const fw_experiment *experiment, const fw_t
     for (int b = 0; b < count; ++b) {
         fw_body_arrays *body = &f->bodies[b];
         size_t particles = (size_t)f->experiment->bodies[b].count;
-        body->velocity_x = fw_array_of_doubles(particles);
-        body->velocity_y = fw_array_of_doubles(particles);
-        body->force_x = fw_array_of_doubles(particles);
-        body->force_y = fw_array_of_doubles(particles);
         body->fields = calloc((size_t)f->def->field_count + 1, sizeof *body->fields);
-        if (!body->velocity_x || !body->velocity_y || !body->force_x || !body->force_y ||
-            !body->fields)
-            return fw_fail_memory(error, "a frame");
+        if (!body->fields) return fw_fail_memory(error, "a frame");
         for (int n = 0; n < f->def->field_count; ++n) {
             if (!fw_body_field_find(experiment, b, f->def->fields[n].name).name) continue;
             body->fields[n] = fw_array_of_doubles(particles);
@@ -58,9 +67,10 @@ fw_status fw_frame_make(fw_frame *f, const fw_experiment *experiment, const fw_t
     return allocate_solids(f, error);
 }
 
-static void copy_part(double *to, const double *from, const fw_body_range *range)
+/* Of a body, from that of its solid; NULL where frames do not hold it. */
+static const double *part_of(const double *whole, const fw_body_range *range)
 {
-    memcpy(to, from + range->first, (size_t)range->count * sizeof *to);
+    return whole ? whole + range->first : NULL;
 }
 
 static void fill_velocities(fw_frame *f)
@@ -68,12 +78,7 @@ static void fill_velocities(fw_frame *f)
     const fw_experiment *experiment = f->experiment;
     for (int s = 0; s < fw_scene_body_count(experiment->scene); ++s) {
         const fw_solid *solid = fw_scene_observe_body(experiment->scene, s);
-        solid->model->velocities(solid, f->solid_x[s], f->solid_y[s]);
-    }
-    for (int b = 0; b < experiment->body_count; ++b) {
-        const fw_body_range *range = &experiment->bodies[b];
-        copy_part(f->bodies[b].velocity_x, f->solid_x[range->solid], range);
-        copy_part(f->bodies[b].velocity_y, f->solid_y[range->solid], range);
+        solid->model->velocities(solid, f->solids[s].velocity_x, f->solids[s].velocity_y);
     }
 }
 
@@ -84,14 +89,10 @@ static void fill_forces(fw_frame *f)
     for (int s = 0; s < fw_scene_body_count(experiment->scene); ++s) {
         const fw_solid *solid = fw_scene_observe_body(experiment->scene, s);
         size_t bytes = (size_t)solid->count * sizeof(double);
-        memcpy(f->solid_x[s], solid->external_x, bytes);
-        memcpy(f->solid_y[s], solid->external_y, bytes);
-        fw_scene_add_contact_forces(experiment->scene, s, f->solid_x[s], f->solid_y[s]);
-    }
-    for (int b = 0; b < experiment->body_count; ++b) {
-        const fw_body_range *range = &experiment->bodies[b];
-        copy_part(f->bodies[b].force_x, f->solid_x[range->solid], range);
-        copy_part(f->bodies[b].force_y, f->solid_y[range->solid], range);
+        memcpy(f->solids[s].force_x, solid->external_x, bytes);
+        memcpy(f->solids[s].force_y, solid->external_y, bytes);
+        fw_scene_add_contact_forces(experiment->scene, s, f->solids[s].force_x,
+                                    f->solids[s].force_y);
     }
 }
 
@@ -103,8 +104,9 @@ static void fill_fields(fw_frame *f)
             const fw_body_range *range = &experiment->bodies[b];
             const fw_body_field field = fw_body_field_find(experiment, b, f->def->fields[n].name);
             if (!field.name) continue;
-            fw_body_field_fill(experiment, b, &field, f->solid_x[range->solid]);
-            copy_part(f->bodies[b].fields[n], f->solid_x[range->solid], range);
+            fw_body_field_fill(experiment, b, &field, f->solids[range->solid].field);
+            memcpy(f->bodies[b].fields[n], f->solids[range->solid].field + range->first,
+                   (size_t)range->count * sizeof(double));
         }
 }
 
@@ -116,15 +118,16 @@ const fw_frame_body *fw_frame_fill(fw_frame *f)
     fill_fields(f);
     for (int b = 0; b < experiment->body_count; ++b) {
         const fw_solid *solid = fw_experiment_solid(experiment, b);
-        const fw_body_arrays *body = &f->bodies[b];
+        const fw_body_range *range = &experiment->bodies[b];
+        const fw_solid_arrays *arrays = &f->solids[range->solid];
         f->content[b] = (fw_frame_body){
-            .x = solid->x + experiment->bodies[b].first,
-            .y = solid->y + experiment->bodies[b].first,
-            .velocity_x = body->velocity_x,
-            .velocity_y = body->velocity_y,
-            .force_x = body->force_x,
-            .force_y = body->force_y,
-            .fields = (const double *const *)body->fields,
+            .x = part_of(solid->x, range),
+            .y = part_of(solid->y, range),
+            .velocity_x = part_of(arrays->velocity_x, range),
+            .velocity_y = part_of(arrays->velocity_y, range),
+            .force_x = part_of(arrays->force_x, range),
+            .force_y = part_of(arrays->force_y, range),
+            .fields = (const double *const *)f->bodies[b].fields,
         };
     }
     return f->content;
@@ -137,18 +140,16 @@ void fw_frame_clear(fw_frame *f)
         for (int n = 0; f->bodies[b].fields && n < f->def->field_count; ++n)
             free(f->bodies[b].fields[n]);
         free(f->bodies[b].fields);
-        free(f->bodies[b].velocity_x);
-        free(f->bodies[b].velocity_y);
-        free(f->bodies[b].force_x);
-        free(f->bodies[b].force_y);
     }
-    for (int s = 0; s < fw_scene_body_count(f->experiment->scene); ++s) {
-        if (f->solid_x) free(f->solid_x[s]);
-        if (f->solid_y) free(f->solid_y[s]);
+    for (int s = 0; f->solids && s < fw_scene_body_count(f->experiment->scene); ++s) {
+        free(f->solids[s].velocity_x);
+        free(f->solids[s].velocity_y);
+        free(f->solids[s].force_x);
+        free(f->solids[s].force_y);
+        free(f->solids[s].field);
     }
     free(f->bodies);
     free(f->content);
-    free(f->solid_x);
-    free(f->solid_y);
+    free(f->solids);
     *f = (fw_frame){0};
 }

@@ -7,15 +7,14 @@
 #include "experiments/setup/experiment.h"
 
 typedef struct fw_body_arrays fw_body_arrays;
+typedef struct fw_solid_arrays fw_solid_arrays;
 
 typedef struct fw_frame {
     const fw_experiment *experiment; /* observed, as the definition is */
     const fw_trajectory_def *def;
     fw_body_arrays *bodies;
     fw_frame_body *content;
-    /* Arrays per solid of the scene: fields are computed of whole solids, bodies are parts of them.
-     */
-    double **solid_x, **solid_y;
+    fw_solid_arrays *solids; /* of the scene: much is computed of whole solids */
 } fw_frame;
 
 /* Memory for one frame of what the definition names; to be cleared also after a failure. */
