@@ -117,6 +117,12 @@ typedef struct fw_solid_model {
     fw_status (*advance_free)(fw_solid *solid, int ticks, fw_error *error);
     /* Makes x, y of all particles from the rest of the state. NULL: they are the state. */
     void (*place)(fw_solid *solid);
+    /* The same of boundary particles alone. NULL where `place` is, or where `reach` is. */
+    void (*place_boundary)(fw_solid *solid);
+    /* No boundary particle moves further than that within so many ticks from now on, if nothing
+     * acts on the solid; a reversal of time on the way changes nothing. INFINITY: who knows. NULL:
+     * nobody ever knows. The solid is unaltered. */
+    double (*reach)(const fw_solid *solid, int ticks);
     /* After a tick: gives particles their velocities. `carries` ascends by particle, each at most
      * once. NULL: the solid has no velocities of its own to keep. */
     void (*carry)(fw_solid *solid, fw_carry *carries, int count);

@@ -113,6 +113,7 @@ static fw_status check_finite(const fw_scene *scene, fw_error *error)
 
 static fw_status step_once(fw_scene *scene, fw_error *error)
 {
+    FW_TRY(scene_end_apart(scene, error));
     for (int tick = 0; tick < scene->ticks_per_step; ++tick) {
         apply_loads(scene);
         FW_TRY(predict_boundaries(scene, error));
@@ -127,10 +128,12 @@ static fw_status step_once(fw_scene *scene, fw_error *error)
     }
     scene->clock.step += 1;
     scene_note_work(scene);
-    return check_finite(scene, error);
+    FW_TRY(check_finite(scene, error));
+    scene_look_ahead(scene);
+    return FW_OK;
 }
 
-/* Nothing acts on the bodies, and nobody has to look at each of their steps. */
+/* Nothing ever acts on the bodies, and nobody has to look at each of their steps. */
 static bool is_free(const fw_scene *scene)
 {
     for (int b = 0; b < scene->body_count; ++b)
@@ -155,8 +158,12 @@ static fw_status step_free(fw_scene *scene, int steps, fw_error *error)
 
 fw_status fw_scene_advance(fw_scene *scene, int64_t most, fw_error *error)
 {
-    const int64_t left = FW_SCENE_SETTLES_EVERY - scene->clock.step % FW_SCENE_SETTLES_EVERY;
-    if (!is_free(scene)) return step_once(scene, error);
+    int64_t left = FW_SCENE_SETTLES_EVERY - scene->clock.step % FW_SCENE_SETTLES_EVERY;
+    if (!is_free(scene)) {
+        const int64_t apart = scene_steps_apart(scene);
+        if (apart <= 0) return step_once(scene, error);
+        if (apart < left) left = apart;
+    }
     return step_free(scene, (int)(most < left ? most : left), error);
 }
 

@@ -116,8 +116,9 @@ int fw_scene_refused_body(const fw_scene *scene);
 fw_status fw_scene_step(fw_scene *scene, fw_error *error);
 
 /* The same, quicker where nobody looks at every step: advances by 1 to `most` steps, by more than
- * one only where nothing acts on the bodies. Positions are right, and particles inside bodies are
- * looked for, after fw_scene_settle() only; nothing else of the scene waits for it. */
+ * one only where nothing acts on the bodies, be it that walls and other bodies are too far away for
+ * these steps. Positions are right, and particles inside bodies are looked for, after
+ * fw_scene_settle() only; nothing else of the scene waits for it. */
 fw_status fw_scene_advance(fw_scene *scene, int64_t most, fw_error *error);
 fw_status fw_scene_settle(fw_scene *scene, fw_error *error);
 /* Whoever advances settles at least at all multiples of so many steps: what is lost is found. */

@@ -125,9 +125,10 @@ const char *scene_member_name(const fw_scene *scene, int member)
     return part.name ? part.name : scene->bodies[scene->joint->member_bodies[member]].name;
 }
 
-static fw_status renew_search(fw_scene *scene, fw_error *error)
+fw_status scene_renew_search(fw_scene *scene, fw_error *error)
 {
     scene_joint *joint = scene->joint;
+    if (!joint || joint->member_count == 0) return FW_OK;
     for (int m = 0; m < joint->member_count; ++m) {
         const fw_part part = part_of(scene, m);
         joint->members[m] = member_of(&scene->bodies[joint->member_bodies[m]], &part);
@@ -169,10 +170,10 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
         for (int n = 0; n < parts; ++n) joint->member_bodies[joint->member_count++] = b;
     }
     if (count == 0) return FW_OK;
-    FW_TRY(renew_search(scene, error));
+    FW_TRY(scene_renew_search(scene, error));
     FW_TRY(scene_refuse_overlaps(scene, error));
     /* The search shall take the first step, or what is resumed, for its first look. */
-    return renew_search(scene, error);
+    return scene_renew_search(scene, error);
 }
 
 fw_status scene_restore_edges(fw_scene *scene, fw_error *error)
@@ -187,7 +188,7 @@ fw_status scene_restore_edges(fw_scene *scene, fw_error *error)
             FW_TRY(body->solid->model->list_links(body->solid, &changed, error));
         FW_TRY(make_points(body->edge, body->solid, error));
     }
-    return scene->joint->search ? renew_search(scene, error) : FW_OK;
+    return scene_renew_search(scene, error);
 }
 
 void scene_destroy_edges(fw_scene *scene)
@@ -296,7 +297,7 @@ fw_status scene_predict_edges(fw_scene *scene, fw_error *error)
         changed = true;
         forget_rubbing(scene, b);
     }
-    if (changed) FW_TRY(renew_search(scene, error));
+    if (changed) FW_TRY(scene_renew_search(scene, error));
     int jumped;
     const double expected = scene->joint->search_is_new ? longest_prediction(scene) : 0;
     const fw_status status =

@@ -420,6 +420,7 @@ static fw_status check_memory(const fw_scene *scene, const scene_body *body, fw_
 fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
 {
     FW_TRY(check_clock(scene, error));
+    scene->apart = (scene_apart){0};
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
         const fw_status status = fw_solid_restored(body->solid, error);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
- * scene_soft.c, scene_carry.c and scene_room.c (its contact phase), scene_edges.c, scene_overlap.c,
- * scene_meet.c, scene_turns.c, scene_pistons.c, scene_joint.c, scene_ends.c and scene_rub.c (bodies
- * and pistons), scene_record.c (what particles felt), scene_make.c (making, restoring),
- * scene_energy.c and scene_observe.c, and by nobody else. */
+ * scene_soft.c, scene_carry.c and scene_room.c (its contact phase), scene_apart.c (when it needs
+ * none), scene_edges.c, scene_overlap.c, scene_meet.c, scene_turns.c, scene_pistons.c,
+ * scene_joint.c, scene_ends.c and scene_rub.c (bodies and pistons), scene_record.c (what particles
+ * felt), scene_make.c (making, restoring), scene_energy.c and scene_observe.c, and by nobody else.
+ */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -147,6 +148,7 @@ typedef struct scene_body {
     int fold_revision;    /* ... of the solid when it was made */
     scene_felt *felt;     /* NULL where nobody asked for it */
     scene_rubbed *rubbed; /* per particle, part of the state; NULL where nothing rubs it */
+    double room;          /* how far any of it may go without meeting anything: at the last look */
 } scene_body;
 
 typedef struct scene_wall {
@@ -181,6 +183,13 @@ typedef struct scene_clock {
     int64_t step, ticks, unresolved;
 } scene_clock;
 
+/* Until which tick no body can come to anything, if a look at them says so: scene_apart.c. */
+typedef struct scene_apart {
+    int64_t until; /* 0: they may now */
+    int64_t look;  /* before that tick nobody need look again */
+    int stretch;   /* for how long it was the last time */
+} scene_apart;
+
 struct fw_scene {
     fw_vec2 middle;
     double limit;
@@ -213,7 +222,15 @@ struct fw_scene {
     double energy_at_start;
     fw_vec2 momentum_at_start;
     double energy_scale; /* see fw_scene_energy_scale */
+    scene_apart apart;
 };
+
+/* Looks for how long nothing can act on the bodies, after a step; right until then: for how many
+ * steps. Before any other step, positions of boundaries and the search between bodies are made
+ * anew where they were not needed. FW_SYSTEM_FAILED without memory. */
+void scene_look_ahead(fw_scene *scene);
+int64_t scene_steps_apart(const fw_scene *scene);
+fw_status scene_end_apart(fw_scene *scene, fw_error *error);
 
 /* Keeps the largest energy or work so far, at the start and after a step. */
 void scene_note_work(fw_scene *scene);
@@ -245,6 +262,8 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error);
 /* For solids whose state was written from outside: what particles remember stays. */
 fw_status scene_restore_edges(fw_scene *scene, fw_error *error);
 void scene_destroy_edges(fw_scene *scene);
+/* The search between bodies begins anew, for the present positions. */
+fw_status scene_renew_search(fw_scene *scene, fw_error *error);
 /* Brings contours up to date where links have broken, and predicts the points that are near another
  * body. FW_DIVERGED where a body may have passed another one unseen. */
 fw_status scene_predict_edges(fw_scene *scene, fw_error *error);

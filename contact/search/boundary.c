@@ -270,6 +270,32 @@ fw_status fw_boundary_refresh(fw_boundary *boundary, const fw_solid *solid,
     return FW_OK;
 }
 
+static fw_box box_of_run(const fw_boundary *boundary, const fw_solid *solid, int run)
+{
+    const fw_boundary_run of = fw_boundary_observe_run(boundary, run);
+    fw_box box = {{INFINITY, INFINITY}, {-INFINITY, -INFINITY}};
+    for (int n = of.first; n < of.first + of.count; ++n) {
+        const fw_vec2 at = fw_solid_position(solid, boundary->particles[n]);
+        box = fw_box_joined(box, (fw_box){at, at});
+    }
+    return box;
+}
+
+double fw_boundary_clearance(const fw_boundary *boundary, const fw_solid *solid,
+                             const fw_broadphase *broadphase, double most)
+{
+    double clear = most;
+    for (int run = 0; run < boundary->run_count; ++run)
+        if (boundary->facet_count[run] > 0) return 0; /* near enough to be asked in each step */
+    for (int run = 0; run < boundary->run_count; ++run) {
+        const fw_box box = box_of_run(boundary, solid, run);
+        int facet;
+        while (fw_broadphase_query(broadphase, fw_box_grown(box, clear), &facet, 1) > 0)
+            if ((clear /= 2) < most / 256) return 0;
+    }
+    return clear;
+}
+
 fw_status fw_boundary_extend(fw_boundary *boundary, const fw_broadphase *broadphase, int run,
                              fw_vec2 point, fw_error *error)
 {

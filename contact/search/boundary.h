@@ -50,6 +50,12 @@ fw_boundary_run fw_boundary_observe_run(const fw_boundary *boundary, int run);
 fw_status fw_boundary_extend(fw_boundary *boundary, const fw_broadphase *broadphase, int run,
                              fw_vec2 point, fw_error *error);
 
+/* No facet lies nearer to any boundary particle, as they lie now, than what is returned: the
+ * largest length of `most`, most/2, ... most/256 of which that is true, or 0. Right after a refresh
+ * and for walls that do not move. */
+double fw_boundary_clearance(const fw_boundary *boundary, const fw_solid *solid,
+                             const fw_broadphase *broadphase, double most);
+
 /* How often the tree was searched since creation, for benchmarks. */
 long fw_boundary_query_count(const fw_boundary *boundary);
 

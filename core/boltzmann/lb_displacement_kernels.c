@@ -187,5 +187,30 @@ static void terms(const lb_grid_arrays *arrays, int place, int count, int north,
         }
 }
 
-const lb_displacement_kernels FW_KERNELS_HERE(lb_displacements) = {.advance = advance,
-                                                                   .terms = terms};
+FW_INLINE fw_vector square(fw_vector_pair v)
+{
+    return v.x * v.x + v.y * v.y;
+}
+
+static void add_squares(const lb_grid_arrays *arrays, int place, int count, int north, int south,
+                        fw_vec2 velocity, double weight, double *sums)
+{
+    const lb_grid_arrays a = *arrays;
+    const int distance[FW_DIRECTIONS] = {1, north, -1, south};
+    assert(place % FW_BLOCK == 0 && count % FW_BLOCK == 0);
+    for (int k = 0; k < count; k += FW_WIDTH) {
+        const int at = place + k, part = k % FW_BLOCK / FW_WIDTH;
+        const fw_vector_pair behind = fw_load_pair(a.behind_x, a.behind_y, at);
+        const fw_vector_pair from = {behind.x + velocity.x, behind.y + velocity.y};
+        fw_vector sum = weight * square(subtract(fw_load_pair(a.ahead_x, a.ahead_y, at), from));
+        for (int d = 0; d < FW_DIRECTIONS; ++d) {
+            const fw_vector_pair beside = fw_load_pair(a.ahead_x, a.ahead_y, at + distance[d]);
+            const fw_mask linked = fw_mask_of(a.links[at / FW_BLOCK][d], part);
+            sum += fw_keep(linked, square(subtract(beside, from)));
+        }
+        fw_store(sums + k, fw_load(sums + k) + sum);
+    }
+}
+
+const lb_displacement_kernels FW_KERNELS_HERE(lb_displacements) = {
+    .advance = advance, .terms = terms, .add_squares = add_squares};

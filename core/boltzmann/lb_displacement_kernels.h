@@ -47,6 +47,11 @@ typedef struct lb_displacement_kernels {
     /* Of at least `count` places from one on that is a multiple of LB_BLOCK. */
     void (*terms)(const lb_grid_arrays *arrays, int place, int count, int north, int south,
                   lb_field_terms *terms);
+    /* Adds to sums[k], for each of `count` places from one on that is a multiple of LB_BLOCK,
+     *     sum_links |2 f - V|^2 + weight |2 f_0/M0 - V|^2,
+     * which is four times the sum of squares of what a body has beyond a motion with velocity V. */
+    void (*add_squares)(const lb_grid_arrays *arrays, int place, int count, int north, int south,
+                        fw_vec2 velocity, double weight, double *sums);
 } lb_displacement_kernels;
 
 FW_KERNELS(lb_displacement_kernels, lb_displacements);

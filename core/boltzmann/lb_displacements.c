@@ -16,6 +16,7 @@
 #include "lb_displacements.h"
 
 #include "core/row_front.h"
+#include "lb_reach.h"
 
 #include <math.h>
 #include <omp.h>
@@ -76,6 +77,7 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
     FW_ARENA_ADD(arena, grid->stretches, (size_t)grid->stretch_count);
     FW_ARENA_ADD(arena, grid->place, count);
     FW_ARENA_ADD(arena, grid->links, places / LB_BLOCK);
+    lb_reach_allocate(lb);
     return fw_arena_allocate(arena, "the displacements of an LB solid", error);
 }
 
@@ -96,6 +98,7 @@ fw_status lb_displacements_make(lb_solid *lb, const fw_sites *sites, fw_error *e
         lb_put(&form->mobility, place, fw_sym2_scale(lb->mu, lb_get(&lb->inverse, l)));
         if (lb->mu < 1) lb_put(&form->mass, place, lb_get(&lb->mass, l));
     }
+    lb_reach_begin(lb);
     return FW_OK;
 }
 
@@ -217,6 +220,15 @@ bool lb_displacements_velocities(const lb_solid *lb, double *x, double *y)
     return true;
 }
 
+void lb_displacements_add_squares(const lb_solid *lb, int row, int place, int count,
+                                  fw_vec2 velocity, double weight, double *sums)
+{
+    const lb_grid_arrays arrays = arrays_of(lb, lb->parity, false);
+    const lb_row *here = &lb->form.grid.rows[row];
+    FW_KERNELS_CHOSEN(lb_displacements)
+        ->add_squares(&arrays, place, count, here->north, here->south, velocity, weight, sums);
+}
+
 /* Row by row, whoever advanced it, and step by step. */
 static void add_passed(lb_solid *lb, int steps)
 {
@@ -261,7 +273,7 @@ void lb_displacements_place(lb_solid *lb)
         place(lb, grid->stretches[n].particle, grid->stretches[n].count);
 }
 
-static void place_boundary(lb_solid *lb)
+void lb_displacements_place_boundary(lb_solid *lb)
 {
     for (int n = 0; n < lb->head.boundary_count; ++n) place(lb, lb->head.boundary[n], 1);
 }
@@ -385,7 +397,7 @@ fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraint
     for (int n = 0; n < count; ++n) hold(lb, &constraints[n], form->kept[n]);
     lb->parity = !lb->parity;
     lb->head.ticks += 1;
-    place_boundary(lb);
+    lb_displacements_place_boundary(lb);
     return FW_OK;
 }
 

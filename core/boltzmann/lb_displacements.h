@@ -27,7 +27,11 @@ void lb_displacements_terms(const lb_solid *lb, int row, int place, int count,
 /* Velocities of all particles. False, and nothing done, where they have rest fields or masses that
  * are no multiples of one. */
 bool lb_displacements_velocities(const lb_solid *lb, double *x, double *y);
-/* Makes all positions. */
+/* The same of `add_squares` (lb_displacement_kernels.h). */
+void lb_displacements_add_squares(const lb_solid *lb, int row, int place, int count,
+                                  fw_vec2 velocity, double weight, double *sums);
+/* Makes all positions, and those of boundary particles. */
 void lb_displacements_place(lb_solid *lb);
+void lb_displacements_place_boundary(lb_solid *lb);
 
 #endif

@@ -102,7 +102,9 @@ static int64_t walk(lb_grid *grid, const lb_grid_def *def, bool fill)
         const int64_t shift = begin - (int64_t)block_of(sites->site[first]) * LB_BLOCK;
         if (fill) {
             lb_row *row = &grid->rows[grid->row_count];
-            *row = (lb_row){.run = grid->run_count, .stretch = grid->stretch_count};
+            *row = (lb_row){.run = grid->run_count,
+                            .stretch = grid->stretch_count,
+                            .block = block_of(sites->site[first])};
             if (lies_above(sites, first, first_before, end)) {
                 row[-1].north = (int)(shift - shift_before);
                 row->south = -row[-1].north;
@@ -139,9 +141,22 @@ bool lb_grid_pays(const fw_sites *sites)
     return places <= (int64_t)SPARSE * sites->count + FEW && places < INT_MAX / 2;
 }
 
+static void find_columns(lb_grid *grid, const fw_sites *sites)
+{
+    int least = INT_MAX, most = INT_MIN;
+    for (int first = 0, end; first < sites->count; first = end) {
+        end = end_of_row(sites, first);
+        if (block_of(sites->site[first]) < least) least = block_of(sites->site[first]);
+        if (block_of(sites->site[end - 1]) > most) most = block_of(sites->site[end - 1]);
+    }
+    grid->block_begin = least;
+    grid->block_end = most + 1;
+}
+
 void lb_grid_measure(lb_grid *grid, const lb_grid_def *def)
 {
     int64_t longest;
+    find_columns(grid, def->sites);
     add_lengths(def->sites, &longest);
     grid->longest = (int)longest;
     grid->place_count = (int)walk(grid, def, false);

@@ -14,6 +14,7 @@
 typedef struct lb_row {
     int run, stretch; /* its first ones */
     int north, south; /* distances to the places of the neighbours; 0 where there is no such row */
+    int block;        /* its first one: blocks are numbered from column 0 on */
 } lb_row;
 
 /* Consecutive particles at consecutive places. */
@@ -23,8 +24,9 @@ typedef struct lb_stretch {
 
 typedef struct lb_grid {
     int row_count, run_count, stretch_count, place_count;
-    int longest;  /* places of the longest row */
-    lb_row *rows; /* row_count + 1 */
+    int longest;                /* places of the longest row */
+    int block_begin, block_end; /* of all rows */
+    lb_row *rows;               /* row_count + 1 */
     lb_run *runs;
     lb_stretch *stretches;
     int *place;                      /* of each particle */

@@ -7,6 +7,7 @@
 #include "lb_displacements.h"
 #include "lb_layout.h"
 #include "lb_measure.h"
+#include "lb_reach.h"
 #include "lb_step.h"
 
 #include <float.h>
@@ -300,6 +301,12 @@ static void place(fw_solid *solid)
     if (lb->displaced) lb_displacements_place(lb);
 }
 
+static void place_boundary(fw_solid *solid)
+{
+    lb_solid *lb = (lb_solid *)solid;
+    if (lb->displaced) lb_displacements_place_boundary(lb);
+}
+
 static void state(fw_solid *solid, fw_state_list *list)
 {
     static const char *const name[FW_DIRECTIONS][2] = {
@@ -362,6 +369,8 @@ const fw_solid_model fw_lb_solid_model = {
     .advance = lb_advance,
     .advance_free = lb_advance_free,
     .place = place,
+    .place_boundary = place_boundary,
+    .reach = lb_reach,
     .carry = lb_carry,
     .energies = lb_energies,
     .momentum = lb_momentum,

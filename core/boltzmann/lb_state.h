@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* lb_state.h - the inside of an LB solid, shared by lb_layout.c (links and spans), lb_sums.c,
- * lb_measure.c (quantities), lb_fracture.c (breaking links), lb_displacements.c, lb_step.c and
- * lb_carry.c (motion) and lb_solid.c (making), each of which may use those before it, and by nobody
- * else.
+ * lb_measure.c (quantities), lb_fracture.c (breaking links), lb_displacements.c, lb_reach.c,
+ * lb_step.c and lb_carry.c (motion) and lb_solid.c (making), each of which may use those before it,
+ * and by nobody else.
  *
  * A solid is kept in one of two forms from its creation on: by its populations, or by its
  * displacements. Both are read through lb_field() and lb_rest().
@@ -49,6 +49,14 @@ typedef struct span {
     bool full;
 } span;
 
+/* Squares of 16 x 16 places of the grid, by rows: what lb_reach.c works with. */
+typedef struct lb_tiles {
+    int rows, columns; /* 0: too many for so few sites */
+    double *squares;   /* of each tile; right for one call */
+    uint8_t *wanted;   /* of each tile; right for one call */
+    double *sums;      /* per column of the lattice */
+} lb_tiles;
+
 /* The arrays of the displacement form, by place of the grid where nothing else is said. */
 typedef struct displacement_form {
     fw_arena arena; /* of all of them */
@@ -62,6 +70,8 @@ typedef struct displacement_form {
     fw_solid_ledger *passed; /* of each row in each of up to LB_DEPTH steps */
     fw_vec2 *kept;           /* x(t-1) of particles that are held */
     int kept_capacity;
+    lb_tiles tiles;
+    double heaviest; /* no M0^2 exceeds it */
 } displacement_form;
 
 typedef struct lb_solid {
