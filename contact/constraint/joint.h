@@ -77,6 +77,8 @@ typedef struct fw_joint_rub {
 typedef struct fw_joint_row {
     fw_joint_kind kind;
     int end[3];        /* of a segment's ends, none is the point */
+    fw_vec2 offset[3]; /* of what the row touches, from the position of its end: many particles of
+                          a grip are one end; two of a segment's may be the same */
     fw_vec2 normal;    /* of a plane, a unit vector to the free side */
     fw_vec2 centre;    /* of a circle, at the start of the step */
     bool inside;       /* of a circle */

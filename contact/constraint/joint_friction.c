@@ -30,9 +30,9 @@ static double along(const fw_joint_row *row, const fw_vec2 displacement[3])
 /* The unit vector along the segment, on the point; on the segment's ends by how near they are. */
 static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
 {
-    const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
-                  j = joint_middle_of(joint, ends, row->end[1]),
-                  k = joint_middle_of(joint, ends, row->end[2]);
+    const fw_vec2 i = joint_middle_of(joint, ends, row, 0),
+                  j = joint_middle_of(joint, ends, row, 1),
+                  k = joint_middle_of(joint, ends, row, 2);
     const fw_vec2 edge = fw_vec2_subtract(k, j);
     const double squared = fw_vec2_dot(edge, edge);
     const double part = fw_vec2_dot(fw_vec2_subtract(i, j), edge) / squared;

@@ -55,7 +55,8 @@ void joint_weigh(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *
 bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
                      const fw_vec2 *weight, joint_line *line);
 /* Where an end is at the middle of the step. */
-fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, int end);
+fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
+                        int k);
 /* Memory for the work of the solvers. */
 fw_status joint_reserve_room(fw_joint *joint, size_t size, fw_error *error);
 

@@ -12,9 +12,17 @@ static fw_vec2 displacement_of(const fw_joint *joint, const fw_joint_end *ends, 
     return local >= 0 ? joint->w[local] : ends[end].displacement;
 }
 
-fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, int end)
+/* Where the row touches its end k at the start of the step. */
+static fw_vec2 position_of(const fw_joint_end *ends, const fw_joint_row *row, int k)
 {
-    return fw_vec2_add(ends[end].position, fw_vec2_scale(0.5, displacement_of(joint, ends, end)));
+    return fw_vec2_add(ends[row->end[k]].position, row->offset[k]);
+}
+
+fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
+                        int k)
+{
+    return fw_vec2_add(position_of(ends, row, k),
+                       fw_vec2_scale(0.5, displacement_of(joint, ends, row->end[k])));
 }
 
 static fw_vec2 scaled_to(fw_vec2 v, double length)
@@ -39,10 +47,10 @@ static fw_vec2 gradient_of_length(fw_vec2 start, fw_vec2 middle)
  * divided by the length at the start. With a distance d it is the area less d |k - j|. */
 static void weigh_segment(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
 {
-    const fw_vec2 i = joint_middle_of(joint, ends, row->end[0]),
-                  j = joint_middle_of(joint, ends, row->end[1]),
-                  k = joint_middle_of(joint, ends, row->end[2]);
-    const fw_vec2 edge = fw_vec2_subtract(ends[row->end[2]].position, ends[row->end[1]].position);
+    const fw_vec2 i = joint_middle_of(joint, ends, row, 0),
+                  j = joint_middle_of(joint, ends, row, 1),
+                  k = joint_middle_of(joint, ends, row, 2);
+    const fw_vec2 edge = fw_vec2_subtract(position_of(ends, row, 2), position_of(ends, row, 1));
     const double length = length_of(edge);
     row->weight[0] = scaled_to(fw_vec2_turn(fw_vec2_subtract(k, j)), length);
     row->weight[2] = scaled_to(fw_vec2_turn(fw_vec2_subtract(j, i)), length);
@@ -100,7 +108,7 @@ static bool weigh_round_corner(const fw_joint *joint, const fw_joint_end *ends, 
     paths q;
     double t = 0;
     for (int k = 0; k < 3; ++k) {
-        q.at[k] = ends[row->end[k]].position;
+        q.at[k] = position_of(ends, row, k);
         q.w[k] = displacement_of(joint, ends, row->end[k]);
     }
     const int corner = corner_passed(&q, &t);
@@ -130,12 +138,12 @@ static bool weigh_round_corner(const fw_joint *joint, const fw_joint_end *ends, 
  * would leave another way out: i and j exchange their places. At a distance there is none.) */
 static void weigh_point(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *row)
 {
-    const fw_vec2 apart = fw_vec2_subtract(ends[row->end[0]].position, ends[row->end[1]].position);
+    const fw_vec2 apart = fw_vec2_subtract(position_of(ends, row, 0), position_of(ends, row, 1));
     row->weight[0] = scaled_to(apart, length_of(apart));
     if (row->distance > 0)
         row->weight[0] =
-            gradient_of_length(apart, fw_vec2_subtract(joint_middle_of(joint, ends, row->end[0]),
-                                                       joint_middle_of(joint, ends, row->end[1])));
+            gradient_of_length(apart, fw_vec2_subtract(joint_middle_of(joint, ends, row, 0),
+                                                       joint_middle_of(joint, ends, row, 1)));
     row->weight[1] = fw_vec2_scale(-1, row->weight[0]);
     row->bound = 0;
 }
@@ -147,7 +155,7 @@ static void weigh_wall(const fw_joint *joint, const fw_joint_end *ends, fw_joint
     row->weight[0] = row->normal;
     if (row->kind == FW_JOINT_ROUND) {
         const fw_vec2 centre = fw_vec2_add(row->centre, fw_vec2_scale(0.5, motion));
-        const fw_vec2 from = fw_vec2_subtract(joint_middle_of(joint, ends, row->end[0]), centre);
+        const fw_vec2 from = fw_vec2_subtract(joint_middle_of(joint, ends, row, 0), centre);
         const fw_vec2 outward = scaled_to(from, length_of(from));
         row->weight[0] = row->inside ? fw_vec2_scale(-1, outward) : outward;
     }
@@ -190,6 +198,18 @@ void joint_weigh(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *
     }
 }
 
+/* Adds what an end weighs; two of a row may be the same end. */
+static void weigh_end(joint_line *line, int end, fw_vec2 c)
+{
+    for (int n = 0; n < line->count; ++n)
+        if (line->end[n] == end) {
+            line->c[n] = fw_vec2_add(line->c[n], c);
+            return;
+        }
+    line->end[line->count] = end;
+    line->c[line->count++] = c;
+}
+
 bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
                      const fw_vec2 *weight, joint_line *line)
 {
@@ -199,11 +219,9 @@ bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_j
         const fw_joint_end *end = &ends[row->end[k]];
         if (!joint_moves(end)) continue;
         const fw_vec2 c = joint_apply_transposed(joint_root_of(end->mobility), weight[k]);
-        if (c.x == 0 && c.y == 0) continue;
-        line->end[line->count] = joint->local[row->end[k]];
-        line->c[line->count++] = c;
-        squared += fw_vec2_dot(c, c);
+        if (c.x != 0 || c.y != 0) weigh_end(line, joint->local[row->end[k]], c);
     }
+    for (int n = 0; n < line->count; ++n) squared += fw_vec2_dot(line->c[n], line->c[n]);
     line->length = sqrt(squared);
     return squared > 0;
 }

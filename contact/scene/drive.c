@@ -43,6 +43,12 @@ static fw_vec2 free_force(const fw_drive *d, double time)
     return fw_vec2_add(d->force, fw_drive_oscillation(d, time));
 }
 
+/* What resists w: the tether pulls at the middle of the step. */
+static fw_sym2 with_tether(const fw_drive *d, fw_sym2 inertia)
+{
+    return (fw_sym2){inertia.xx + 0.5 * d->tether.x, inertia.xy, inertia.yy + 0.5 * d->tether.y};
+}
+
 fw_vec2 fw_drive_solve(const fw_drive *d, fw_sym2 inertia, fw_vec2 push, fw_vec2 u, double time,
                        double tick)
 {
@@ -51,14 +57,20 @@ fw_vec2 fw_drive_solve(const fw_drive *d, fw_sym2 inertia, fw_vec2 push, fw_vec2
                          fw_path_displacement(&d->path, time - d->origin));
     const fw_vec2 pull = {d->tether.x * u.x, d->tether.y * u.y};
     const fw_vec2 right = fw_vec2_add(push, fw_vec2_subtract(free_force(d, time), pull));
-    const fw_sym2 left = {inertia.xx + 0.5 * d->tether.x, inertia.xy,
-                          inertia.yy + 0.5 * d->tether.y};
+    const fw_sym2 left = with_tether(d, inertia);
     if (d->prescribed_x && d->prescribed_y) return prescribed;
     if (d->prescribed_x)
         return (fw_vec2){prescribed.x, (right.y - left.xy * prescribed.x) / left.yy};
     if (d->prescribed_y)
         return (fw_vec2){(right.x - left.xy * prescribed.y) / left.xx, prescribed.y};
     return fw_sym2_apply(fw_sym2_invert(left), right);
+}
+
+fw_sym2 fw_drive_mobility(const fw_drive *d, fw_sym2 inertia)
+{
+    const fw_sym2 left = with_tether(d, inertia);
+    if (!d->prescribed_x && !d->prescribed_y) return fw_sym2_invert(left);
+    return (fw_sym2){d->prescribed_x ? 0 : 1 / left.xx, 0, d->prescribed_y ? 0 : 1 / left.yy};
 }
 
 fw_vec2 fw_drive_force(const fw_drive *d, fw_vec2 u, fw_vec2 w, double time)

@@ -42,6 +42,9 @@ fw_status fw_drive_check(const fw_drive *drive, const char *kind, const char *na
 fw_vec2 fw_drive_solve(const fw_drive *drive, fw_sym2 inertia, fw_vec2 push, fw_vec2 u, double time,
                        double tick);
 
+/* dw/dF of that for a force on the body: zero in components that are prescribed. */
+fw_sym2 fw_drive_mobility(const fw_drive *drive, fw_sym2 inertia);
+
 /* D for that displacement, of the components that are not prescribed (zero of the others). */
 fw_vec2 fw_drive_force(const fw_drive *drive, fw_vec2 u, fw_vec2 w, double time);
 

@@ -118,10 +118,28 @@ fw_vec2 fw_grip_displacement(fw_grip *grip, const fw_solid *solid, double time)
                           solid->tick);
 }
 
-void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
-                       fw_constraint *constraints)
+fw_sym2 fw_grip_mobility(const fw_grip *grip)
 {
-    const fw_vec2 w = fw_grip_displacement(grip, solid, time);
+    return fw_drive_mobility(&grip->drive, add_up(grip).inertia);
+}
+
+fw_vec2 fw_grip_inertial(const fw_grip *grip, fw_vec2 displacement)
+{
+    const fw_drive *drive = &grip->drive;
+    fw_sym2 inertia = {0, 0, 0};
+    fw_vec2 push = {0, 0};
+    for (int n = 0; n < grip->count; ++n) {
+        const fw_sym2 inverse = fw_sym2_invert(grip->predictions[n].mobility);
+        inertia = fw_sym2_add(inertia, inverse);
+        push = fw_vec2_add(push, fw_sym2_apply(inverse, grip->predictions[n].inertial));
+    }
+    const fw_vec2 own = fw_sym2_apply(fw_sym2_invert(inertia), push);
+    return (fw_vec2){drive->prescribed_x ? displacement.x : own.x,
+                     drive->prescribed_y ? displacement.y : own.y};
+}
+
+void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, fw_vec2 w, fw_constraint *constraints)
+{
     const fw_vec2 centre = centre_of(grip, solid);
     fw_grip_ledger *ledger = &grip->ledger;
     fw_vec2 total = {0, 0};

@@ -55,15 +55,19 @@ const fw_grip_ledger *fw_grip_observe_ledger(const fw_grip *grip);
  * tethers refer, is kept. Paths are counted from their own time 0. FW_BAD_INPUT as for create. */
 fw_status fw_grip_set_drive(fw_grip *grip, const fw_drive *drive, fw_error *error);
 
-/* One tick beginning at `time`: fills `constraints` (particle_count of them, ascending) from the
- * solid's predictions, and enters the tick in the ledger. */
-void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, double time,
-                       fw_constraint *constraints);
-
-/* By how much its particles will move in the tick that begins at `time`. */
+/* By how much its particles will move in the tick that begins at `time` if they touch nothing, from
+ * the solid's predictions. The other functions of the tick come after it. */
 fw_vec2 fw_grip_displacement(fw_grip *grip, const fw_solid *solid, double time);
-/* Another body pushes one of its particles with that force in this tick, which the grip bears: its
- * own force is so much less than what the particle needs. After fw_grip_constrain. */
+/* dw/dF of a force on any of its particles: zero in components that the drive prescribes. */
+fw_sym2 fw_grip_mobility(const fw_grip *grip);
+/* What momentum alone, or the drive's path, would move it by. */
+fw_vec2 fw_grip_inertial(const fw_grip *grip, fw_vec2 displacement);
+/* Its particles move by w: fills `constraints` (particle_count of them, ascending), and enters the
+ * tick in the ledger. */
+void fw_grip_constrain(fw_grip *grip, const fw_solid *solid, fw_vec2 w, fw_constraint *constraints);
+
+/* Others push its particles with that force in this tick, which is no part of its own: that is so
+ * much less than what the particles need. After fw_grip_constrain. */
 void fw_grip_book_contact(fw_grip *grip, fw_vec2 force, fw_vec2 displacement, double tick);
 
 /* After the tick: adds the particles' velocities to the list, where the drive prescribes any,

@@ -216,6 +216,20 @@ static void book(fw_scene *scene, scene_body *body, const scene_contact *contact
     scene->clock.unresolved += solution->unresolved;
 }
 
+/* What grips bear is no constraint on its particle, but is what the wall does all the same. */
+static void book_gripped(fw_scene *scene)
+{
+    const scene_joint *joint = scene->joint;
+    for (int e = 0; joint && e < joint->end_count; ++e) {
+        const scene_end *end = &joint->ends[e];
+        if (end->grip < 0 || end->row < 0) continue;
+        const scene_contact contact = {.particle = end->particle,
+                                       .entry = end->entry,
+                                       .solution = scene_solution_of(scene, e)};
+        book(scene, &scene->bodies[end->body], &contact);
+    }
+}
+
 void scene_book_contacts(fw_scene *scene)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
@@ -233,6 +247,7 @@ void scene_book_contacts(fw_scene *scene)
             scene_follow_wall(scene, w, body->solid->model->ticks_per_step);
         for (int n = 0; n < body->contact_count; ++n) book(scene, body, &body->contacts[n]);
     }
+    book_gripped(scene);
 }
 
 static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *error)
@@ -288,8 +303,10 @@ void scene_collect_constraints(fw_scene *scene, int number)
     for (int n = 0; body->gripped && n < scene->grip_count; ++n) {
         if (scene->grips[n].body != number) continue;
         fw_grip *grip = scene->grips[n].grip;
-        fw_grip_constrain(grip, body->solid, fw_scene_time(scene),
-                          body->constraints + body->constraint_count);
+        const fw_vec2 w = scene->joint
+                              ? scene->grips[n].path
+                              : fw_grip_displacement(grip, body->solid, fw_scene_time(scene));
+        fw_grip_constrain(grip, body->solid, w, body->constraints + body->constraint_count);
         body->constraint_count += fw_grip_particle_count(grip);
     }
     if (body->gripped) {

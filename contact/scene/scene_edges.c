@@ -148,7 +148,8 @@ fw_status scene_make_edges(fw_scene *scene, fw_error *error)
         count += meets_any(scene, b) ? parts : 0;
         slots += parts;
     }
-    if (count == 0 && scene->piston_count == 0) return FW_OK;
+    const bool meets_walls = scene->piston_count > 0 || scene->grip_count > 0;
+    if (count == 0 && !(meets_walls && scene->wall_count > 0)) return FW_OK;
     scene_joint *joint = scene->joint = calloc(1, sizeof *joint);
     if (!joint) return fw_fail_memory(error, "the contact of bodies");
     joint->members = calloc((size_t)count + 1, sizeof *joint->members);

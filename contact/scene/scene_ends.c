@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_ends.c - who takes part in the joint contact of a tick: particles, and pistons that yield.
+/* scene_ends.c - who takes part in the joint contact of a tick: particles, grips, and pistons that
+ * yield.
  * State: of one tick only. Start reading at make_end(). */
 #include "scene_parts.h"
 
@@ -34,14 +35,7 @@ int scene_find_contact(const scene_body *body, int particle)
 
 static int find_grip(const fw_scene *scene, int body, int particle)
 {
-    if (!scene->bodies[body].gripped || !scene->bodies[body].gripped[particle]) return -1;
-    for (int n = 0; n < scene->grip_count; ++n) {
-        const int *particles = fw_grip_particles(scene->grips[n].grip);
-        const int count = fw_grip_particle_count(scene->grips[n].grip);
-        for (int k = 0; scene->grips[n].body == body && k < count; ++k)
-            if (particles[k] == particle) return n;
-    }
-    return -1;
+    return scene->bodies[body].gripped ? scene->bodies[body].gripped[particle] - 1 : -1;
 }
 
 /* Points that the boundary has come first in `entry`, in its own order; the others, which meet no
@@ -75,7 +69,6 @@ static fw_status add_known_walls(fw_scene *scene, int end, fw_error *error)
 {
     const scene_end e = scene->joint->ends[end];
     const scene_body *body = &scene->bodies[e.body];
-    if (e.grip >= 0) return FW_OK;
     if (e.contact >= 0) {
         const fw_row_list *rows = &body->contacts[e.contact].solution.rows;
         for (int k = 0; k < rows->count; ++k)
@@ -164,7 +157,7 @@ fw_status scene_find_piston(fw_scene *scene, int w, int *end, fw_error *error)
     scene_wall *wall = &scene->walls[w];
     const double now = fw_scene_time(scene);
     if (wall->end < 0) {
-        const scene_end made = {.body = -1,
+        const scene_end made = {.body = SCENE_PISTON,
                                 .particle = w,
                                 .point = -1,
                                 .entry = -1,
@@ -183,13 +176,47 @@ fw_status scene_find_piston(fw_scene *scene, int w, int *end, fw_error *error)
     return FW_OK;
 }
 
+fw_status scene_find_grip(fw_scene *scene, int g, int *end, fw_error *error)
+{
+    scene_grip *grip = &scene->grips[g];
+    if (grip->end < 0) {
+        const scene_end made = {.body = SCENE_GRIP,
+                                .particle = g,
+                                .point = -1,
+                                .entry = -1,
+                                .contact = -1,
+                                .grip = -1,
+                                .row = -1,
+                                .alone = grip->path};
+        const fw_joint_end what = {.free = grip->path,
+                                   .inertial = fw_grip_inertial(grip->grip, grip->path),
+                                   .mobility = grip->mobility,
+                                   .displacement = grip->path,
+                                   .wide = true};
+        FW_TRY(make_end(scene, &made, &what, &grip->end, error));
+    }
+    *end = grip->end;
+    return FW_OK;
+}
+
+fw_status scene_find_mover(fw_scene *scene, int end, int *mover, fw_vec2 *offset, fw_error *error)
+{
+    *mover = end;
+    *offset = (fw_vec2){0, 0};
+    if (scene->joint->ends[end].grip < 0) return FW_OK;
+    *offset = scene->joint->joint_ends[end].position;
+    return scene_find_grip(scene, scene->joint->ends[end].grip, mover, error);
+}
+
 void scene_forget_ends(fw_scene *scene)
 {
     scene_joint *joint = scene->joint;
     for (int e = 0; e < joint->end_count; ++e) {
         const scene_end *end = &joint->ends[e];
-        if (end->body < 0)
+        if (end->body == SCENE_PISTON)
             scene->walls[end->particle].end = -1;
+        else if (end->body == SCENE_GRIP)
+            scene->grips[end->particle].end = -1;
         else if (end->point >= 0)
             scene->bodies[end->body].edge->end[end->point] = -1;
         else

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* --- rows --- */
 
@@ -20,9 +21,15 @@ int scene_find_row(const scene_joint *joint, int end, const scene_row *row)
     return -1;
 }
 
-static fw_status append_row(scene_joint *joint, const scene_row *row, const fw_joint_row *what,
-                            fw_error *error)
+/* `owner`: the end of the particle that passes. */
+static fw_status append_row(fw_scene *scene, int owner, const scene_row *row,
+                            const fw_joint_row *what, fw_error *error)
 {
+    scene_joint *joint = scene->joint;
+    int mover[3] = {0};
+    fw_vec2 offset[3] = {{0, 0}, {0, 0}, {0, 0}};
+    for (int k = 0; k < fw_joint_end_count(what); ++k)
+        FW_TRY(scene_find_mover(scene, what->end[k], &mover[k], &offset[k], error));
     if (joint->row_count == joint->row_capacity) {
         const size_t capacity = 2 * (size_t)joint->row_capacity + 64;
         scene_row *rows = realloc(joint->rows, capacity * sizeof *rows);
@@ -32,11 +39,14 @@ static fw_status append_row(scene_joint *joint, const scene_row *row, const fw_j
         if (!rows || !joint_rows) return fw_fail_memory(error, "the contact of bodies");
         joint->row_capacity = (int)capacity;
     }
-    scene_end *end = &joint->ends[what->end[0]];
+    scene_end *end = &joint->ends[owner];
     joint->rows[joint->row_count] = *row;
     joint->rows[joint->row_count].next = end->row;
-    joint->joint_rows[joint->row_count] = *what;
-    joint->joint_rows[joint->row_count].fresh = true;
+    fw_joint_row *made = &joint->joint_rows[joint->row_count];
+    *made = *what;
+    memcpy(made->end, mover, sizeof mover);
+    memcpy(made->offset, offset, sizeof offset);
+    made->fresh = true;
     end->row = joint->row_count++;
     joint->changes += 1;
     return FW_OK;
@@ -64,14 +74,14 @@ static fw_status add_wall(fw_scene *scene, int end, int number, bool open, fw_er
                          .open = open,
                          .rub = scene_take_wall_rub(scene, end, number)};
     const scene_row row = {.facet = number};
-    FW_TRY(append_row(joint, &row, &what, error));
+    FW_TRY(append_row(scene, end, &row, &what, error));
     joint->ends[end].wall_rows += 1;
     if (candidate.surface.law != FW_STICK) return FW_OK;
     what.kind = FW_JOINT_PLANE;
     what.behind = 0;
     what.both = true;
     what.normal = fw_vec2_turn(what.normal);
-    return append_row(joint, &row, &what, error);
+    return append_row(scene, end, &row, &what, error);
 }
 
 /* Whether the row was there already. It is closed, if `open` is not asked for. */
@@ -100,7 +110,7 @@ fw_status scene_add_spring(fw_scene *scene, int end, int wall, fw_error *error)
     int piston;
     FW_TRY(scene_find_piston(scene, wall, &piston, error));
     const fw_joint_row what = {.kind = FW_JOINT_SPRING, .end = {end, piston}};
-    return append_row(scene->joint, &row, &what, error);
+    return append_row(scene, end, &row, &what, error);
 }
 
 fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
@@ -115,7 +125,7 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
                          .end = {end, from, to},
                          .distance = scene_distance_between(scene, row->point_body, row->body)};
     if (what.kind == FW_JOINT_SEGMENT) what.rub = scene_take_rub(scene, row, end);
-    return append_row(joint, row, &what, error);
+    return append_row(scene, end, row, &what, error);
 }
 
 /* Walls that the end passes on its present path. Where it is pushed further than its run foresaw,
@@ -123,7 +133,7 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
 static fw_status add_walls_of(fw_scene *scene, int number, fw_error *error)
 {
     const scene_end *end = &scene->joint->ends[number];
-    if (end->body < 0 || end->grip >= 0) return FW_OK;
+    if (end->body < 0 || end->grip >= 0) return FW_OK; /* see scene_add_gripped() */
     scene_body *body = &scene->bodies[end->body];
     if (!body->boundary || end->entry >= fw_boundary_count(body->boundary)) return FW_OK;
     const bool later = end->later;
@@ -184,6 +194,7 @@ fw_status scene_solve_joint(fw_scene *scene, fw_error *error)
                           joint->row_count, scene->soft_count > 0 ? &springs : NULL, &outcome,
                           error));
     put_on_walls(scene);
+    scene_follow_grips(scene);
     for (int e = 0; e < joint->end_count; ++e)
         if (joint->ends[e].point >= 0)
             scene->bodies[joint->ends[e].body].edge->paths[joint->ends[e].point] =
@@ -243,7 +254,7 @@ static void list_facet(fw_row_list *rows, int facet)
 }
 
 /* Rows of an end stand in a list from the latest to the first. */
-static fw_contact_solution solution_of(const fw_scene *scene, int number)
+fw_contact_solution scene_solution_of(const fw_scene *scene, int number)
 {
     const scene_joint *joint = scene->joint;
     const fw_joint_end *end = &joint->joint_ends[number];
@@ -271,7 +282,7 @@ scene_contact *scene_hand_over_end(fw_scene *scene, int number)
     body->unsorted |= end->contact < 0;
     *contact = (scene_contact){.particle = end->particle,
                                .entry = end->entry,
-                               .solution = solution_of(scene, number),
+                               .solution = scene_solution_of(scene, number),
                                .soft = end->soft,
                                .soft_path = end->soft_path,
                                .mobility = fmax(mobility.xx, mobility.yy)};
@@ -286,20 +297,25 @@ void scene_hand_over_joint(fw_scene *scene)
         if (joint->ends[e].body >= 0 && joint->ends[e].grip < 0 && !joint->ends[e].later &&
             joint->joint_ends[e].mobility.xx != 0)
             (void)scene_hand_over_end(scene, e);
+        else if (joint->ends[e].grip >= 0 && scene->bodies[joint->ends[e].body].memory_before)
+            scene_remember_wall(scene, e);
     for (int b = 0; b < scene->body_count; ++b)
         if (scene->bodies[b].unsorted) scene_sort_contacts(&scene->bodies[b]);
 }
 
 /* A force on a particle that moves once in a step of two ticks acts for both. */
-static void book_row(fw_scene *scene, const fw_joint_row *row)
+static void book_row(fw_scene *scene, int number)
 {
     const scene_joint *joint = scene->joint;
+    const scene_row *about = &joint->rows[number];
+    const fw_joint_row *row = &joint->joint_rows[number];
+    const int bodies[3] = {about->point_body, about->body, about->body};
+    const int points[3] = {about->point, about->from, about->to};
     for (int k = 0; k < fw_joint_end_count(row); ++k) {
-        const scene_end *end = &joint->ends[row->end[k]];
-        const scene_body *body = &scene->bodies[end->body];
+        const scene_body *body = &scene->bodies[bodies[k]];
         fw_body_ledger *ledger =
-            &joint->bodies[joint->slots[end->body] +
-                           scene_part_of(body->solid, body->edge->contour.particles[end->point])];
+            &joint->bodies[joint->slots[bodies[k]] +
+                           scene_part_of(body->solid, body->edge->contour.particles[points[k]])];
         ledger->force = fw_vec2_add(ledger->force, fw_vec2_scale(row->lambda, row->weight[k]));
         if (row->rub.traction != 0)
             ledger->force =
@@ -334,7 +350,7 @@ void scene_book_joint(fw_scene *scene)
     for (int n = 0; n < joint->row_count; ++n) {
         const fw_joint_row *row = &joint->joint_rows[n];
         if (joint->rows[n].facet >= 0 || !(row->lambda > 0 || row->rub.traction != 0)) continue;
-        book_row(scene, row);
+        book_row(scene, n);
         touches = true;
     }
     for (int b = 0; b < joint->slot_count; ++b) {
@@ -351,12 +367,11 @@ void scene_book_joint(fw_scene *scene)
 
 void scene_book_on_grips(fw_scene *scene, int body)
 {
-    const scene_joint *joint = scene->joint;
-    for (int e = 0; joint && e < joint->end_count; ++e) {
-        const scene_end *end = &joint->ends[e];
-        if (end->grip < 0 || end->body != body) continue;
-        fw_grip_book_contact(scene->grips[end->grip].grip, joint->joint_ends[e].force,
-                             joint->joint_ends[e].displacement, scene->tick);
+    for (int n = 0; scene->joint && n < scene->grip_count; ++n) {
+        const scene_grip *grip = &scene->grips[n];
+        if (grip->end < 0 || grip->body != body) continue;
+        const fw_joint_end *end = &scene->joint->joint_ends[grip->end];
+        fw_grip_book_contact(grip->grip, end->force, end->displacement, scene->tick);
     }
 }
 

@@ -165,8 +165,10 @@ fw_status fw_scene_add_grip(fw_scene *scene, int number, const fw_grip_def *def,
                            "two grips are called %s, expected names of their own", def->name);
     scene_grip *grip = &scene->grips[scene->grip_count];
     grip->body = number;
+    grip->end = -1;
     FW_TRY(fw_grip_create(&grip->grip, def, error));
-    for (int n = 0; n < def->particle_count; ++n) body->gripped[def->particles[n]] = 1;
+    for (int n = 0; n < def->particle_count; ++n)
+        body->gripped[def->particles[n]] = (uint8_t)(scene->grip_count + 1);
     scene->grip_count += 1;
     return FW_OK;
 }
@@ -233,13 +235,14 @@ static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error
     if (any_wall_rubs(scene)) body->memory = calloc(count, sizeof *body->memory);
     if (!body->contacts || (any_wall_rubs(scene) && !body->memory))
         return fw_fail_memory(error, "the contacts of a body");
-    if (scene->piston_count == 0) return FW_OK;
-    body->entry_end = calloc(count, sizeof *body->entry_end);
-    for (size_t n = 0; body->entry_end && n < count; ++n) body->entry_end[n] = -1;
-    if (body->memory) body->memory_before = calloc(count, sizeof *body->memory);
-    if (!body->entry_end || (body->memory && !body->memory_before))
-        return fw_fail_memory(error, "the contacts of a body with pistons");
-    return FW_OK;
+    if (scene->piston_count > 0 || body->gripped) {
+        body->entry_end = calloc(count, sizeof *body->entry_end);
+        if (!body->entry_end) return fw_fail_memory(error, "the contacts of a body");
+        for (size_t n = 0; n < count; ++n) body->entry_end[n] = -1;
+    }
+    if (scene->piston_count == 0 || !body->memory) return FW_OK;
+    body->memory_before = calloc(count, sizeof *body->memory);
+    return body->memory_before ? FW_OK : fw_fail_memory(error, "the contacts of a body");
 }
 
 static fw_status refuse_half_steps(const fw_scene *scene, fw_error *error)

@@ -16,9 +16,6 @@ static const double BEHIND = 1e-6;
 /* How near a point may come to a segment that bars the way from both sides, in the same unit:
  * rounding shall not put it on the other side. */
 static const double BESIDE = 1e-9;
-/* How far inside a gripped point may be carried by rounding, in units of the coordinates' size. */
-static const double GRIPPED_ROUNDING = 1e-9;
-
 /* --- where all points would go --- */
 
 /* What walls and grips have decided; of points that are no ends yet. */
@@ -33,17 +30,7 @@ static void follow_walls_and_grips(fw_scene *scene)
                 edge->paths[point] = body->contacts[n].solution.displacement;
         }
     }
-    for (int n = 0; n < scene->grip_count; ++n) {
-        const scene_body *body = &scene->bodies[scene->grips[n].body];
-        fw_grip *grip = scene->grips[n].grip;
-        if (!body->edge) continue;
-        const fw_vec2 w = fw_grip_displacement(grip, body->solid, fw_scene_time(scene));
-        const int *particles = fw_grip_particles(grip);
-        for (int k = 0; k < fw_grip_particle_count(grip); ++k) {
-            const int point = body->edge->contour.points[particles[k]];
-            if (point >= 0) body->edge->paths[point] = w;
-        }
-    }
+    scene_follow_grips(scene);
 }
 
 static double longest_path(const fw_scene *scene)
@@ -228,34 +215,6 @@ static int compare_found(const void *left, const void *right)
     return order != 0 ? order : compare_ints(a->to, b->to);
 }
 
-static bool is_gripped(const scene_body *body, int point)
-{
-    return body->gripped && body->gripped[body->edge->contour.particles[point]];
-}
-
-/* Where grips hold all three, nothing can keep them apart, and the run cannot go on; as where a
- * grip carries a particle through a wall. */
-static fw_status refuse_gripped(const fw_scene *scene, const scene_row *row, fw_error *error)
-{
-    const scene_body *body = &scene->bodies[row->point_body], *other = &scene->bodies[row->body];
-    if (!is_gripped(body, row->point) || !is_gripped(other, row->from) ||
-        !is_gripped(other, row->to))
-        return FW_OK;
-    const fw_moving_point p = moving(body, row->point), a = moving(other, row->from),
-                          b = moving(other, row->to);
-    const fw_vec2 at = fw_vec2_add(p.at, p.motion), from = fw_vec2_add(a.at, a.motion);
-    const fw_vec2 along = fw_vec2_subtract(fw_vec2_add(b.at, b.motion), from);
-    const double length = sqrt(fw_vec2_dot(along, along));
-    const double depth = scene_distance_between(scene, row->point_body, row->body) -
-                         fw_vec2_cross(along, fw_vec2_subtract(at, from)) / length;
-    if (!(depth > GRIPPED_ROUNDING * (1 + fabs(at.x) + fabs(at.y)))) return FW_OK;
-    return fw_fail(error, FW_DIVERGED,
-                   "step %lld: grips carry particle %d of body %s into body %s, whose edge is held "
-                   "as well: at (%g, %g) it would lie %g inside",
-                   (long long)scene->clock.step, body->edge->contour.particles[row->point],
-                   body->name, other->name, at.x, at.y, depth);
-}
-
 /* Of each point what it passes first, in a list that is sorted so. */
 static int keep_first_of_points(scene_row *found, int count)
 {
@@ -334,7 +293,7 @@ static fw_status add_passed_edges(fw_scene *scene, fw_error *error)
     for (int n = 0; n < joint->found_count; ++n) {
         const scene_row *row = &joint->found[n];
         if (corner_comes_first(scene, row)) continue;
-        FW_TRY(refuse_gripped(scene, row, error));
+        FW_TRY(scene_refuse_gripped(scene, row, error));
         FW_TRY(scene_add_row(scene, row, error));
     }
     return FW_OK;
@@ -375,6 +334,7 @@ static fw_status add_passed(fw_scene *scene, fw_error *error)
         FW_TRY(search_within_reach(scene, error));
         FW_TRY(add_passed_edges(scene, error));
     }
+    FW_TRY(scene_add_gripped(scene, error));
     FW_TRY(scene_add_reached(scene, error));
     return scene_add_passed_walls(scene, error);
 }
@@ -386,6 +346,7 @@ fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
         scene_hand_over_second(scene);
         return FW_OK;
     }
+    scene_begin_grips(scene);
     FW_TRY(begin_bodies(scene, error));
     FW_TRY(scene_add_rubbed_by_pistons(scene, error));
     for (int round = 0;; ++round) {

@@ -146,7 +146,8 @@ double fw_scene_penetration(const fw_scene *scene, int body)
 void fw_scene_mark_held(const fw_scene *scene, int body, uint8_t *held)
 {
     const uint8_t *gripped = scene->bodies[body].gripped;
-    for (int i = 0; gripped && i < scene->bodies[body].solid->count; ++i) held[i] |= gripped[i];
+    for (int i = 0; gripped && i < scene->bodies[body].solid->count; ++i)
+        held[i] |= gripped[i] != 0;
 }
 
 long fw_scene_query_count(const fw_scene *scene)

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
  * scene_soft.c, scene_carry.c and scene_room.c (its contact phase), scene_apart.c (when it needs
- * none), scene_edges.c, scene_overlap.c, scene_meet.c, scene_turns.c, scene_pistons.c,
- * scene_joint.c, scene_ends.c and scene_rub.c (bodies and pistons), scene_record.c (what particles
- * felt), scene_make.c (making, restoring), scene_energy.c and scene_observe.c, and by nobody else.
- */
+ * none), scene_edges.c, scene_overlap.c, scene_meet.c, scene_turns.c, scene_grips.c,
+ * scene_pistons.c, scene_joint.c, scene_ends.c and scene_rub.c (bodies and pistons), scene_record.c
+ * (what particles felt), scene_make.c (making, restoring), scene_energy.c and scene_observe.c, and
+ * by nobody else. */
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
@@ -44,15 +44,18 @@ typedef struct scene_edge {
     scene_rub *rubs;      /* per particle; NULL where nothing rubs. Part of the state */
 } scene_edge;
 
-/* A particle that takes part in the joint contact of this tick, or a piston. */
+/* What is no particle of a body. */
+enum { SCENE_PISTON = -1, SCENE_GRIP = -2 };
+
+/* A particle that takes part in the joint contact of this tick, a piston, or a grip. */
 typedef struct scene_end {
-    int body;          /* -1: it is a piston */
-    int particle;      /* of the body; of a piston its wall */
+    int body;          /* or SCENE_PISTON, or SCENE_GRIP */
+    int particle;      /* of the body; of a piston its wall; of a grip its number */
     int point;         /* of the body's contour, or -1 */
     int entry;         /* of the boundary; beyond it, or -1, for what meets no walls */
     fw_vec2 alone;     /* displacement without any contact */
     int contact;       /* what walls alone did to it, among the body's contacts; or -1 */
-    int grip;          /* that holds it; or -1 */
+    int grip;          /* that holds it: rows take its end in the place of this one; or -1 */
     int row;           /* its latest row as the point that passes, or -1 */
     int wall_rows;     /* facets that are rows */
     bool later;        /* it moves in the second tick of the step */
@@ -136,11 +139,11 @@ typedef struct scene_body {
     int contact_count;
     bool unsorted;  /* contacts do not ascend at present */
     int *entry_end; /* per entry of the boundary: the end of what is no point, or -1; NULL without
-                       pistons */
+                       pistons and grips */
     fw_contact_memory *memory_before; /* at the beginning of the tick, per particle; NULL without
                                          pistons */
-    uint8_t *gripped;                 /* per particle; NULL where no grip holds the body */
-    fw_constraint *constraints;       /* of contacts and grips, ascending; room for all particles */
+    uint8_t *gripped; /* per particle: 1 + the grip that holds it; NULL where none holds any */
+    fw_constraint *constraints; /* of contacts and grips, ascending; room for all particles */
     int constraint_count;
     fw_carry *carries;    /* after the tick; room for all particles */
     scene_edge *edge;     /* NULL where it meets no other body */
@@ -176,6 +179,9 @@ typedef struct scene_load {
 typedef struct scene_grip {
     int body;
     fw_grip *grip;
+    int end;          /* in the joint contact of this tick, or -1 */
+    fw_vec2 path;     /* displacement in this tick, as far as it is known; of scenes with a joint */
+    fw_sym2 mobility; /* in this tick, of the whole block */
 } scene_grip;
 
 /* Counters of the scene, all part of the state. */
@@ -292,11 +298,17 @@ fw_candidate scene_candidate_for(const fw_scene *scene, int facet, bool later);
 fw_status scene_find_end(fw_scene *scene, int body, int point, int *end, fw_error *error);
 fw_status scene_find_entry(fw_scene *scene, int body, int entry, int *end, fw_error *error);
 fw_status scene_find_piston(fw_scene *scene, int wall, int *end, fw_error *error);
+fw_status scene_find_grip(fw_scene *scene, int grip, int *end, fw_error *error);
+/* The end whose motion is that of an end: itself, or its grip's. `offset`: where it lies from
+ * there. FW_SYSTEM_FAILED without memory. */
+fw_status scene_find_mover(fw_scene *scene, int end, int *mover, fw_vec2 *offset, fw_error *error);
 /* Where the end of a particle stands. */
 int *scene_end_of_entry(const scene_body *body, int entry);
 /* What walls alone did to a particle, among the body's contacts; or -1. */
 int scene_find_contact(const scene_body *body, int particle);
 void scene_forget_ends(fw_scene *scene);
+/* What walls do to an end. */
+fw_contact_solution scene_solution_of(const fw_scene *scene, int end);
 /* The force on an end becomes a contact of its body. */
 scene_contact *scene_hand_over_end(fw_scene *scene, int end);
 /* A row of another body that a point must not pass; known rows are left alone. FW_SYSTEM_FAILED
@@ -345,6 +357,16 @@ void scene_record_hold(fw_scene *scene, const scene_row *row, const fw_joint_rub
 void scene_record_rub(fw_scene *scene, const scene_row *row, const fw_joint_rub *rub);
 void scene_record_rub_on_walls(const fw_scene *scene, scene_body *body,
                                const scene_contact *contact);
+
+/* Grips, where anything may touch what they hold: scene_grips.c. They begin the tick as if they met
+ * nothing. */
+void scene_begin_grips(fw_scene *scene);
+/* Points that grips hold go where these go. */
+void scene_follow_grips(fw_scene *scene);
+/* Facets that gripped particles pass get rows; FW_DIVERGED where neither can give way. */
+fw_status scene_add_gripped(fw_scene *scene, fw_error *error);
+/* FW_DIVERGED: grips hold all that the row is about, and none of them gives way. */
+fw_status scene_refuse_gripped(const fw_scene *scene, const scene_row *row, fw_error *error);
 
 /* Pistons begin the tick as if they met nothing. FW_DIVERGED: not by finite numbers. */
 fw_status scene_begin_pistons(fw_scene *scene, fw_error *error);

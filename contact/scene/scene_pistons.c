@@ -91,6 +91,7 @@ static fw_status look_at(fw_scene *scene, scene_reach reach, fw_vec2 w, fw_error
     scene_wall *wall = &scene->walls[candidate->facet->wall];
     const int end = *scene_end_of_entry(body, reach.entry);
     const fw_vec2 position = fw_solid_position(body->solid, reach.particle);
+    if (wall->soft && body->gripped && body->gripped[reach.particle]) return FW_OK;
     if (wall->soft) {
         const fw_vec2 force = scene_soft_force_of(wall, position, w);
         reach.facet = wall->first_facet;
@@ -115,6 +116,8 @@ static fw_vec2 path_of(const fw_scene *scene, const scene_body *body, int entry,
 {
     const int end = *scene_end_of_entry(body, entry);
     if (end >= 0) return scene->joint->joint_ends[end].displacement;
+    if (body->gripped && body->gripped[particle])
+        return scene->grips[body->gripped[particle] - 1].path;
     const int contact = scene_find_contact(body, particle);
     if (contact >= 0) return body->contacts[contact].solution.displacement;
     return fw_boundary_predictions(body->boundary)[entry].displacement;
@@ -131,7 +134,6 @@ static fw_status look_at_entry(fw_scene *scene, int b, int run, int entry, fw_er
 {
     const scene_body *body = &scene->bodies[b];
     const int particle = fw_boundary_particles(body->boundary)[entry];
-    if (body->gripped && body->gripped[particle]) return FW_OK;
     const fw_vec2 w = path_of(scene, body, entry, particle);
     const fw_boundary_run found = fw_boundary_observe_run(body->boundary, run);
     for (int n = 0; n < found.facet_count; ++n) {
