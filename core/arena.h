@@ -13,10 +13,13 @@
 #ifndef FW_ARENA_H
 #define FW_ARENA_H
 
+#include "core/public.h"
 #include "core/status.h"
 
 #include <stdbool.h>
 #include <stddef.h>
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_arena_array {
     void *pointer; /* to the pointer that is set */
@@ -42,5 +45,7 @@ void fw_arena_add(fw_arena *arena, void *pointer, size_t count, size_t element_s
 fw_status fw_arena_allocate(fw_arena *arena, const char *what, fw_error *error);
 /* Legal at any time, also for an arena of zeros. */
 void fw_arena_release(fw_arena *arena);
+
+FW_PUBLIC_END
 
 #endif

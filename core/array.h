@@ -5,8 +5,12 @@
 #ifndef FW_ARRAY_H
 #define FW_ARRAY_H
 
+#include "core/public.h"
+
 #include <stddef.h>
 #include <stdint.h>
+
+FW_PUBLIC_BEGIN
 
 typedef enum fw_element { FW_F64, FW_I32, FW_I64, FW_U8 } fw_element;
 
@@ -44,5 +48,7 @@ uint64_t fw_state_list_hash(const fw_state_list *list);
 
 /* Sum in a fixed order that does not depend on threads: blocks of 1024, then the blocks. */
 double fw_array_sum(const double *values, size_t count);
+
+FW_PUBLIC_END
 
 #endif

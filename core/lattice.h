@@ -3,10 +3,13 @@
 #ifndef FW_LATTICE_H
 #define FW_LATTICE_H
 
+#include "core/public.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
 #include <stdbool.h>
+
+FW_PUBLIC_BEGIN
 
 /* FW_SQUARE: site (i, j) at (i, j) spacing.
  * FW_HEXAGONAL: close-packed rows along x; site (i, j) at (i + (j odd)/2, j sqrt(3)/2) spacing. */
@@ -64,5 +67,7 @@ fw_vec2 fw_lattice_position(const fw_lattice *lattice, fw_site site);
 fw_vec2 fw_lattice_vector(const fw_lattice *lattice, fw_site site);
 /* Lattice vector of direction d of the square lattice. */
 fw_vec2 fw_lattice_step(const fw_lattice *lattice, int direction);
+
+FW_PUBLIC_END
 
 #endif

@@ -13,11 +13,14 @@
 
 #include "core/arena.h"
 #include "core/array.h"
+#include "core/public.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
 #include <stdbool.h>
 #include <stdint.h>
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_solid fw_solid;
 
@@ -267,5 +270,7 @@ const fw_field *fw_solid_find_field(const fw_solid *solid, const char *name);
 int fw_solid_find_lost(const fw_solid *solid, fw_vec2 centre, double limit);
 /* The same of boundary particles alone. */
 int fw_solid_find_lost_boundary(const fw_solid *solid, fw_vec2 centre, double limit);
+
+FW_PUBLIC_END
 
 #endif

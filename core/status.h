@@ -4,6 +4,10 @@
 #ifndef FW_STATUS_H
 #define FW_STATUS_H
 
+#include "core/public.h"
+
+FW_PUBLIC_BEGIN
+
 /* The values are the program's exit codes, see `fretwork --help`. */
 typedef enum fw_status {
     FW_OK = 0,
@@ -11,7 +15,7 @@ typedef enum fw_status {
     FW_BAD_INPUT = 2,          /* what the user wrote cannot be run */
     FW_DIVERGED = 3,           /* a particle's numbers are no longer finite, or it escaped */
     FW_SYSTEM_FAILED = 4,      /* disk, memory, permissions */
-    FW_HUNG_UP = 129,         /* SIGHUP, after a checkpoint */
+    FW_HUNG_UP = 129,          /* SIGHUP, after a checkpoint */
     FW_INTERRUPTED = 130,      /* SIGINT, after a checkpoint */
     FW_TERMINATED = 143        /* SIGTERM, after a checkpoint */
 } fw_status;
@@ -47,5 +51,7 @@ fw_status fw_fail_within(fw_error *error, const char *format, ...)
         fw_status fw_try_status = (call);                                                          \
         if (fw_try_status != FW_OK) return fw_try_status;                                          \
     } while (0)
+
+FW_PUBLIC_END
 
 #endif

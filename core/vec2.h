@@ -3,7 +3,11 @@
 #ifndef FW_VEC2_H
 #define FW_VEC2_H
 
+#include "core/public.h"
+
 #include <math.h>
+
+FW_PUBLIC_BEGIN
 
 #define FW_PI     3.14159265358979323846
 #define FW_TWO_PI 6.28318530717958647693
@@ -106,5 +110,7 @@ static inline double fw_sym2_form(fw_vec2 a, fw_sym2 m, fw_vec2 b)
 {
     return fw_vec2_dot(a, fw_sym2_apply(m, b));
 }
+
+FW_PUBLIC_END
 
 #endif

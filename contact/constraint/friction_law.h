@@ -5,8 +5,12 @@
 #ifndef FW_FRICTION_LAW_H
 #define FW_FRICTION_LAW_H
 
+#include "core/public.h"
+
 #include <math.h>
 #include <stdbool.h>
+
+FW_PUBLIC_BEGIN
 
 /* e of the sticking force: how much of the change of the particle's own momentum P is let through.
  * Stuck and without damping, F = -2 Psi + e (P - P_before)/2 makes
@@ -55,5 +59,7 @@ static inline double fw_friction_traction(fw_friction law, double reaction, doub
     *slides = true;
     return copysign(law.kinetic * reaction, wanted);
 }
+
+FW_PUBLIC_END
 
 #endif

@@ -8,13 +8,12 @@
 #ifndef FW_FACET_H
 #define FW_FACET_H
 
+#include "core/public.h"
 #include "core/vec2.h"
 
 #include <stdbool.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+FW_PUBLIC_BEGIN
 
 typedef struct fw_box {
     fw_vec2 low, high;
@@ -117,7 +116,6 @@ bool fw_facet_meets_box(const fw_facet *facet, fw_box box, double away);
 
 fw_box fw_facet_bounds(const fw_facet *facet);
 
-#ifdef __cplusplus
-}
-#endif
+FW_PUBLIC_END
+
 #endif

@@ -5,7 +5,10 @@
 #ifndef FW_PATH_H
 #define FW_PATH_H
 
+#include "core/public.h"
 #include "core/vec2.h"
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_path {
     fw_vec2 velocity;
@@ -20,5 +23,7 @@ fw_vec2 fw_path_displacement(const fw_path *path, double time);
 /* The velocity with which the path comes to `time`, at the end of a tick: that of the oscillation
  * then, and the mean of the constant one over the tick. */
 fw_vec2 fw_path_velocity(const fw_path *path, double time, double tick);
+
+FW_PUBLIC_END
 
 #endif

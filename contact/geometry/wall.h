@@ -9,14 +9,13 @@
 #include "contact/geometry/facet.h"
 #include "contact/geometry/path.h"
 #include "contact/geometry/wall_shape.h"
+#include "core/public.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
 #include <stdbool.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+FW_PUBLIC_BEGIN
 
 /* What the surface of a wall does along its tangent. */
 typedef enum fw_surface_law {
@@ -97,7 +96,6 @@ double fw_wall_depth(const fw_wall *wall, fw_vec2 point, fw_vec2 place);
 /* The checks of fw_wall_create() alone. */
 fw_status fw_wall_def_check(const fw_wall_def *def, fw_error *error);
 
-#ifdef __cplusplus
-}
-#endif
+FW_PUBLIC_END
+
 #endif

@@ -9,14 +9,13 @@
 #define FW_WALL_SHAPE_H
 
 #include "contact/geometry/facet.h"
+#include "core/public.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
 #include <stdbool.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
+FW_PUBLIC_BEGIN
 
 /* Columns:
  * - name in the enum;
@@ -84,7 +83,6 @@ typedef struct fw_wall_shape {
 /* By fw_wall_shape_kind. */
 extern const fw_wall_shape fw_wall_shapes[FW_WALL_SHAPES];
 
-#ifdef __cplusplus
-}
-#endif
+FW_PUBLIC_END
+
 #endif

@@ -9,10 +9,13 @@
 #define FW_DRIVE_H
 
 #include "contact/geometry/path.h"
+#include "core/public.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
 #include <stdbool.h>
+
+FW_PUBLIC_BEGIN
 
 /* Forces are totals over what is driven. Time t of the oscillation and of `path` is what
  * has passed since `origin`. */
@@ -47,5 +50,7 @@ fw_sym2 fw_drive_mobility(const fw_drive *drive, fw_sym2 inertia);
 
 /* D for that displacement, of the components that are not prescribed (zero of the others). */
 fw_vec2 fw_drive_force(const fw_drive *drive, fw_vec2 u, fw_vec2 w, double time);
+
+FW_PUBLIC_END
 
 #endif

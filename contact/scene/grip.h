@@ -18,7 +18,10 @@
 #define FW_GRIP_H
 
 #include "contact/scene/drive.h"
+#include "core/public.h"
 #include "core/solid.h"
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_grip_def {
     const char *name;     /* copied */
@@ -75,5 +78,7 @@ void fw_grip_book_contact(fw_grip *grip, fw_vec2 force, fw_vec2 displacement, do
  * they took, as the solid has reported it. */
 int fw_grip_carry(const fw_grip *grip, int owner, double time, double tick, fw_carry *carries);
 void fw_grip_book_carry(fw_grip *grip, const fw_carry *carry, double tick);
+
+FW_PUBLIC_END
 
 #endif

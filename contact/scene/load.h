@@ -3,7 +3,10 @@
 #ifndef FW_LOAD_H
 #define FW_LOAD_H
 
+#include "core/public.h"
 #include "core/solid.h"
+
+FW_PUBLIC_BEGIN
 
 typedef enum fw_load_kind {
     FW_LOAD_EACH,         /* `vector` on each particle */
@@ -36,5 +39,7 @@ void fw_load_destroy(fw_load *load);
 
 /* Adds the forces of this step to the solid's external forces. */
 void fw_load_apply(const fw_load *load, int64_t step, fw_solid *solid);
+
+FW_PUBLIC_END
 
 #endif

@@ -13,6 +13,9 @@
 #define FW_PISTON_H
 
 #include "contact/scene/drive.h"
+#include "core/public.h"
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_piston_def {
     double mass;      /* > 0 */
@@ -83,5 +86,7 @@ bool fw_piston_yields(const fw_piston *piston);
  * the motion; what that leaves over of push and work is booked as unmatched. */
 void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,
                        double time, double tick);
+
+FW_PUBLIC_END
 
 #endif

@@ -4,13 +4,15 @@
 #ifndef FW_SCENE_H
 #define FW_SCENE_H
 
-#include "contact/constraint/constrain.h"
 #include "contact/constraint/friction_law.h"
 #include "contact/geometry/wall.h"
 #include "contact/scene/grip.h"
 #include "contact/scene/load.h"
 #include "contact/scene/piston.h"
+#include "core/public.h"
 #include "core/solid.h"
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_scene fw_scene;
 struct scene_rubbed;
@@ -217,5 +219,7 @@ const char *fw_scene_section(fw_scene *scene, int section, fw_state_list *list);
 /* After saved values were written back into the arrays of all sections. FW_BAD_INPUT: they hold
  * what no scene writes, such as an index out of range; the scene is then of no further use. */
 fw_status fw_scene_restored(fw_scene *scene, fw_error *error);
+
+FW_PUBLIC_END
 
 #endif

@@ -8,6 +8,7 @@
 #ifndef FW_SCENE_PARTS_H
 #define FW_SCENE_PARTS_H
 
+#include "contact/constraint/constrain.h"
 #include "contact/constraint/joint.h"
 #include "contact/scene/scene.h"
 #include "contact/search/boundary.h"

@@ -7,6 +7,9 @@
 #define FW_AUTOMATON_MATRICES_H
 
 #include "core/lattice.h"
+#include "core/public.h"
+
+FW_PUBLIC_BEGIN
 
 /* c1 and c2 of the paper, in spacings per unit of time (one black and one white half-step):
  * transverse waves run at c1, longitudinal ones at sqrt(c1^2 + c2^2). */
@@ -42,5 +45,7 @@ fw_status fw_automaton_matrices_make(fw_automaton_matrices *matrices, fw_automat
 
 /* The smallest eigenvalue of the four: negative where a single bond can have negative energy. */
 double fw_automaton_matrices_least(const fw_automaton_matrices *matrices);
+
+FW_PUBLIC_END
 
 #endif

@@ -18,7 +18,10 @@
 #define FW_ELASTIC_AUTOMATON_H
 
 #include "core/automaton/automaton_matrices.h"
+#include "core/public.h"
 #include "core/solid.h"
+
+FW_PUBLIC_BEGIN
 
 /* What a missing neighbour contributes. `bond`: nothing. `trapezoid`: nothing, and bonds with
  * only one full square of cells beside them (or none) count half: an edge free of traction.
@@ -84,5 +87,7 @@ int fw_elastic_automaton_frozen(const fw_solid *solid);
 int fw_elastic_automaton_broken(const fw_solid *solid); /* bonds broken so far */
 
 extern const fw_solid_model fw_elastic_automaton_model;
+
+FW_PUBLIC_END
 
 #endif

@@ -18,7 +18,10 @@
 #define FW_LB_SOLID_H
 
 #include "core/lattice.h"
+#include "core/public.h"
 #include "core/solid.h"
+
+FW_PUBLIC_BEGIN
 
 /* Below so many spacings per step particles keep their order when a body hits something: measured
  * with sheets at mu = 1. Above it cells turn inside out; nothing else goes wrong. */
@@ -95,5 +98,7 @@ fw_lb_form fw_lb_solid_form(const fw_solid *solid);
 
 /* Links broken since creation. */
 int fw_lb_solid_broken(const fw_solid *solid);
+
+FW_PUBLIC_END
 
 #endif

@@ -13,7 +13,10 @@
 #ifndef FW_LANGEVIN_H
 #define FW_LANGEVIN_H
 
+#include "core/public.h"
 #include "core/solid.h"
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_langevin fw_langevin;
 struct fw_move_task; /* a step in numbers, for kernels */
@@ -116,5 +119,7 @@ void fw_langevin_state(fw_solid *solid, fw_state_list *list);
 /* Finds the forces again, for positions or controls that were written from outside. */
 fw_status fw_langevin_refresh(fw_solid *solid, fw_error *error);
 fw_status fw_langevin_restored(fw_solid *solid, fw_error *error);
+
+FW_PUBLIC_END
 
 #endif

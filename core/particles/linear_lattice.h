@@ -19,6 +19,9 @@
 
 #include "core/lattice.h"
 #include "core/particles/langevin.h"
+#include "core/public.h"
+
+FW_PUBLIC_BEGIN
 
 typedef struct fw_linear_lattice_def {
     fw_lattice lattice;           /* hexagonal */
@@ -54,5 +57,7 @@ fw_sym2 fw_linear_lattice_dynamical_matrix(const fw_linear_lattice_def *def, fw_
 
 /* Where a particle lies at rest. */
 fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle);
+
+FW_PUBLIC_END
 
 #endif

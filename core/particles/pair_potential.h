@@ -7,10 +7,13 @@
 #define FW_PAIR_POTENTIAL_H
 
 #include "core/particles/smooth_cut.h"
+#include "core/public.h"
 #include "core/status.h"
 
 #include <math.h>
 #include <stdbool.h>
+
+FW_PUBLIC_BEGIN
 
 typedef enum fw_pair_kind { FW_LENNARD_JONES, FW_MORSE } fw_pair_kind;
 
@@ -70,5 +73,7 @@ static inline fw_pair fw_pair_at(const fw_pair_potential *potential, double r2)
     const bool inside = r2 < outer * outer;
     return (fw_pair){inside ? bare.energy * weight.value : 0, inside ? push : 0};
 }
+
+FW_PUBLIC_END
 
 #endif

@@ -5,6 +5,7 @@
 #ifndef FW_PARTICLE_FORCES_H
 #define FW_PARTICLE_FORCES_H
 
+#include "core/particles/neighbour_lists.h"
 #include "core/particles/particles.h"
 
 #include "particle_kernels.h"

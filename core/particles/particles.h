@@ -12,9 +12,11 @@
 #define FW_PARTICLES_H
 
 #include "core/particles/langevin.h"
-#include "core/particles/neighbour_lists.h"
 #include "core/particles/pair_potential.h"
 #include "core/particles/return_force.h"
+#include "core/public.h"
+
+FW_PUBLIC_BEGIN
 
 /* One body. Positions and velocities are copied. */
 typedef struct fw_particle_group_def {
@@ -67,6 +69,7 @@ double fw_particles_start_limit(const fw_solid *solid, int *particle);
 double fw_particles_hottest(const fw_solid *solid);
 
 typedef struct fw_particles fw_particles;
+typedef struct fw_neighbour_lists fw_neighbour_lists; /* neighbour_lists.h */
 bool fw_solid_is_particles(const fw_solid *solid);
 
 /* --- what may change between steps --- */
@@ -127,5 +130,7 @@ typedef struct fw_tensor {
     double xx, xy, yx, yy;
 } fw_tensor;
 fw_tensor fw_particles_virial(const fw_solid *solid, int group);
+
+FW_PUBLIC_END
 
 #endif

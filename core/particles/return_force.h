@@ -25,11 +25,14 @@
 #define FW_RETURN_FORCE_H
 
 #include "core/particles/smooth_cut.h"
+#include "core/public.h"
 #include "core/status.h"
 #include "core/vec2.h"
 
 #include <math.h>
 #include <stdbool.h>
+
+FW_PUBLIC_BEGIN
 
 typedef enum fw_return_variant { FW_RETURN_CONSERVATIVE, FW_RETURN_CONSTANT } fw_return_variant;
 
@@ -104,6 +107,8 @@ static inline fw_return_factors fw_return_factors_at(const fw_return_force *forc
     const fw_weight cut = fw_smooth_cut_at(force->cut, r);
     if (force->variant == FW_RETURN_CONSTANT)
         return (fw_return_factors){.tangential = -force->amplitude * cut.value * inverse_r2 * r,
+                                   .radial = 0,
+                                   .energy = 0,
                                    .weight = cut.value * r};
     const double depth = force->amplitude * force->distance / force->fold;
     return (fw_return_factors){.tangential =
@@ -154,7 +159,10 @@ static inline fw_return_pair fw_return_pair_at(const fw_return_force *force, fw_
     factors.weight = inside ? factors.weight : 0;
     const fw_phase phase = fw_return_phase(force, axes, dx, dy, inverse_r2);
     fw_return_pair pair = {.first = fw_return_part(factors, phase, dx, dy),
-                           .energy = factors.energy * phase.cosine};
+                           .second = {0, 0},
+                           .energy = factors.energy * phase.cosine,
+                           .energy_second = 0,
+                           .sum = {0, 0}};
     if (force->axes == FW_AXES_COROTATING) {
         /* sin(a - t) = sin a cos t - cos a sin t, cos(a - t) = cos a cos t + sin a sin t */
         const fw_phase quarter = {phase.sine, -phase.cosine};
@@ -179,5 +187,7 @@ static inline fw_turn fw_return_turn(fw_return_axes axes, fw_phase sum)
     }
     return (fw_turn){1, 0};
 }
+
+FW_PUBLIC_END
 
 #endif

@@ -6,6 +6,10 @@
 #ifndef FW_SMOOTH_CUT_H
 #define FW_SMOOTH_CUT_H
 
+#include "core/public.h"
+
+FW_PUBLIC_BEGIN
+
 typedef struct fw_smooth_cut {
     double inner; /* a: full weight up to here */
     double outer; /* b: no weight from here on */
@@ -35,5 +39,7 @@ static inline fw_weight fw_smooth_cut_at(fw_smooth_cut cut, double r)
     const double slope = -30 * square * (1 - x) * (1 - x) * cut.scale;
     return (fw_weight){value, slope};
 }
+
+FW_PUBLIC_END
 
 #endif

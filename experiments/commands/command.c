@@ -134,46 +134,11 @@ void fw_command_print_help(FILE *out)
         fprintf(out, "  %3d  %s\n", e->code, e->meaning);
 }
 
-static bool is_file(const char *word)
-{
-    size_t length = strlen(word);
-    return strchr(word, '/') || (length > 5 && strcasecmp(word + length - 5, ".yaml") == 0) ||
-           (length > 4 && strcasecmp(word + length - 4, ".yml") == 0);
-}
-
-static fw_status load(fw_scenario **scenario, const char *word, const fw_option_list *settings,
-                      char name[FW_NAME_BYTES + 1], fw_error *error)
-{
-    *scenario = NULL;
-    if (is_file(word)) {
-        const char *base = strrchr(word, '/') ? strrchr(word, '/') + 1 : word;
-        size_t length = strrchr(base, '.') && strrchr(base, '.') > base
-                            ? (size_t)(strrchr(base, '.') - base)
-                            : strlen(base);
-        snprintf(name, FW_NAME_BYTES + 1, "%.*s", (int)(length < 64 ? length : 64), base);
-        const fw_catalogue_entry *entry;
-        fw_error own;
-        if (access(word, F_OK) != 0 && fw_catalogue_find(&entry, name, &own) == FW_OK &&
-            strcmp(entry->name, name) == 0)
-            return fw_fail(error, FW_BAD_INPUT,
-                           "there is no file %s; the experiment %s is called without .yaml, "
-                           "`fretwork show %s > %s` makes the file",
-                           word, name, name, word);
-        return fw_scenario_load(scenario, word, settings->item, settings->count, error);
-    }
-    const fw_catalogue_entry *entry;
-    FW_TRY(fw_catalogue_find(&entry, word, error));
-    snprintf(name, FW_NAME_BYTES + 1, "%s", entry->name);
-    char file[FW_NAME_BYTES + 8];
-    snprintf(file, sizeof file, "%s.yaml", entry->name);
-    return fw_scenario_read(scenario, file, entry->text, entry->length, settings->item,
-                            settings->count, error);
-}
-
 fw_status fw_command_load(fw_scenario **scenario, const char *word, const fw_arguments *arguments,
                           char name[FW_NAME_BYTES + 1], fw_error *error)
 {
-    FW_TRY(load(scenario, word, &arguments->settings, name, error));
+    const fw_option_list *given = &arguments->settings;
+    FW_TRY(fw_catalogue_load(scenario, word, given->item, given->count, name, error));
     if (arguments->seed < 0) return FW_OK;
     /* Read again, so that the scenario as run says what was run. */
     fw_option_list settings = arguments->settings;
@@ -186,7 +151,7 @@ fw_status fw_command_load(fw_scenario **scenario, const char *word, const fw_arg
     snprintf(seed, sizeof seed, "run.seed=%lld", (long long)arguments->seed);
     settings.item[settings.count++] = seed;
     if (several) settings.item[settings.count++] = "study.seeds=1";
-    return load(scenario, word, &settings, name, error);
+    return fw_catalogue_load(scenario, word, settings.item, settings.count, name, error);
 }
 
 int fw_command_threads(const fw_arguments *arguments)

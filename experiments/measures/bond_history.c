@@ -4,6 +4,7 @@
  * j, j lists i. Start reading at fw_bond_history_look(). */
 #include "bond_history.h"
 
+#include "core/particles/neighbour_lists.h"
 #include "core/particles/particles.h"
 
 #include <math.h>

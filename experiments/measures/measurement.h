@@ -52,6 +52,11 @@ int64_t fw_measurement_row_count(const fw_scenario *scenario);
 
 /* Measures one row; returns it (width numbers). */
 const double *fw_measurement_take(fw_measurement *measurement, const fw_experiment *experiment);
+/* Measures what is so called, at present and apart from the series: "energy", "energy.sheet",
+ * "momentum.sheet.x"; out takes FW_COMPONENTS_MAX numbers, *count says how many there are. What is
+ * measured of several things must name one. FW_BAD_INPUT with a sentence where it means nothing. */
+fw_status fw_measurement_look(const fw_observer *observer, const char *name, double *out,
+                              int *count, fw_error *error);
 /* Puts back a row that was measured before a restart. */
 void fw_measurement_restore(fw_measurement *measurement, int64_t step, double time,
                             const double *row);

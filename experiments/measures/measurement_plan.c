@@ -381,3 +381,10 @@ fw_status fw_measurement_plan(fw_measurement *measurement, const fw_observer *ob
     request r = {observer, observer->experiment, measurement, error};
     return add_all(&r);
 }
+
+fw_status fw_measurement_plan_named(fw_measurement *measurement, const fw_observer *observer,
+                                    fw_schema_name name, fw_error *error)
+{
+    request r = {observer, observer->experiment, measurement, error};
+    return add_named(&r, name);
+}

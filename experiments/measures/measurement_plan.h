@@ -10,4 +10,10 @@
 fw_status fw_measurement_plan(fw_measurement *measurement, const fw_observer *observer,
                               fw_error *error);
 
+/* Adds to probes and width what one name stands for, "elongation", "elongation.chain" or either
+ * with a component behind it: whole quantities, of all that they can be measured of where none is
+ * named. Fails as fw_measurement_create does; where nothing can be measured, nothing is added. */
+fw_status fw_measurement_plan_named(fw_measurement *measurement, const fw_observer *observer,
+                                    fw_schema_name name, fw_error *error);
+
 #endif

@@ -3,7 +3,7 @@
 #ifndef FW_CATALOGUE_H
 #define FW_CATALOGUE_H
 
-#include "core/status.h"
+#include "experiments/scenario/scenario.h"
 
 #include <stddef.h>
 
@@ -18,5 +18,11 @@ extern const fw_catalogue_entry fw_catalogue[];
 
 /* FW_BAD_INPUT, with the name that may have been meant, where there is none of that name. */
 fw_status fw_catalogue_find(const fw_catalogue_entry **entry, const char *name, fw_error *error);
+
+/* What a user names: an experiment of the catalogue, or a file, which has a slash or ends in .yaml
+ * or .yml; with `settings` as fw_scenario_read. `name` becomes that of the experiment, or of the
+ * file without folder and ending. */
+fw_status fw_catalogue_load(fw_scenario **scenario, const char *word, const char *const *settings,
+                            int setting_count, char name[FW_NAME_BYTES + 1], fw_error *error);
 
 #endif

@@ -245,26 +245,32 @@ static int64_t steps_to_go(const fw_run *run)
     return least;
 }
 
-static fw_status step_on(fw_run *run, fw_error *error)
+/* Keeps what is needed to go on, and says so: a failure of its own, also where all went well. */
+static fw_status interrupt(fw_run *run, fw_status signal, fw_error *error)
 {
-    FW_TRY(fw_observer_advance(run->observer, steps_to_go(run), error));
+    const long long step = fw_scene_steps(run->experiment->scene);
+    const long long steps = run->scenario->run.steps;
+    FW_TRY(checkpoint(run, error));
+    if (!run->recorder)
+        return fw_fail(error, signal, "interrupted after %lld of %lld steps", step, steps);
+    return fw_fail(error, signal,
+                   "interrupted after %lld of %lld steps; `fretwork resume %s` goes on from here",
+                   step, steps, run->options.directory);
+}
+
+/* 1 to `most` steps. */
+static fw_status step_on(fw_run *run, int64_t most, fw_error *error)
+{
+    const int64_t due = steps_to_go(run);
+    FW_TRY(fw_observer_advance(run->observer, due < most ? due : most, error));
     int64_t step = fw_scene_steps(run->experiment->scene);
     if (frame_is_due(run, step)) FW_TRY(fw_scene_check_energy(run->experiment->scene, error));
     if (frame_is_due(run, step) || fw_measurement_is_due(run->scenario, step))
         fw_observer_certify(run->observer);
     if (fw_measurement_is_due(run->scenario, step)) FW_TRY(measure(run, error));
     if (frame_is_due(run, step)) FW_TRY(record(run, error));
-    fw_status signal = fw_interrupt_seen();
-    if (signal != FW_OK) {
-        FW_TRY(checkpoint(run, error));
-        if (!run->recorder)
-            return fw_fail(error, signal, "interrupted after %lld of %lld steps", (long long)step,
-                           (long long)run->scenario->run.steps);
-        return fw_fail(
-            error, signal,
-            "interrupted after %lld of %lld steps; `fretwork resume %s` goes on from here",
-            (long long)step, (long long)run->scenario->run.steps, run->options.directory);
-    }
+    const fw_status signal = fw_interrupt_seen();
+    if (signal != FW_OK) return interrupt(run, signal, error);
     if (checkpoint_is_due(run, step)) FW_TRY(checkpoint(run, error));
     return FW_OK;
 }
@@ -290,17 +296,30 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error)
     run->checkpointed = fw_progress_clock();
     while (status == FW_OK && fw_scene_steps(scene) < run->scenario->run.steps) {
         const int64_t before = fw_scene_steps(scene);
-        status = step_on(run, error);
+        status = step_on(run, INT64_MAX, error);
         fw_progress_add(run->options.progress,
                         step_work * (double)(fw_scene_steps(scene) - before));
     }
-    if (!run->recorder) return status;
-    if (status == FW_OK) return run->options.keep_open ? FW_OK : fw_run_finish(run, error);
-    /* The reason goes into the file as far as the disk still takes it. */
-    fw_error ignored;
-    fw_interrupt_hold();
-    fw_recorder_finish(run->recorder, status, error->sentence, &ignored);
-    fw_interrupt_release();
+    if (status != FW_OK) fw_run_fail(run, status, error->sentence);
+    return status == FW_OK && !run->options.keep_open ? fw_run_finish(run, error) : status;
+}
+
+fw_status fw_run_advance(fw_run *run, int64_t most, fw_error *error)
+{
+    const fw_scene *scene = run->experiment->scene;
+    const int64_t left = run->scenario->run.steps - fw_scene_steps(scene);
+    const int64_t end = fw_scene_steps(scene) + (most < left ? most : left);
+    fw_status status = FW_OK;
+    while (status == FW_OK && fw_scene_steps(scene) < end)
+        status = step_on(run, end - fw_scene_steps(scene), error);
+    if (status != FW_OK) fw_run_fail(run, status, error->sentence);
+    return status;
+}
+
+fw_status fw_run_stop(fw_run *run, fw_error *error)
+{
+    const fw_status status = interrupt(run, FW_INTERRUPTED, error);
+    fw_run_fail(run, status, error->sentence);
     return status;
 }
 
@@ -320,10 +339,14 @@ fw_status fw_run_finish(fw_run *run, fw_error *error)
     return status;
 }
 
+/* The reason goes into the file as far as the disk still takes it. */
 void fw_run_fail(fw_run *run, fw_status status, const char *reason)
 {
     fw_error ignored;
-    if (run->recorder) fw_recorder_finish(run->recorder, status, reason, &ignored);
+    if (!run->recorder) return;
+    fw_interrupt_hold();
+    fw_recorder_finish(run->recorder, status, reason, &ignored);
+    fw_interrupt_release();
 }
 
 const char *fw_run_warnings(const fw_run *run)
@@ -397,7 +420,7 @@ fw_status fw_run_rehearse(fw_run *run, double seconds, double *seconds_per_step,
     int64_t first = fw_scene_steps(scene);
     double started = fw_progress_clock(), now = started;
     while (now - started < seconds && fw_scene_steps(scene) < run->scenario->run.steps) {
-        FW_TRY(step_on(run, error));
+        FW_TRY(step_on(run, INT64_MAX, error));
         now = fw_progress_clock();
     }
     int64_t steps = fw_scene_steps(scene) - first;

@@ -42,6 +42,13 @@ fw_status fw_run_resume(fw_run **run, const fw_scenario *scenario, const fw_run_
  * FW_DIVERGED, FW_SYSTEM_FAILED: the last checkpoint stays whole. */
 fw_status fw_run_to_end(fw_run *run, fw_error *error);
 
+/* 1 to `most` steps, or fewer to the end, measured and recorded as on the way there; positions are
+ * right. Fails as fw_run_to_end; the results then say why. */
+fw_status fw_run_advance(fw_run *run, int64_t most, fw_error *error);
+/* Leaves off where it is, as at a signal: what was written can be resumed. Never FW_OK: as a
+ * signal, FW_INTERRUPTED with the sentence that the results keep. */
+fw_status fw_run_stop(fw_run *run, fw_error *error);
+
 /* Particle steps of one run, for the progress. */
 double fw_run_work(const fw_scenario *scenario);
 

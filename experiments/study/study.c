@@ -401,6 +401,11 @@ fw_status fw_study_to_end(fw_study *study, fw_error *error)
     return fw_run_finish(study->replicas[0].run, error);
 }
 
+fw_run *fw_study_run(fw_study *study)
+{
+    return study->replicas[0].run;
+}
+
 const fw_measurement *fw_study_measurement(const fw_study *study)
 {
     return fw_run_measurement(study->replicas[0].run);

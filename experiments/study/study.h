@@ -25,6 +25,8 @@ fw_status fw_study_resume(fw_study **study, const fw_scenario *scenario,
                           fw_error *error);
 /* Everything to its end, and into the results. As fw_run_to_end. */
 fw_status fw_study_to_end(fw_study *study, fw_error *error);
+/* The experiment's own run, that may be advanced before all are run to their end. */
+fw_run *fw_study_run(fw_study *study);
 /* Particle steps of all its runs. */
 double fw_study_work(const fw_scenario *scenario);
 /* How many runs it has: those of all seeds, then their controls. */

@@ -94,7 +94,7 @@ fw_status fw_document_fail(const fw_document *document, fw_place place, fw_error
     vsnprintf(error->sentence, sizeof error->sentence, format, arguments);
     va_end(arguments);
     error->status = FW_BAD_INPUT;
-    if (place.setting == 0 && !document->file) return error->status;
+    if (place.setting == 0 && (!document->file || place.line == 0)) return error->status;
     if (place.setting == 0)
         return fw_fail_within(error, "%s:%d:%d", document->file, place.line, place.column);
     const option *given = document->options;

@@ -23,7 +23,7 @@ enum {
 };
 
 /* Where something was written: line and column from 1; or `setting` > 0, the number of the --set
- * option on the command line that wrote it. */
+ * option on the command line that wrote it. All zero: nowhere in the document. */
 typedef struct fw_place {
     int line, column;
     int setting;
@@ -91,7 +91,7 @@ fw_status fw_document_fail_memory(const fw_document *document, fw_error *error);
 fw_status fw_document_print(const fw_document *document, FILE *out, fw_error *error);
 
 /* FW_BAD_INPUT with "FILE:LINE:COLUMN: sentence", or "--set OPTION: sentence" for what a --set
- * option wrote; the sentence alone where the text has no file. */
+ * option wrote; the sentence alone where the text has no file, or the place is nowhere. */
 fw_status fw_document_fail(const fw_document *document, fw_place place, fw_error *error,
                            const char *format, ...) __attribute__((format(printf, 4, 5)));
 

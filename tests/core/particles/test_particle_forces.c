@@ -7,6 +7,7 @@
 #include "tests/support/steps.h"
 
 #include "core/instruction_set.h"
+#include "core/particles/neighbour_lists.h"
 
 #include <string.h>
 
