@@ -135,22 +135,26 @@ void fw_simulation_destroy(fw_simulation *s)
 
 /* --- running --- */
 
+static fw_status go_on(fw_simulation *s, int64_t steps, fw_error *error)
+{
+    FW_TRY(fw_run_advance(s->run, steps, error));
+    if (fw_simulation_step(s) < fw_simulation_step_count(s)) return FW_OK;
+    FW_TRY(fw_study_to_end(s->study, error));
+    s->at_end = true;
+    return FW_OK;
+}
+
 fw_status fw_simulation_advance(fw_simulation *s, int64_t steps, fw_error *error)
 {
     const int threads = omp_get_max_threads();
-    fw_status status = s->failure.status;
-    if (status == FW_OK && !s->at_end && steps > 0) {
+    if (s->failure.status == FW_OK && !s->at_end && steps > 0) {
         omp_set_num_threads(s->threads);
-        status = fw_run_advance(s->run, steps, &s->failure);
-        if (status == FW_OK && fw_simulation_step(s) == fw_simulation_step_count(s)) {
-            status = fw_study_to_end(s->study, &s->failure);
-            s->at_end = status == FW_OK;
-        }
-        s->failure.status = status;
+        s->failure.status = go_on(s, steps, &s->failure);
         omp_set_num_threads(threads);
+        if (s->at_end || s->failure.status != FW_OK) fw_run_close(s->run);
     }
-    if (status != FW_OK && error) *error = s->failure;
-    return status;
+    if (s->failure.status != FW_OK && error) *error = s->failure;
+    return s->failure.status;
 }
 
 fw_status fw_simulation_run(fw_simulation *s, int64_t every, fw_simulation_look *look,
@@ -164,11 +168,10 @@ fw_status fw_simulation_run(fw_simulation *s, int64_t every, fw_simulation_look 
 
 fw_status fw_simulation_stop(fw_simulation *s, fw_error *error)
 {
-    if (s->at_end || s->stopped) return FW_OK;
-    const bool failed = s->failure.status != FW_OK;
-    s->stopped = true;
-    if (!failed) s->failure.status = fw_run_stop(s->run, &s->failure);
-    if (failed || s->failure.status == FW_INTERRUPTED) return FW_OK;
+    if (s->at_end || s->failure.status != FW_OK) return FW_OK;
+    s->failure.status = fw_run_stop(s->run, &s->failure);
+    fw_run_close(s->run);
+    if (s->failure.status == FW_INTERRUPTED) return FW_OK;
     if (error) *error = s->failure;
     return s->failure.status;
 }

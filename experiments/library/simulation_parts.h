@@ -23,7 +23,7 @@ struct fw_simulation {
     char name[FW_NAME_BYTES + 1];
     char *directory; /* NULL: nothing is written */
     int threads;
-    bool at_end, stopped;
+    bool at_end;
     FILE *warnings; /* into warning_lines */
     char *warning_lines;
     size_t warning_size;

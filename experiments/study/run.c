@@ -323,6 +323,12 @@ fw_status fw_run_stop(fw_run *run, fw_error *error)
     return status;
 }
 
+void fw_run_close(fw_run *run)
+{
+    fw_recorder_destroy(run->recorder);
+    run->recorder = NULL;
+}
+
 fw_status fw_run_write_array(fw_run *run, const fw_trajectory_array *array, const double *values,
                              fw_error *error)
 {
@@ -387,7 +393,7 @@ void fw_run_abandon(fw_run *run)
 void fw_run_destroy(fw_run *run)
 {
     if (!run) return;
-    fw_recorder_destroy(run->recorder);
+    fw_run_close(run);
     fw_measurement_destroy(run->measurement);
     fw_warning_clear(&run->warning);
     fw_observer_destroy(run->observer);

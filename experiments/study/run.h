@@ -48,6 +48,8 @@ fw_status fw_run_advance(fw_run *run, int64_t most, fw_error *error);
 /* Leaves off where it is, as at a signal: what was written can be resumed. Never FW_OK: as a
  * signal, FW_INTERRUPTED with the sentence that the results keep. */
 fw_status fw_run_stop(fw_run *run, fw_error *error);
+/* Lets the folder of the results go; they are ended, and nothing follows but looking. */
+void fw_run_close(fw_run *run);
 
 /* Particle steps of one run, for the progress. */
 double fw_run_work(const fw_scenario *scenario);
