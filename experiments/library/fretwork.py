@@ -17,7 +17,9 @@ A simulation may be used by one thread at a time; others run in other threads me
 """
 
 import ctypes
+import json
 import os
+import sys
 import threading
 from collections import namedtuple
 from ctypes import POINTER, Structure, byref, c_bool, c_char, c_char_p, c_double, c_int, c_int64, c_void_p
@@ -127,7 +129,7 @@ def _load():
     here = os.path.dirname(os.path.realpath(__file__))
     stands = os.path.dirname(os.path.abspath(__file__))
     folders = [stands, os.path.join(here, "..", "..")]
-    multiarch = getattr(__import__("sys").implementation, "_multiarch", None)
+    multiarch = getattr(sys.implementation, "_multiarch", None)
     if multiarch:
         folders.append(os.path.join(here, "..", "..", multiarch))
     found = [path for path in (os.path.join(f, _NAME) for f in folders) if os.path.exists(path)]
@@ -151,6 +153,11 @@ def _check(status, error):
         return
     kind = {2: BadInput, 3: Diverged}.get(status, FretworkError)
     raise kind(error.sentence.decode("utf-8", "replace"), status)
+
+
+def _written(value):
+    """As a scenario has it: words as they are, lists and numbers also of NumPy."""
+    return value if isinstance(value, str) else json.dumps(value, default=lambda other: other.tolist())
 
 
 def _bytes(text):
@@ -271,7 +278,7 @@ class Simulation:
     def __init__(self, scenario=None, *, text=None, settings=(), case=None, directory=None,
                  overwrite=False, threads=1):
         if hasattr(settings, "items"):
-            settings = [f"{key}={value}" for key, value in settings.items()]
+            settings = [f"{key}={_written(value)}" for key, value in settings.items()]
         items = [os.fsencode(setting) for setting in settings]
         given = _library.fw_simulation_def_default()
         given.scenario, given.text = _bytes(scenario), _bytes(text)
@@ -318,7 +325,8 @@ class Simulation:
             self.advance(self.step_count)
             return
         for now in self.frames(every):
-            if look(now) is False:
+            answer = look(now)
+            if isinstance(answer, (bool, numpy.bool_)) and not answer:
                 return
 
     def close(self):

@@ -152,10 +152,17 @@ class Running(unittest.TestCase):
         simulation.run(lambda now: seen.append(now.step), every=20)
         self.assertEqual(seen, [0, 20, 40, 50])
         simulation = fretwork.Simulation(text=GAS)
-        simulation.run(lambda now: now.step < 20, every=10)
+        simulation.run(lambda now: numpy.less(now.step, 20), every=10)
         self.assertEqual((simulation.step, simulation.at_end), (20, False))
         simulation.run()
         self.assertTrue(simulation.at_end)
+
+    def test_settings_are_values_of_python(self):
+        simulation = fretwork.Simulation(text=GAS, settings={
+            "run.steps": numpy.int64(8), "bodies.left.velocity": [numpy.float64(0.5), 0],
+            "title": "another", "bodies.left.temperature": 0})
+        self.assertEqual((simulation.step_count, simulation.title), (8, "another"))
+        self.assertEqual(simulation.bodies["left"].velocities[3].tolist(), [0.5, 0])
 
     def test_exceptions_of_the_caller_come_through(self):
         simulation = fretwork.Simulation(text=GAS)
