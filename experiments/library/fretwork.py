@@ -174,9 +174,10 @@ class _Owner:
     def __init__(self, handle):
         self.handle = handle
         self.lock = threading.Lock()
+        self.destroy = _library.fw_simulation_destroy  # still there when the interpreter ends
 
     def __del__(self):
-        _library.fw_simulation_destroy(self.handle)
+        self.destroy(self.handle)
 
 
 class _Window:
