@@ -9,7 +9,9 @@
  * the ends of arrays like all the rest.
  *
  * Use: add every array, then allocate. Until then the pointers are untouched; after a failure they
- * are all NULL. */
+ * are all NULL.
+ *
+ * Public, since a solid's head has one; may change. */
 #ifndef FW_ARENA_H
 #define FW_ARENA_H
 

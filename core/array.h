@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* array.h - memory for numbers, and the named arrays that make up a state.
  * Everything that changes while a scene runs is named once in a state list; checkpoints, hashes,
- * output and tests walk that list, so that none of them can forget a field. */
+ * output and tests walk that list, so that none of them can forget a field.
+ *
+ * Public, but may change. */
 #ifndef FW_ARRAY_H
 #define FW_ARRAY_H
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* lattice.h - the shape of a body: which sites of a lattice it occupies, and where they lie. */
+/* lattice.h - the shape of a body: which sites of a lattice it occupies, and where they lie.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_LATTICE_H
 #define FW_LATTICE_H
 

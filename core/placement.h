@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* placement.h - random sequential placement: particles are dropped one after the other, uniformly
- * in a rectangle; one that would lie too near an earlier one is dropped again. */
+ * in a rectangle; one that would lie too near an earlier one is dropped again.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_PLACEMENT_H
 #define FW_PLACEMENT_H
 

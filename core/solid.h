@@ -7,7 +7,10 @@
  * would go (predict), contact decides where they do go and hands that back (advance).
  *
  * Units are reduced: lattice spacing and particle masses of the model; time in the model's own
- * unit, of which one tick takes `tick`. */
+ * unit, of which one tick takes `tick`.
+ *
+ * Public: the head and the functions that read are meant to stay, the table of operations is
+ * not. */
 #ifndef FW_SOLID_H
 #define FW_SOLID_H
 

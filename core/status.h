@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* status.h - how a failure of the outer world (user, disk, memory) travels up to the command line.
- * A programmer's mistake is an assert instead. Only the command line prints and exits. */
+ * A programmer's mistake is an assert instead. Only the command line prints and exits.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_STATUS_H
 #define FW_STATUS_H
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* vec2.h - vectors and symmetric matrices of the plane. */
+/* vec2.h - vectors and symmetric matrices of the plane.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_VEC2_H
 #define FW_VEC2_H
 

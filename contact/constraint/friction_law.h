@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* friction_law.h - friction as pure functions: what sticking lets through of a particle's motion
  * along the tangent (the filtered hold), and Coulomb's law with a static and a kinetic
- * coefficient. */
+ * coefficient.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_FRICTION_LAW_H
 #define FW_FRICTION_LAW_H
 

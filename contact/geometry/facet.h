@@ -4,7 +4,9 @@
  * A facet is straight (a segment, free to its left) or round (a whole circle, free inside or
  * outside). It bars the way from its free side to the other; from behind it does not bar. Contact
  * decides on facets alone, so that every shape and corner is covered by these two. All points are
- * in the frame of the wall, i.e. minus the wall's displacement. */
+ * in the frame of the wall, i.e. minus the wall's displacement.
+ *
+ * Public, since walls are made of them; may change. */
 #ifndef FW_FACET_H
 #define FW_FACET_H
 

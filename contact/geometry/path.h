@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* path.h - prescribed rigid motion, as a pure function of time: displacement from its
  * place in the definition, velocity (t - from) for from <= t <= until, plus
- * amplitude sin(2 pi t / period + phase). */
+ * amplitude sin(2 pi t / period + phase).
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_PATH_H
 #define FW_PATH_H
 

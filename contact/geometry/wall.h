@@ -2,7 +2,9 @@
 /* wall.h - rigid walls: a shape made of facets, a surface, and a prescribed path.
  *
  * A box or polygon seen from inside or outside, and a chain, are all straight facets; a circle is
- * one round facet. How a facet bars the way stands in facet.h. */
+ * one round facet. How a facet bars the way stands in facet.h.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_WALL_H
 #define FW_WALL_H
 

@@ -4,7 +4,9 @@
  *
  * To add a shape: a row here, and its functions in wall_shape.c, without which that does not
  * compile. The enum, the key of a scenario with its part of the reference, the checks and the
- * pictures follow from the row. */
+ * pictures follow from the row.
+ *
+ * Public: the kinds of shapes are meant to stay, their table is not. */
 #ifndef FW_WALL_SHAPE_H
 #define FW_WALL_SHAPE_H
 

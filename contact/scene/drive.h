@@ -4,7 +4,9 @@
  *
  * The tether acts at the middle of a step, D = force(t) - k (u + w/2): its energy k u^2/2 is then
  * exact for every time step. A spring that pulled with what it was at the beginning would pump
- * energy into what it holds, by k dt/(4 M) of it per time. */
+ * energy into what it holds, by k dt/(4 M) of it per time.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_DRIVE_H
 #define FW_DRIVE_H
 

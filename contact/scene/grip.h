@@ -13,7 +13,9 @@
  *
  * Forces that are found so turn the momentum of a held particle over in each tick, p -> 2 M V - p.
  * On a path every particle gets the velocity of the path after the tick instead (fw_grip_carry):
- * released, it keeps that velocity. What this takes is a part of D and of its work. */
+ * released, it keeps that velocity. What this takes is a part of D and of its work.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_GRIP_H
 #define FW_GRIP_H
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* load.h - external forces on selected particles, as functions of the step alone. */
+/* load.h - external forces on selected particles, as functions of the step alone.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_LOAD_H
 #define FW_LOAD_H
 

@@ -8,7 +8,9 @@
  * c = exp(-damping dt): the step of velocity Verlet (c = 1) and BAOAB, so that a piston is to
  * contact what a particle is, with the mobility dt^2 (1 + c)/(4 M). Kinetic energy changes by
  * exactly (D + R).w - M (1 - c^2) u1^2/2. A prescribed component follows its path and has neither
- * kinetic energy nor momentum here. How w and R come about together stands in scene_pistons.c. */
+ * kinetic energy nor momentum here. How w and R come about together stands in scene_pistons.c.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_PISTON_H
 #define FW_PISTON_H
 

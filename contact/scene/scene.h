@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene.h - solids, walls and loads in one place, and the time step that moves them.
- * A scene is made in three stages: create; add bodies, walls, grips and loads; begin. Then step. */
+ * A scene is made in three stages: create; add bodies, walls, grips and loads; begin. Then step.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_SCENE_H
 #define FW_SCENE_H
 

@@ -2,7 +2,9 @@
 /* automaton_matrices.h - the coefficient matrices of the elastic automaton (Dong et al.).
  *
  * A black cell is coupled to its neighbour in direction i by B_i, a white one by D_i = B_(i+2):
- * both ends of a bond have the same matrix, so four matrices say everything. */
+ * both ends of a bond have the same matrix, so four matrices say everything.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_AUTOMATON_MATRICES_H
 #define FW_AUTOMATON_MATRICES_H
 

@@ -13,7 +13,9 @@
  *   a force F on a cell acts through its own move, which covers one whole unit of time (two ticks):
  *   it does the work F.(displacement), gives the momentum F, and all of it is exact:
  *     dE = F.d - k d.m d,   dp = F - k m d,   k = (1 - a)/(1 + a).
- * So the impulse of a force on the moving colour is F times ONE, not F times the tick of 1/2. */
+ * So the impulse of a force on the moving colour is F times ONE, not F times the tick of 1/2.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_ELASTIC_AUTOMATON_H
 #define FW_ELASTIC_AUTOMATON_H
 

@@ -13,7 +13,9 @@
  *
  * where kappa (`stiffness`) is 1 in the paper. Momentum sum Psi and energy sum f^2 are conserved at
  * mu = 1. Each component is a scalar wave: Poisson ratio 0, and the body cannot rotate.
- * Units: one step of time, spacings of the caller's choice, link stiffness 1 = force per length. */
+ * Units: one step of time, spacings of the caller's choice, link stiffness 1 = force per length.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_LB_SOLID_H
 #define FW_LB_SOLID_H
 

@@ -9,7 +9,9 @@
  *
  * The ledger: work = F_ext . (x+ - x). Where damping acts, m/2 (v2^2 - v1^2) is split into what
  * drag takes, m/2 (1 - c^2) v1^2 >= 0, and what the noise brings, the rest. With them the energy
- * closes up to Verlet's own error, which is bounded and of order dt^2. */
+ * closes up to Verlet's own error, which is bounded and of order dt^2.
+ *
+ * Public: the controls and what is for everybody are meant to stay, the rest is not. */
 #ifndef FW_LANGEVIN_H
 #define FW_LANGEVIN_H
 

@@ -13,7 +13,9 @@
  *     F_p = -(sqrt3/2) k1 z x (u_next - u_prev)         (walking counter-clockwise round the body);
  * at corners it takes, beyond that, bonds on the edge with half their k1: every triangle of the
  * lattice then carries half of its bonds and turns freely by itself, and a bond that belongs to no
- * triangle has no k1. So done here: a body of any shape feels no force from any small rotation. */
+ * triangle has no k1. So done here: a body of any shape feels no force from any small rotation.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_LINEAR_LATTICE_H
 #define FW_LINEAR_LATTICE_H
 

@@ -2,7 +2,9 @@
 /* pair_potential.h - central forces between movable lattice particles (Popov & Filippov Eqs 13,
  * 14): any potential with its minimum at `distance`, led smoothly to zero over a range.
  *     Lennard-Jones  U = depth [(d/r)^12 - 2 (d/r)^6] S(r)
- *     Morse          U = depth [(1 - e^{-steepness (r - d)})^2 - 1] S(r) */
+ *     Morse          U = depth [(1 - e^{-steepness (r - d)})^2 - 1] S(r)
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_PAIR_POTENTIAL_H
 #define FW_PAIR_POTENTIAL_H
 

@@ -7,7 +7,9 @@
  * force only inside a body. Particles are numbered through, group after group.
  *
  * Forces are made once per step, for each particle from its neighbours in ascending order: the same
- * bytes for any number of threads, whenever neighbour lists were made, and after a restore. */
+ * bytes for any number of threads, whenever neighbour lists were made, and after a restore.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_PARTICLES_H
 #define FW_PARTICLES_H
 

@@ -20,7 +20,9 @@
  *                 angular momentum is constant. For the constant force w = r S, which makes the
  *                 torque vanish.
  *     surface     (1, mean of sin n phi with the same weights): takes the mean torque off every
- *                 bond; inside a body this adds nothing, so it acts at the surface only. */
+ *                 bond; inside a body this adds nothing, so it acts at the surface only.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_RETURN_FORCE_H
 #define FW_RETURN_FORCE_H
 

@@ -2,7 +2,9 @@
 /* smooth_cut.h - a weight that leads a force from full strength to nothing over a range of
  * distances, twice differentiable at both ends:
  *     S(r; a, b) = 1 - x^3 (10 - 15 x + 6 x^2),   x = clamp((r - a)/(b - a), 0, 1).
- * Where the range has no width (a = b) it is a step: 1 for r < b, 0 from there on. */
+ * Where the range has no width (a = b) it is a step: 1 for r < b, 0 from there on.
+ *
+ * Public, and meant to stay: see fretwork.h. */
 #ifndef FW_SMOOTH_CUT_H
 #define FW_SMOOTH_CUT_H
 
