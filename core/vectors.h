@@ -96,6 +96,18 @@ FW_INLINE fw_vector fw_root(fw_vector v)
 #endif
 }
 
+/* v, as if it became known only here: what is computed from it stays behind the branch that this is
+ * in. Compilers would have roots computed beforehand, wanted or not. */
+FW_INLINE fw_vector fw_only_here(fw_vector v)
+{
+#if defined(__AVX512F__)
+    __asm__ volatile("" : "+v"(v));
+#elif defined(__SSE2__)
+    __asm__ volatile("" : "+x"(v));
+#endif
+    return v;
+}
+
 FW_INLINE fw_vector fw_floor(fw_vector v)
 {
 #if defined(__AVX512F__)

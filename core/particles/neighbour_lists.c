@@ -21,7 +21,9 @@ enum {
     CHUNK = 512,          /* particles */
     PARALLEL_FROM = 1024, /* particles; below it threads cost more than they bring */
     RENUMBER_FROM = 2048, /* particles; smaller bodies lie in the nearest cache anyway */
-    SLOTS_EACH = 24       /* of a block, to begin with; a dense solid has 12 to 36 */
+    SLOTS_EACH = 24,      /* of a block, to begin with; a dense solid has 12 to 36 */
+    WEIGH_EVERY = 64,     /* renewals after which the reach of near lists is weighed again */
+    WEIGHED = 8           /* chunks that are looked at for it */
 };
 
 /* A gather takes so many times as long as a load. */
@@ -42,6 +44,11 @@ struct fw_neighbour_lists {
     fw_list_order order;
     /* Particles may come closer by so much before the near, the far lists are looked at. */
     double near_slack, far_slack;
+    int64_t renewals;
+    /* Since the reach of the near lists was last weighed: by how much particles may have come
+     * closer, in how many calls. */
+    double travelled;
+    int64_t calls;
     int64_t made;
 };
 
@@ -170,7 +177,7 @@ static bool begin_chunks(fw_neighbour_lists *lists, const int *counts)
 fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *counts, int bodies,
                                     double reach, double margin, fw_error *error)
 {
-    /* Of the margin, what the near lists get: they are short, and looked through often. */
+    /* Of the margin, what the near lists get at first, see weigh_near(). */
     const double near_part = 0.2;
     assert(reach > 0 && margin >= 0);
     *lists = NULL;
@@ -270,6 +277,44 @@ static bool make_far(fw_neighbour_lists *lists, const double *x, const double *y
     return true;
 }
 
+/* What a call costs with near lists that reach so far, in slots that are gone through: its own, and
+ * its part of a renewal, which goes through the far ones. Of some chunks, whose near lists are made
+ * for it. */
+static double cost_of_near(fw_neighbour_lists *lists, double near)
+{
+    const fw_list_kernels *kernels = FW_KERNELS_CHOSEN(fw_lists);
+    const double calls = (near - lists->reach) * (double)lists->calls / lists->travelled;
+    const int apart = (lists->chunk_count + WEIGHED - 1) / WEIGHED;
+    double slots = 0, looked_at = 0;
+    for (int c = 0; c < lists->chunk_count; c += apart) {
+        fw_chunk *chunk = &lists->chunks[c];
+        kernels->renew(chunk, lists->x, lists->y, near);
+        slots += chunk->near.count;
+        looked_at += chunk->far.count;
+    }
+    return slots + looked_at / fmax(calls, 1);
+}
+
+/* Near lists are the longer and the rarer, the further they reach. In a solid they may reach into
+ * the gap behind a shell of neighbours for nothing. Called before they are renewed. */
+static void weigh_near(fw_neighbour_lists *lists)
+{
+    static const double parts[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+    double best = lists->near, least = INFINITY;
+    if (!(lists->travelled > 0)) return;
+    for (size_t n = 0; n < sizeof parts / sizeof *parts; ++n) {
+        const double near = lists->reach + parts[n] * (lists->far - lists->reach);
+        const double cost = cost_of_near(lists, near);
+        if (cost >= least) continue;
+        least = cost;
+        best = near;
+    }
+    lists->far_slack -= best - lists->near;
+    lists->near = best;
+    lists->travelled = 0;
+    lists->calls = 0;
+}
+
 static void renew_near(fw_neighbour_lists *lists)
 {
     const fw_list_kernels *kernels = FW_KERNELS_CHOSEN(fw_lists);
@@ -284,7 +329,10 @@ fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x,
     take_positions(lists, x, y);
     lists->near_slack -= travel;
     lists->far_slack -= travel;
+    lists->travelled += travel < INFINITY ? travel : 0;
+    lists->calls += 1;
     if (lists->near_slack >= 0) return FW_OK;
+    if (lists->renewals++ % WEIGH_EVERY == 1 && lists->made > 0) weigh_near(lists);
     /* What is renewed now must find in the far lists all that the near ones shall hold. */
     if (!(lists->far_slack >= 0) && lists->made > 0)
         lists->far_slack =
