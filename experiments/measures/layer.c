@@ -33,11 +33,13 @@ const fw_quantity fw_layer_quantities[] = {
     [FW_LAYER_TEMPERATURE] = {"layer-temperature", FW_SCOPE_STUDY, "", "energy", "of the contact, relative to its mean motion in each sample", NULL, NULL, "nothing at the contact is free", FW_NEEDS_PROFILE},
     [FW_LAYER_SLIP_PATH] = {"layer-slip-path", FW_SCOPE_STUDY, "", "length", "path length of the first grip along the second in the phase before the samples, summed in every step", NULL, NULL, "there are fewer than two grips", FW_NEEDS_PROFILE},
     [FW_LAYER_OFFSET] = {"layer-offset", FW_SCOPE_STUDY, "", "length", "size of the mean displacement of the first grip along the second while samples are taken: how far the bodies have walked off each other", NULL, NULL, "there are fewer than two grips", FW_NEEDS_PROFILE},
-    [FW_LAYER_FRICTION_FORCE] = {"layer-friction-force", FW_SCOPE_STUDY, "", "force", "mean size of the force along the interface while samples are taken", NULL, NULL, "there are fewer than two bodies of movable particles", FW_NEEDS_PROFILE},
-    [FW_LAYER_NORMAL_FORCE] = {"layer-normal-force", FW_SCOPE_STUDY, "", "force", "mean force across the interface while samples are taken, pressing counts positive", NULL, NULL, "there are fewer than two bodies of movable particles", FW_NEEDS_PROFILE},
+    [FW_LAYER_FRICTION_FORCE] = {"layer-friction-force", FW_SCOPE_STUDY, "", "force", "mean size of the force along the interface while samples are taken", NULL, NULL, "there are fewer than two bodies of movable particles, and no other two", FW_NEEDS_PROFILE},
+    [FW_LAYER_NORMAL_FORCE] = {"layer-normal-force", FW_SCOPE_STUDY, "", "force", "mean force across the interface while samples are taken, pressing counts positive", NULL, NULL, "there are fewer than two bodies of movable particles, and no other two", FW_NEEDS_PROFILE},
     [FW_LAYER_FRICTION_COEFFICIENT] = {"layer-friction-coefficient", FW_SCOPE_STUDY, "", "1", "energy of the loop over its path length and the normal force", NULL, NULL, "nothing slips under a normal force", FW_NEEDS_PROFILE},
-    [FW_LAYER_LOOP_ENERGY] = {"layer-loop-energy", FW_SCOPE_STUDY, "", "energy", "area of the fretting loop (force along the interface against slip, step by step) per cycle", NULL, NULL, "it takes two grips and two bodies of movable particles", FW_NEEDS_PROFILE},
+    [FW_LAYER_LOOP_ENERGY] = {"layer-loop-energy", FW_SCOPE_STUDY, "", "energy", "area of the fretting loop (force along the interface against slip, step by step) per cycle", NULL, NULL, "it takes two grips and two bodies", FW_NEEDS_PROFILE},
     [FW_LAYER_UNSTEADINESS] = {"layer-unsteadiness", FW_SCOPE_STUDY, "", "1", "standard errors between both halves of contact-return-force, over as long before the samples as they take: steady below 3", NULL, NULL, "fewer than 8 rows are measured before the samples", FW_NEEDS_PROFILE},
+    [FW_LAYER_VELOCITY_BELOW] = {"layer-velocity-below", FW_SCOPE_STUDY, "", "length/time", "drift velocity of the last bin before the contact region (at smaller coordinates)", NULL, NULL, "no bin there has particles", FW_NEEDS_PROFILE},
+    [FW_LAYER_VELOCITY_ABOVE] = {"layer-velocity-above", FW_SCOPE_STUDY, "", "length/time", "drift velocity of the first bin behind the contact region (at greater coordinates)", NULL, NULL, "no bin there has particles", FW_NEEDS_PROFILE},
     {NULL, FW_SCOPE_STUDY, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };
 /* clang-format on */
@@ -98,7 +100,7 @@ double fw_layer_width(const double *places, const double *values, int count, dou
                                   sign * (values[n] - level), low, high);
         last = n;
     }
-    return width;
+    return last < 0 ? NAN : width;
 }
 
 /* Where the lines between the middles of the bins are above the level (sign 1) or below it (-1),
@@ -139,6 +141,22 @@ static fw_status measure_widths(double *measures, const fw_observer *observer, f
     return fine ? FW_OK : fw_fail_memory(error, "the width of a layer");
 }
 
+/* Of the bin with particles that is the nearest to the contact region, on one side of it. */
+static double velocity_beside(const fw_observer *observer, double side)
+{
+    const fw_profile *p = observer->profile;
+    const fw_scenario_profile *plan = &observer->experiment->scenario->profile;
+    double nearest = INFINITY, velocity = NAN;
+    for (int b = 0; b < fw_profile_bin_count(p); ++b) {
+        const double away = side * (middle_of(p, b) - plan->middle);
+        const double drift = fw_profile_value(p, b, FW_PROFILE_DRIFT);
+        if (away < plan->contact || away > nearest || isnan(drift)) continue;
+        nearest = away;
+        velocity = drift;
+    }
+    return velocity;
+}
+
 static void measure_profile(double *values, const fw_observer *observer)
 {
     const fw_profile *p = observer->profile;
@@ -159,6 +177,8 @@ static void measure_profile(double *values, const fw_observer *observer)
     };
     for (size_t n = 0; n < sizeof plain / sizeof plain[0]; ++n)
         values[plain[n].measure] = fw_profile_value(p, plain[n].region, plain[n].column);
+    values[FW_LAYER_VELOCITY_BELOW] = velocity_beside(observer, -1);
+    values[FW_LAYER_VELOCITY_ABOVE] = velocity_beside(observer, 1);
     const double far = values[FW_LAYER_FAR];
     values[FW_LAYER_CONTACT_OVER_FAR] = over(values[FW_LAYER_CONTACT], far);
     values[FW_LAYER_PEAK_OVER_FAR] = over(highest_force(observer), far);
@@ -200,6 +220,11 @@ static double at(const fw_measurement *m, int64_t row, int column)
     return column < 0 ? NAN : m->values[row * m->width + column];
 }
 
+static double period_of(const fw_drive *drive)
+{
+    return fmax(drive->period, drive->path.period);
+}
+
 /* How many cycles of the drive the samples take; 1 where nothing oscillates. */
 static double cycles_of(const fw_experiment *experiment)
 {
@@ -207,12 +232,13 @@ static double cycles_of(const fw_experiment *experiment)
     const fw_scenario_profile *plan = &scenario->profile;
     double period = 0;
     for (int g = 0; g < scenario->grip_count; ++g)
-        period = fmax(period, scenario->grips[g].motion.drive.period);
+        period = fmax(period, period_of(&scenario->grips[g].motion.drive));
     for (int p = 0; p < scenario->phase_count; ++p)
         for (int d = 0; d < scenario->phases[p].drive_count; ++d)
-            period = fmax(period, scenario->phases[p].drives[d].motion.drive.period);
+            period = fmax(period, period_of(&scenario->phases[p].drives[d].motion.drive));
+    const fw_solid *solid = fw_scene_observe_body(experiment->scene, 0);
     const double span =
-        (double)(plan->until - plan->from) * fw_experiment_particles(experiment)->tick;
+        (double)(plan->until - plan->from) * solid->tick * solid->model->ticks_per_step;
     return period > 0 ? span / period : 1;
 }
 

@@ -33,6 +33,8 @@ typedef enum fw_layer_measure {
     FW_LAYER_FRICTION_COEFFICIENT,
     FW_LAYER_LOOP_ENERGY,
     FW_LAYER_UNSTEADINESS,
+    FW_LAYER_VELOCITY_BELOW,
+    FW_LAYER_VELOCITY_ABOVE,
     FW_LAYER_MEASURES
 } fw_layer_measure;
 

@@ -55,13 +55,8 @@ void fw_observer_state(fw_observer *observer, fw_state_list *list)
 static fw_status add_profile(fw_observer *observer, fw_error *error)
 {
     const fw_scenario *scenario = observer->experiment->scenario;
-    const fw_solid *particles = fw_experiment_particles(observer->experiment);
     if (scenario->profile.every == 0) return FW_OK;
-    if (!particles)
-        return fw_scenario_fail(scenario, scenario->profile.place, error,
-                                "a profile is taken of movable particles, and no body is made of "
-                                "them");
-    FW_TRY(fw_profile_create(&observer->profile, scenario, particles, error));
+    FW_TRY(fw_profile_create(&observer->profile, observer->experiment, error));
     fw_profile_follow(observer->profile, observer->experiment, 0);
     observer->rubbing = fw_rubbing_begin(scenario);
     fw_rubbing_follow(&observer->rubbing, observer->experiment, 0);

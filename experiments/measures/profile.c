@@ -57,20 +57,24 @@ static void add_velocity(fw_flow *flow, const fw_profile *p, int i)
     flow->across += p->plan.axis == 0 ? p->velocity_x[i] : p->velocity_y[i];
 }
 
-static void add_flow(fw_profile *p, const fw_solid *solid)
+static void add_flow_of(fw_profile *p, const profile_part *part)
+{
+    for (int i = 0; i < part->solid->count; ++i) {
+        int rows[2];
+        if (!in_window(p, part->solid, i)) continue;
+        const int count = rows_at(p, across_of(p, part->solid, i), rows);
+        for (int n = 0; n < count; ++n) {
+            add_velocity(&p->flow[rows[n]], p, part->first + i);
+            if (!p->held[part->first + i]) add_velocity(&p->free_flow[rows[n]], p, part->first + i);
+        }
+    }
+}
+
+static void add_flow(fw_profile *p)
 {
     memset(p->flow, 0, ((size_t)p->bin_count + 2) * sizeof *p->flow);
     memset(p->free_flow, 0, ((size_t)p->bin_count + 2) * sizeof *p->free_flow);
-    solid->model->velocities(solid, p->velocity_x, p->velocity_y);
-    for (int i = 0; i < solid->count; ++i) {
-        int rows[2];
-        if (!in_window(p, solid, i)) continue;
-        const int count = rows_at(p, across_of(p, solid, i), rows);
-        for (int n = 0; n < count; ++n) {
-            add_velocity(&p->flow[rows[n]], p, i);
-            if (!p->held[i]) add_velocity(&p->free_flow[rows[n]], p, i);
-        }
-    }
+    for (int n = 0; n < p->part_count; ++n) add_flow_of(p, &p->parts[n]);
     for (int row = 0; row < p->bin_count + 2; ++row) {
         const fw_flow *flow = &p->flow[row];
         const double free_count = p->free_flow[row].count;
@@ -79,63 +83,64 @@ static void add_flow(fw_profile *p, const fw_solid *solid)
     }
 }
 
-static void add_particle(fw_profile *p, const fw_solid *solid, int i)
+static double order_of(const fw_profile *p, const fw_solid *solid, int i)
 {
-    int rows[2], bonds;
-    const int count = rows_at(p, across_of(p, solid, i), rows);
-    if (count == 0) return;
+    int bonds;
+    if (!p->flows) return NAN;
     const fw_phase order = fw_particles_bond_order(solid, i, &bonds);
-    const double along = p->plan.axis == 0 ? p->velocity_y[i] : p->velocity_x[i];
-    const double across = p->plan.axis == 0 ? p->velocity_x[i] : p->velocity_y[i];
+    return sqrt(order.cosine * order.cosine + order.sine * order.sine);
+}
+
+static void add_particle(fw_profile *p, const profile_part *part, int i)
+{
+    int rows[2];
+    const int count = rows_at(p, across_of(p, part->solid, i), rows), at = part->first + i;
+    if (count == 0) return;
+    const double order = order_of(p, part->solid, i);
+    const double along = p->plan.axis == 0 ? p->velocity_y[at] : p->velocity_x[at];
+    const double across = p->plan.axis == 0 ? p->velocity_x[at] : p->velocity_y[at];
     for (int n = 0; n < count; ++n) {
         double *sums = p->sums[rows[n]];
         sums[SUM_PARTICLES] += 1;
         sums[SUM_RETURN_FORCE] +=
-            sqrt(p->force_x[i] * p->force_x[i] + p->force_y[i] * p->force_y[i]);
-        if (!isnan(p->bond_force[i])) {
-            sums[SUM_BOND_FORCE] += p->bond_force[i];
+            sqrt(p->force_x[at] * p->force_x[at] + p->force_y[at] * p->force_y[at]);
+        if (!isnan(p->bond_force[at])) {
+            sums[SUM_BOND_FORCE] += p->bond_force[at];
             sums[SUM_BONDED] += 1;
         }
-        sums[SUM_ORDER] += sqrt(order.cosine * order.cosine + order.sine * order.sine);
-        if (p->held[i]) continue;
+        sums[SUM_ORDER] += order;
+        if (p->held[at]) continue;
         const fw_flow *flow = &p->free_flow[rows[n]];
         const double u = along - flow->along / flow->count, v = across - flow->across / flow->count;
-        sums[SUM_HEAT] += p->mass[i] * (u * u + v * v);
+        sums[SUM_HEAT] += p->mass[at] * (u * u + v * v);
     }
-}
-
-static void mark_held(fw_profile *p, const fw_experiment *experiment)
-{
-    memset(p->held, 0, (size_t)p->particle_count * sizeof *p->held);
-    for (int b = 0; b < experiment->body_count; ++b)
-        if (fw_solid_is_particles(fw_experiment_solid(experiment, b)))
-            fw_scene_mark_held(experiment->scene, experiment->bodies[b].solid, p->held);
 }
 
 static void take(fw_profile *p, const fw_experiment *experiment)
 {
-    const fw_solid *solid = fw_experiment_particles(experiment);
-    mark_held(p, experiment);
-    fw_particles_return_forces(solid, p->force_x, p->force_y);
-    fw_particles_bond_return_forces(solid, p->bond_force);
-    add_flow(p, solid);
-    for (int i = 0; i < solid->count; ++i)
-        if (in_window(p, solid, i)) add_particle(p, solid, i);
+    profile_look(p, experiment);
+    add_flow(p);
+    for (int n = 0; n < p->part_count; ++n)
+        for (int i = 0; i < p->parts[n].solid->count; ++i)
+            if (in_window(p, p->parts[n].solid, i)) add_particle(p, &p->parts[n], i);
     p->samples += 1;
 }
 
 /* Beside the samples: of this instant. */
-double fw_profile_contact_now(fw_profile *p, const fw_solid *solid)
+double fw_profile_contact_now(fw_profile *p)
 {
     double sum = 0;
     int count = 0;
-    fw_particles_return_forces(solid, p->force_x, p->force_y);
-    for (int i = 0; i < solid->count; ++i) {
-        if (!in_window(p, solid, i)) continue;
-        if (!(fabs(across_of(p, solid, i) - p->plan.middle) < p->plan.contact)) continue;
-        sum += sqrt(p->force_x[i] * p->force_x[i] + p->force_y[i] * p->force_y[i]);
-        count += 1;
-    }
+    profile_fill_forces(p);
+    for (int n = 0; n < p->part_count; ++n)
+        for (int i = 0; i < p->parts[n].solid->count; ++i) {
+            const fw_solid *solid = p->parts[n].solid;
+            const double *x = p->force_x + p->parts[n].first, *y = p->force_y + p->parts[n].first;
+            if (!in_window(p, solid, i)) continue;
+            if (!(fabs(across_of(p, solid, i) - p->plan.middle) < p->plan.contact)) continue;
+            sum += sqrt(x[i] * x[i] + y[i] * y[i]);
+            count += 1;
+        }
     return count > 0 ? sum / count : NAN;
 }
 
@@ -190,7 +195,9 @@ void fw_profile_follow(fw_profile *profile, const fw_experiment *experiment, int
     const fw_scenario_profile *plan = &profile->plan;
     if (step < plan->from || step > plan->until) return;
     if (step > plan->from && (step - plan->from) % plan->every == 0) take(profile, experiment);
-    follow_bonds(profile, fw_experiment_particles(experiment), step);
+    if (!profile->flows && (step + 1 - plan->from) % plan->every == 0)
+        profile_remember_places(profile);
+    if (profile->flows) follow_bonds(profile, profile->parts[0].solid, step);
 }
 
 /* --- life --- */
@@ -210,17 +217,17 @@ static bool allocate(fw_profile *p)
     return p->sums && p->flow && p->free_flow && p->held && p->scratch;
 }
 
-static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario,
-                              const fw_solid *solid, fw_error *error)
+static fw_status refuse_empty(const fw_profile *p, const fw_scenario *scenario, fw_error *error)
 {
     int window = 0, contact = 0, far = 0;
-    for (int i = 0; i < solid->count; ++i) {
-        if (!in_window(p, solid, i)) continue;
-        const double distance = fabs(across_of(p, solid, i) - p->plan.middle);
-        window += 1;
-        contact += distance < p->plan.contact;
-        far += distance > p->plan.far[0] && distance < p->plan.far[1];
-    }
+    for (int n = 0; n < p->part_count; ++n)
+        for (int i = 0; i < p->parts[n].solid->count; ++i) {
+            if (!in_window(p, p->parts[n].solid, i)) continue;
+            const double distance = fabs(across_of(p, p->parts[n].solid, i) - p->plan.middle);
+            window += 1;
+            contact += distance < p->plan.contact;
+            far += distance > p->plan.far[0] && distance < p->plan.far[1];
+        }
     const fw_place place = p->plan.place;
     const char *axis = p->plan.axis == 0 ? "x" : "y", *other = p->plan.axis == 0 ? "y" : "x";
     if (window == 0)
@@ -249,28 +256,36 @@ static double time_unit(const fw_scenario *scenario)
     return unit > 0 ? unit : 1;
 }
 
-static fw_status build(fw_profile *p, const fw_scenario *scenario, const fw_solid *solid,
+/* Where particles are: across the bins, and along them. */
+static void find_extent(const fw_profile *p, fw_vec2 *across, fw_vec2 *along)
+{
+    *across = *along = (fw_vec2){INFINITY, -INFINITY};
+    for (int n = 0; n < p->part_count; ++n) {
+        const fw_solid *solid = p->parts[n].solid;
+        for (int i = 0; i < solid->count; ++i) {
+            const double there = p->plan.axis == 0 ? solid->y[i] : solid->x[i];
+            const double here = across_of(p, solid, i);
+            *across = (fw_vec2){fmin(across->x, here), fmax(across->y, here)};
+            *along = (fw_vec2){fmin(along->x, there), fmax(along->y, there)};
+        }
+    }
+}
+
+static fw_status build(fw_profile *p, const fw_scenario *scenario, const fw_experiment *experiment,
                        fw_error *error)
 {
     enum { BINS_MAX = 100000 };
-    double low = INFINITY, high = -INFINITY;
+    fw_vec2 across, along;
     p->plan = scenario->profile;
-    p->time_step = solid->tick;
-    p->particle_count = solid->count;
-    p->window_low = p->plan.window[0];
-    p->window_high = p->plan.window[1];
-    const bool all = p->window_low == p->window_high;
-    if (all) p->window_low = INFINITY, p->window_high = -INFINITY;
-    for (int i = 0; i < solid->count; ++i) {
-        const double along = p->plan.axis == 0 ? solid->y[i] : solid->x[i];
-        low = fmin(low, across_of(p, solid, i));
-        high = fmax(high, across_of(p, solid, i));
-        if (all) p->window_low = fmin(p->window_low, along);
-        if (all) p->window_high = fmax(p->window_high, along);
-    }
+    FW_TRY(profile_list_parts(p, experiment, error));
+    find_extent(p, &across, &along);
+    const bool all = p->plan.window[0] == p->plan.window[1];
+    p->window_low = all ? along.x : p->plan.window[0];
+    p->window_high = all ? along.y : p->plan.window[1];
+    const double low = across.x, high = across.y;
     const double first = floor((low - p->plan.middle) / p->plan.bin + .5);
     const double last = floor((high - p->plan.middle) / p->plan.bin + .5);
-    FW_TRY(refuse_empty(p, scenario, solid, error));
+    FW_TRY(refuse_empty(p, scenario, error));
     if (last - first >= BINS_MAX || fabs(first) > 1e9)
         return fw_scenario_fail(scenario, p->plan.place, error,
                                 "profile.bin is %g, which makes %.0f bins, expected at most %d",
@@ -278,17 +293,18 @@ static fw_status build(fw_profile *p, const fw_scenario *scenario, const fw_soli
     p->first_bin = (int)first;
     p->bin_count = (int)(last - first) + 1;
     if (!allocate(p)) return fw_fail_memory(error, "a profile");
-    solid->model->masses(solid, p->mass);
-    return fw_bond_history_create(&p->history, solid, p->plan.from, p->plan.until,
+    for (int n = 0; n < p->part_count; ++n)
+        p->parts[n].solid->model->masses(p->parts[n].solid, p->mass + p->parts[n].first);
+    if (!p->flows) return FW_OK;
+    return fw_bond_history_create(&p->history, p->parts[0].solid, p->plan.from, p->plan.until,
                                   time_unit(scenario), error);
 }
 
-fw_status fw_profile_create(fw_profile **profile, const fw_scenario *scenario,
-                            const fw_solid *solid, fw_error *error)
+fw_status fw_profile_create(fw_profile **profile, const fw_experiment *experiment, fw_error *error)
 {
     *profile = calloc(1, sizeof **profile);
     if (!*profile) return fw_fail_memory(error, "a profile");
-    const fw_status status = build(*profile, scenario, solid, error);
+    const fw_status status = build(*profile, experiment->scenario, experiment, error);
     if (status == FW_OK) return FW_OK;
     fw_profile_destroy(*profile);
     *profile = NULL;
@@ -303,6 +319,11 @@ void fw_profile_destroy(fw_profile *profile)
     free(profile->free_flow);
     free(profile->held);
     free(profile->scratch);
+    free(profile->parts);
+    free(profile->past_x);
+    free(profile->past_y);
+    free(profile->numbers);
+    free(profile->predictions);
     fw_bond_history_destroy(profile->history);
     free(profile);
 }
@@ -311,7 +332,10 @@ void fw_profile_state(fw_profile *profile, fw_state_list *list)
 {
     fw_state_list_add(list, "sums", FW_F64, ((size_t)profile->bin_count + 2) * SUMS, profile->sums);
     fw_state_list_add(list, "samples", FW_I64, 1, &profile->samples);
-    fw_bond_history_state(profile->history, list);
+    const size_t count = (size_t)profile->particle_count;
+    if (profile->past_x) fw_state_list_add(list, "past-x", FW_F64, count, profile->past_x);
+    if (profile->past_y) fw_state_list_add(list, "past-y", FW_F64, count, profile->past_y);
+    if (profile->history) fw_bond_history_state(profile->history, list);
 }
 
 fw_status fw_profile_restored(const fw_profile *profile, fw_error *error)
@@ -319,7 +343,7 @@ fw_status fw_profile_restored(const fw_profile *profile, fw_error *error)
     if (profile->samples < 0)
         return fw_fail(error, FW_BAD_INPUT, "the profile has %lld samples, expected 0 or more",
                        (long long)profile->samples);
-    if (!fw_bond_history_is_sound(profile->history))
+    if (profile->history && !fw_bond_history_is_sound(profile->history))
         return fw_fail(error, FW_BAD_INPUT,
                        "the profile follows a bond of a particle that is none of the %d",
                        profile->particle_count);

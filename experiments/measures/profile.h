@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* profile.h - what movable particles do across the scene, bin by bin of one coordinate, averaged
- * over the samples of a phase (Popov & Filippov Eqs 24, 25 and Fig 6).
+/* profile.h - what particles do across the scene, bin by bin of one coordinate, averaged over the
+ * samples of a phase (Popov & Filippov Eqs 24, 25 and Fig 6): movable particles; where there are
+ * none, all other solids, which have no bonds that break and no order.
  *
  * Forces, order, density and velocities are sampled as the scenario says; bonds and motion are
  * followed on a grid in time of their own (bond_history.h), so that they do not depend on it.
@@ -31,11 +32,10 @@ extern const fw_profile_column_row fw_profile_columns[FW_PROFILE_COLUMNS];
 
 typedef struct fw_profile fw_profile;
 
-/* Bins cover the particles as they are now; later ones beyond them count in no bin. FW_BAD_INPUT at
- * its place in the scenario: no particle lies in the window, in the contact or in the far region.
- */
-fw_status fw_profile_create(fw_profile **profile, const fw_scenario *scenario,
-                            const fw_solid *solid, fw_error *error);
+/* As its scenario says. Bins cover the particles as they are now; later ones beyond them count in
+ * no bin. FW_BAD_INPUT at its place in the scenario: no particle lies in the window, in the contact
+ * or in the far region. */
+fw_status fw_profile_create(fw_profile **profile, const fw_experiment *experiment, fw_error *error);
 void fw_profile_destroy(fw_profile *profile);
 
 /* To be called after each step, and at the start: takes a sample when one is due. */
@@ -45,7 +45,7 @@ void fw_profile_state(fw_profile *profile, fw_state_list *list);
 fw_status fw_profile_restored(const fw_profile *profile, fw_error *error);
 
 /* Mean length of the net return forces in the contact region, now; NaN if nothing is there. */
-double fw_profile_contact_now(fw_profile *profile, const fw_solid *solid);
+double fw_profile_contact_now(fw_profile *profile);
 
 int fw_profile_bin_count(const fw_profile *profile);
 /* Lower edge of a bin; bin_count gives the upper edge of the last one. */

@@ -31,17 +31,39 @@ typedef struct fw_flow {
     double count, along, across;
 } fw_flow;
 
+/* A solid that is looked at; its particles stand in the profile's arrays from `first` on. */
+typedef struct profile_part {
+    const fw_solid *solid;
+    int body, first; /* of the scene */
+} profile_part;
+
 struct fw_profile {
     fw_scenario_profile plan;
+    int part_count;
+    profile_part *parts; /* all movable particles; where there are none, all bodies of the scene */
+    bool flows;          /* movable particles: they have bonds and order */
     double window_low, window_high, time_step;
     int particle_count, bin_count, first_bin; /* bin b is centred on middle + (first + b) width */
     double (*sums)[SUMS];                     /* bins, contact, far */
     fw_flow *flow, *free_flow;                /* the same rows: of all, of what no grip holds */
     uint8_t *held;                            /* by a grip, in the last sample */
     double *force_x, *force_y, *bond_force, *velocity_x, *velocity_y, *mass;
-    double *scratch; /* the six above, one after the other */
+    double *scratch;         /* the six above, one after the other */
+    double *past_x, *past_y; /* places one step before the next sample; NULL where particles flow */
+    int *numbers; /* 0, 1, ..., and what is predicted of them; NULL where particles flow */
+    fw_prediction *predictions;
     int64_t samples;
-    fw_bond_history *history;
+    fw_bond_history *history; /* NULL unless they flow */
 };
+
+/* profile_parts.c: who is looked at, and the look. FW_SYSTEM_FAILED without memory. */
+fw_status profile_list_parts(fw_profile *profile, const fw_experiment *experiment, fw_error *error);
+/* Fills `held`, velocities, and restoring forces of all. */
+void profile_look(fw_profile *profile, const fw_experiment *experiment);
+/* To be called one step before a look, where they do not flow. */
+void profile_remember_places(fw_profile *profile);
+/* Restoring forces alone: of movable particles their return forces (NULL: `bond_force` stays);
+ * elsewhere what links pull with; NaN in a solid that knows none. */
+void profile_fill_forces(fw_profile *profile);
 
 #endif

@@ -56,7 +56,7 @@ static int row_of(const fw_profile *p, int bin)
 /* Time that particles were looked at, one after the other. */
 static double looked_at(const fw_profile *p, const double *sums)
 {
-    return sums[SUM_LOOKS] * (double)p->history->look * p->time_step;
+    return p->history ? sums[SUM_LOOKS] * (double)p->history->look * p->time_step : 0;
 }
 
 double fw_profile_least_breaking(const fw_profile *p, int bin)
@@ -67,6 +67,7 @@ double fw_profile_least_breaking(const fw_profile *p, int bin)
 /* Two walkers move apart twice as fast as one alone: <(x_i - x_j)^2> grows as 4 D t. */
 static double diffusivity(const fw_profile *p, const double *sums)
 {
+    if (!p->history) return NAN;
     const double early = over(sums[SUM_ACROSS], sums[SUM_CHANGED]);
     const double late = over(sums[SUM_ACROSS_LATE], sums[SUM_CHANGED_LATE]);
     const double lag = (double)p->history->lag * p->time_step;

@@ -114,7 +114,8 @@ static void interface_force(const fw_experiment *experiment, fw_subject subject,
 static void contact_return_force(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     fw_profile *profile = subject.observer ? subject.observer->profile : NULL;
-    out[0] = profile ? fw_profile_contact_now(profile, fw_experiment_particles(experiment)) : NAN;
+    (void)experiment;
+    out[0] = profile ? fw_profile_contact_now(profile) : NAN;
 }
 
 /* clang-format off */

@@ -23,6 +23,8 @@ fw_vec2 fw_rubbing_slip(const fw_experiment *experiment)
 fw_vec2 fw_rubbing_force(const fw_experiment *experiment)
 {
     const fw_solid *particles = fw_experiment_particles(experiment);
+    if (!particles && fw_scene_body_count(experiment->scene) == 2)
+        return fw_scene_body_ledger(experiment->scene, 0, 0)->reaction;
     if (!particles || fw_particles_group_count(particles) < 2) return (fw_vec2){NAN, NAN};
     return fw_particles_force_on(particles, 0, 1);
 }

@@ -3,7 +3,7 @@
  * work, summed in every step, so that they do not depend on how often anything is measured.
  *
  * Slip is the displacement of the first grip less that of the second; the force is that of the
- * second body of movable particles on the first. */
+ * second body of movable particles on the first, or of two other bodies its reaction. */
 #ifndef FW_RUBBING_H
 #define FW_RUBBING_H
 
@@ -26,7 +26,8 @@ typedef struct fw_rubbing {
     fw_rubbing_sums sums;
 } fw_rubbing;
 
-/* NaN where there are fewer than two grips, or fewer than two bodies of movable particles. */
+/* NaN where there are fewer than two grips, or fewer than two bodies of movable particles
+ * and no other two. */
 fw_vec2 fw_rubbing_slip(const fw_experiment *experiment);
 fw_vec2 fw_rubbing_force(const fw_experiment *experiment);
 

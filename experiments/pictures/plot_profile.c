@@ -15,12 +15,14 @@
 
 enum { CHARTS = 2, REGIONS = 4 };
 
-/* What is drawn below the bodies. */
-static const struct {
+/* What is drawn below the bodies; the second one where bonds break, the last one elsewhere. */
+typedef struct drawn_column {
     fw_profile_column column;
     const char *label;
-} drawn[CHARTS] = {{FW_PROFILE_RETURN_FORCE, "return force (force)"},
-                   {FW_PROFILE_BOND_BREAKING, "bond-breaking rate (1/time)"}};
+} drawn_column;
+static const drawn_column drawn[] = {{FW_PROFILE_RETURN_FORCE, "return force (force)"},
+                                     {FW_PROFILE_BOND_BREAKING, "bond-breaking rate (1/time)"},
+                                     {FW_PROFILE_DRIFT, "drift velocity (length/time)"}};
 
 /* One column of the figure: the experiment, or its control. */
 typedef struct side {
@@ -68,24 +70,37 @@ void fw_plot_profile_values(const fw_profile_table *table, fw_profile_column col
     }
 }
 
+static bool has_values(const fw_profile_table *table, fw_profile_column column)
+{
+    for (int b = 0; b < table->bin_count; ++b)
+        if (isfinite(fw_profile_table_column(table, column)[b].mean)) return true;
+    return false;
+}
+
+static const drawn_column *drawn_in(const fw_profile_table *table, int chart)
+{
+    return &drawn[chart > 0 && !has_values(table, drawn[chart].column) ? CHARTS : chart];
+}
+
 static fw_status fill_curves(side *s, const fw_profile_table *table, bool control, fw_error *error)
 {
     const size_t bins = (size_t)table->bin_count;
     s->x = fw_array_of_doubles(bins);
     if (!s->x) return fw_fail_memory(error, "a profile");
     for (int n = 0; n < CHARTS; ++n) {
-        const fw_outcome *column = fw_profile_table_column(table, drawn[n].column);
+        const drawn_column *what = drawn_in(table, n);
+        const fw_outcome *column = fw_profile_table_column(table, what->column);
         s->values[n] = fw_array_of_doubles(bins);
         s->errors[n] = fw_array_of_doubles(bins);
         if (!s->values[n] || !s->errors[n]) return fw_fail_memory(error, "a profile");
-        fw_plot_profile_values(table, drawn[n].column, control, s->x, s->values[n], s->errors[n]);
+        fw_plot_profile_values(table, what->column, control, s->x, s->values[n], s->errors[n]);
         s->curves[n] = (fw_curve){.count = table->bin_count,
                                   .x = s->x,
                                   .y = s->values[n],
                                   .error = s->errors[n],
                                   .look = FW_CURVE_LINE_AND_MARKERS,
                                   .colour = n + 1};
-        s->charts[n] = (fw_chart){.label = drawn[n].label,
+        s->charts[n] = (fw_chart){.label = what->label,
                                   .curves = &s->curves[n],
                                   .curve_count = 1,
                                   .range = range_of(column, table->bin_count)};

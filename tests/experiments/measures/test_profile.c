@@ -202,12 +202,108 @@ static void the_numbers_of_friction_are_those_of_the_loop(void **state)
     release(&b);
 }
 
+/* --- solids whose particles do not flow --- */
+
+#define SHEARED(material, lattice, dynamics, bins)                                                 \
+    "title: a slab that is sheared slowly\n"                                                       \
+    "materials: {m: " material "}\n"                                                               \
+    "bodies: {slab: {material: m, lattice: " lattice ", shape: {rectangle: [8, 6]}}}\n" dynamics   \
+    "grips:\n"                                                                                     \
+    "  below: {body: slab, side: bottom, layer: 0.5, hold: both}\n"                                \
+    "  above: {body: slab, side: top, layer: 0.5, hold: both, path: {velocity: [1e-5, 0]}}\n"      \
+    "phases: {settle: {until: 4000}, sample: {until: 5000}}\n"                                     \
+    "run: {steps: 5000}\n"                                                                         \
+    "profile: {axis: y, phase: sample, every: 500, window: [-1, 9], far: [1.5, 4], " bins "}\n"
+
+static bench shear(const char *text)
+{
+    bench b;
+    assert_fine(fw_scenario_read(&b.scenario, "sheared.yaml", text, strlen(text), NULL, 0, &error));
+    assert_fine(fw_observer_create(&b.observer, b.scenario, &error));
+    while (fw_scene_steps(b.observer->experiment->scene) < 5000)
+        assert_fine(fw_observer_advance(b.observer, 1, &error));
+    assert_int_equal(fw_profile_bin_count(b.observer->profile), 6);
+    assert_int_equal(fw_profile_sample_count(b.observer->profile), 2);
+    return b;
+}
+
+/* Rows move by even steps between the speeds of the grips, inside nothing pulls, and what pulls the
+ * outer rows is what the grip pulls with: of both samples, 4500 and 5000, .95 of the last. */
+static void a_sheared_slab_moves_row_by_row(void **state)
+{
+    (void)state;
+    bench b = shear(SHEARED("{lattice-boltzmann: {rest-mass: 0, damping: 0.05}}", "square", "",
+                            "middle: 2, contact: 0.6"));
+    const fw_profile *p = b.observer->profile;
+    const fw_scene *scene = b.observer->experiment->scene;
+    const double pull = fw_grip_observe_ledger(fw_scene_observe_grip(scene, 1))->reaction.x;
+    assert_true(pull > 1e-3);
+    for (int row = 0; row < 6; ++row) {
+        assert_close(fw_profile_value(p, row, FW_PROFILE_DRIFT), row / 5. * 1e-5, 1e-8);
+        assert_close(fw_profile_value(p, row, FW_PROFILE_DENSITY), 8 / 10., 1e-12);
+        assert_true(isnan(fw_profile_value(p, row, FW_PROFILE_ORDER)));
+        assert_true(isnan(fw_profile_value(p, row, FW_PROFILE_BOND_BREAKING)));
+        assert_true(isnan(fw_profile_value(p, row, FW_PROFILE_DIFFUSIVITY)));
+        const double force = 8 * fw_profile_value(p, row, FW_PROFILE_RETURN_FORCE);
+        if (row > 0 && row < 5)
+            assert_below(force, .01 * pull);
+        else
+            assert_close(force, .95 * pull, .02 * pull);
+    }
+    release(&b);
+}
+
+/* Its rows are bent at their ends: the steps are not even there. */
+static void a_linear_lattice_has_a_profile(void **state)
+{
+    (void)state;
+    bench b = shear(SHEARED("{linear-lattice: {}}", "hexagonal",
+                            "dynamics: {time-step: 0.05, damping: 0.5}\n",
+                            "bin: 0.8660254, middle: 1.7320508, contact: 0.6"));
+    const fw_profile *p = b.observer->profile;
+    const double outer = fw_profile_value(p, 5, FW_PROFILE_RETURN_FORCE);
+    assert_close(fw_profile_value(p, 0, FW_PROFILE_DRIFT), 0, 0);
+    assert_close(fw_profile_value(p, 5, FW_PROFILE_DRIFT), 1e-5, 1e-12);
+    for (int row = 1; row < 5; ++row) {
+        assert_close(fw_profile_value(p, row, FW_PROFILE_DRIFT), row / 5. * 1e-5, 1e-6);
+        assert_below(fw_profile_value(p, row, FW_PROFILE_RETURN_FORCE), .02 * outer);
+    }
+    release(&b);
+}
+
+/* An automaton knows of no forces; its rows have places and velocities all the same. */
+static void an_automaton_has_a_profile_without_forces(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "title: flies\n"
+        "materials: {m: {elastic-automaton: {c1: 1, c2: 0}}}\n"
+        "bodies: {slab: {material: m, shape: {rectangle: [8, 6]}, velocity: [0.01, 0.002]}}\n"
+        "run: {steps: 40}\n"
+        "profile: {axis: y, every: 40, middle: 2, contact: 0.6, far: [1.5, 4]}\n";
+    bench b;
+    assert_fine(fw_scenario_read(&b.scenario, "flies.yaml", text, strlen(text), NULL, 0, &error));
+    assert_fine(fw_observer_create(&b.observer, b.scenario, &error));
+    assert_fine(fw_observer_advance(b.observer, 1, &error));
+    while (fw_scene_steps(b.observer->experiment->scene) < 40)
+        assert_fine(fw_observer_advance(b.observer, 1, &error));
+    const fw_profile *p = b.observer->profile;
+    for (int row = 0; row < 6; ++row) {
+        assert_close(fw_profile_value(p, row, FW_PROFILE_DRIFT), .01, 1e-14);
+        assert_true(isnan(fw_profile_value(p, row, FW_PROFILE_RETURN_FORCE)));
+    }
+    release(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_profile_is_what_is_counted_in_its_bins),
         cmocka_unit_test(walkers_diffuse_as_einstein_says),
         cmocka_unit_test(the_numbers_of_friction_are_those_of_the_loop),
+        cmocka_unit_test(a_sheared_slab_moves_row_by_row),
+        cmocka_unit_test(a_linear_lattice_has_a_profile),
+        cmocka_unit_test(an_automaton_has_a_profile_without_forces),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
