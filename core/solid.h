@@ -97,6 +97,7 @@ void fw_solid_ledger_add(fw_solid_ledger *ledger, const fw_solid_ledger *part);
 /* A quantity per particle, for pictures and files. */
 typedef struct fw_field {
     const char *name; /* NULL ends a table */
+    const char *unit; /* "1": a pure number */
     const char *meaning;
     void (*fill)(const fw_solid *solid, double *values);
 } fw_field;

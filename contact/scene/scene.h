@@ -192,6 +192,7 @@ void fw_scene_add_contact_forces(const fw_scene *scene, int body, double *x, dou
 #define FW_FIELD_SLIDING "sliding"
 typedef struct fw_contact_field {
     const char *name; /* NULL ends the table */
+    const char *unit;
     const char *meaning;
     void (*fill)(const struct scene_rubbed *rubbed, int count, double *values);
 } fw_contact_field;

@@ -252,10 +252,10 @@ static void fill_sliding(const scene_rubbed *rubbed, int count, double *values)
 
 /* clang-format off */
 const fw_contact_field fw_contact_fields[FW_CONTACT_FIELDS + 1] = {
-    {FW_FIELD_HEAT, "heat of friction at the particle since the start: all of it at a wall, half of it between bodies", fill_heat},
-    {FW_FIELD_RUBBING, "steps since the start in which the particle was pressed on what rubs it; of a face, by its share", fill_rubbing},
-    {FW_FIELD_SLIDING, "steps of `rubbing` in which it slid, and nothing that touches it stuck to it", fill_sliding},
-    {NULL, NULL, NULL}};
+    {FW_FIELD_HEAT, "energy", "heat of friction at the particle since the start: all of it at a wall, half of it between bodies", fill_heat},
+    {FW_FIELD_RUBBING, "1", "steps since the start in which the particle was pressed on what rubs it; of a face, by its share", fill_rubbing},
+    {FW_FIELD_SLIDING, "1", "steps of `rubbing` in which it slid, and nothing that touches it stuck to it", fill_sliding},
+    {NULL, NULL, NULL, NULL}};
 /* clang-format on */
 
 const fw_contact_field *fw_scene_find_field(const fw_scene *scene, int body, const char *name)

@@ -182,10 +182,10 @@ static void fill_colour(const fw_solid *solid, double *values)
 }
 
 const fw_field fw_automaton_fields[] = {
-    {"displacement-x", "displacement from the lattice site along x", fill_displacement_x},
-    {"displacement-y", "displacement from the lattice site along y", fill_displacement_y},
-    {"speed", "speed of the cell", fill_speed},
-    {"energy", "half of the energy of the cell's bonds", fill_energy},
-    {"colour", "0 for black cells, which move first, 1 for white ones", fill_colour},
-    {NULL, NULL, NULL},
+    {"displacement-x", "length", "displacement from the lattice site along x", fill_displacement_x},
+    {"displacement-y", "length", "displacement from the lattice site along y", fill_displacement_y},
+    {"speed", "length/time", "speed of the cell", fill_speed},
+    {"energy", "energy", "half of the energy of the cell's bonds", fill_energy},
+    {"colour", "1", "0 for black cells, which move first, 1 for white ones", fill_colour},
+    {NULL, NULL, NULL, NULL},
 };

@@ -187,11 +187,11 @@ static void fill_links(const fw_solid *solid, double *values)
 }
 
 const fw_field lb_fields[] = {
-    {"speed", "|M^-1 Psi|, length per step", fill_speed},
-    {"energy", "sum of f^2 of a particle (Eq 11)", fill_energy},
-    {"strain-xx", "stretch of the links along x, length per link", fill_strain_xx},
-    {"strain-yy", "stretch of the links along y, length per link", fill_strain_yy},
-    {"strain-xy", "half the sum of both shears, length per link", fill_strain_xy},
-    {"links", "number of links", fill_links},
-    {NULL, NULL, NULL},
+    {"speed", "length/time", "|M^-1 Psi|, length per step", fill_speed},
+    {"energy", "energy", "sum of f^2 of a particle (Eq 11)", fill_energy},
+    {"strain-xx", "1", "stretch of the links along x, length per link", fill_strain_xx},
+    {"strain-yy", "1", "stretch of the links along y, length per link", fill_strain_yy},
+    {"strain-xy", "1", "half the sum of both shears, length per link", fill_strain_xy},
+    {"links", "1", "number of links", fill_links},
+    {NULL, NULL, NULL, NULL},
 };

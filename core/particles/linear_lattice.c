@@ -151,12 +151,12 @@ static void fill_speed(const fw_solid *solid, double *values)
 }
 
 static const fw_field fields[] = {
-    {"displacement-x", "x from the place in the undeformed lattice", fill_displacement_x},
-    {"displacement-y", "y from the place in the undeformed lattice", fill_displacement_y},
-    {"speed", "length of the velocity", fill_speed},
-    {"potential-energy", "half of the energy of the particle's bonds, and its surface forces'",
-     fill_potential_energy},
-    {NULL, NULL, NULL},
+    {"displacement-x", "length", "x from the place in the undeformed lattice", fill_displacement_x},
+    {"displacement-y", "length", "y from the place in the undeformed lattice", fill_displacement_y},
+    {"speed", "length/time", "length of the velocity", fill_speed},
+    {"potential-energy", "energy",
+     "half of the energy of the particle's bonds, and its surface forces'", fill_potential_energy},
+    {NULL, NULL, NULL, NULL},
 };
 
 const fw_solid_model fw_linear_lattice_model = {

@@ -10,6 +10,7 @@
 #include "experiments/study/sweep.h"
 #include "experiments/text/json.h"
 #include "experiments/text/text.h"
+#include "experiments/units/units.h"
 #include "start_picture.h"
 
 #include <math.h>
@@ -192,6 +193,11 @@ static fw_status check_run(fw_run *run, const char *name, check_plan *plan,
     fw_text_print_line(stdout, experiment->scenario->title);
     printf("\n");
     print_bodies(experiment);
+    if (fw_units_given(&experiment->scenario->units)) {
+        printf("  %-14s ", "one unit is");
+        fw_units_list(stdout, &experiment->scenario->units);
+        printf("\n");
+    }
     print_study(plan->scenario);
     print_sizes(experiment->scenario, &size, memory);
     FW_TRY(check_limits(experiment, &warnings, error));

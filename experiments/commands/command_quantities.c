@@ -37,7 +37,7 @@ static bool is_wanted(const wanted *w, const char *name, const char *meaning, co
 
 /* A field of one group: those of each model's solids, and at last those of contact. */
 typedef struct listed_field {
-    const char *name, *meaning; /* NULL: there are no more */
+    const char *name, *unit, *meaning; /* NULL: there are no more */
     const char *of;
     const char *model; /* NULL: any */
 } listed_field;
@@ -47,11 +47,12 @@ static listed_field field_at(int group, int n)
 {
     if (group == FW_MATERIAL_KINDS) {
         const fw_contact_field *field = &fw_contact_fields[n];
-        return (listed_field){field->name, field->meaning, "whatever body is rubbed", NULL};
+        return (listed_field){field->name, field->unit, field->meaning, "whatever body is rubbed",
+                              NULL};
     }
     const fw_solid_model *model = model_at(group);
     const fw_field *field = &model->fields[n];
-    return (listed_field){field->name, field->meaning, model->name, model->name};
+    return (listed_field){field->name, field->unit, field->meaning, model->name, model->name};
 }
 
 /* The quantities that the words look up; FW_BAD_INPUT where there are none. */
@@ -87,7 +88,7 @@ static fw_status choose(wanted *w, const fw_arguments *arguments, fw_error *erro
 }
 
 /* {quantities: [{name, of, components: [...], unit, meaning, models}],
- *  fields: [{name, model, meaning}]}; model(s) null: any; no components: a number. */
+ *  fields: [{name, model, unit, meaning}]}; model(s) null: any; no components: a number. */
 static void write_json(const wanted *w)
 {
     fw_json json = {.out = stdout};
@@ -119,6 +120,7 @@ static void write_json(const wanted *w)
             fw_json_begin(&json, NULL, '{');
             fw_json_text(&json, "name", field.name);
             fw_json_text(&json, "model", field.model);
+            fw_json_text(&json, "unit", field.unit);
             fw_json_text(&json, "meaning", field.meaning);
             fw_json_end(&json, '}');
         }
@@ -144,8 +146,8 @@ static void print_one(const char *word)
     for (int g = 0; g < FIELD_GROUPS; ++g)
         for (int n = 0; (field = field_at(g, n)).name; ++n)
             if (strcmp(field.name, word) == 0)
-                printf("%s, a field of %s%s%s: %s\n", word, article_of(&field), field.of,
-                       field.model ? " solid" : "", field.meaning);
+                printf("%s, a field of %s%s%s: %s\n  %-12s %s\n", word, article_of(&field),
+                       field.of, field.model ? " solid" : "", field.meaning, "unit", field.unit);
 }
 
 static void print_table(const wanted *w)
@@ -170,7 +172,7 @@ static void print_table(const wanted *w)
                 printf("%sFields of %s%s%s (record.fields, plot --field):\n", begun ? "\n" : "",
                        article_of(&field), field.of, field.model ? " solid" : "");
             begun = named = true;
-            printf("  %-20s %s\n", field.name, field.meaning);
+            printf("  %-20s %-16s %s\n", field.name, field.unit, field.meaning);
         }
     }
 }

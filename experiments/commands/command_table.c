@@ -55,10 +55,14 @@ static void write_head(const table *t, FILE *out)
     char name[FW_COLUMN_NAME];
     fputs("# ", out);
     fw_text_print_line(out, t->playback->title);
-    fputs("\n# units: steps,time", out);
+    const char *time = t->playback->time_physical;
+    fprintf(out, "\n# units: steps,time%s%s", time[0] ? " = " : "", time);
     for (int n = 0; n < t->count; ++n) {
+        const fw_playback_observable *of = &t->playback->observables[t->columns[n].observable];
+        char unit[FW_UNITS_SAID];
+        snprintf(unit, sizeof unit, "%s%s%s", of->unit, of->physical[0] ? " = " : "", of->physical);
         fputc(',', out);
-        fw_csv_write_text(out, t->playback->observables[t->columns[n].observable].unit);
+        fw_csv_write_text(out, unit);
     }
     fputs("\nstep,time", out);
     for (int n = 0; n < t->count; ++n) {

@@ -43,6 +43,18 @@ static void take_names(fw_axis *axis)
     }
 }
 
+/* Round are the numbers that are shown; the ticks are at the values. */
+static void find_ticks(fw_axis *axis, int wanted)
+{
+    fw_ticks *ticks = &axis->ticks;
+    const fw_range shown = {fw_label_shown(axis->label, axis->range.low),
+                            fw_label_shown(axis->label, axis->range.high)};
+    fw_ticks_find(ticks, shown, axis->logarithmic, wanted);
+    if (!(axis->label.factor > 0)) return;
+    for (int k = 0; k < ticks->count; ++k) ticks->at[k] /= axis->label.factor;
+    for (int k = 0; k < ticks->minor_count; ++k) ticks->minor[k] /= axis->label.factor;
+}
+
 void fw_axis_prepare(fw_axis *axis, double length, bool across)
 {
     if (axis->name_count > 0) {
@@ -51,11 +63,11 @@ void fw_axis_prepare(fw_axis *axis, double length, bool across)
     }
     int wanted = wanted_ticks(length, across ? 14 : 10.5);
     do {
-        fw_ticks_find(&axis->ticks, axis->range, axis->logarithmic, wanted);
+        find_ticks(axis, wanted);
     } while (across && --wanted > 0 && !labels_fit(axis, length));
     /* One number alone does not make a scale. */
     for (wanted = 4; wanted < 8 && axis->ticks.count < 2; ++wanted) {
-        fw_ticks_find(&axis->ticks, axis->range, axis->logarithmic, wanted);
+        find_ticks(axis, wanted);
     }
 }
 
@@ -74,7 +86,7 @@ double fw_axis_depth(const fw_axis *axis, bool across)
     double depth = FW_AXIS_TICK;
     if (axis->hidden) return 0;
     if (axis->bare) return depth;
-    bool row = axis->label || (across && axis->ticks.note[0]);
+    bool row = axis->label.text || (across && axis->ticks.note[0]);
     depth += FW_AXIS_NUMBER_GAP +
              (across ? fw_canvas_line_height(FW_SMALL_SIZE) : fw_axis_widest_number(axis));
     return row ? depth + FW_AXIS_LABEL_GAP + fw_canvas_line_height(FW_TEXT_SIZE) : depth;

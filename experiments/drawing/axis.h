@@ -6,6 +6,7 @@
 #ifndef FW_AXIS_H
 #define FW_AXIS_H
 
+#include "experiments/drawing/label.h"
 #include "experiments/drawing/ticks.h"
 
 typedef struct fw_axis_name {
@@ -16,7 +17,7 @@ typedef struct fw_axis_name {
 typedef struct fw_axis {
     fw_range range; /* low < high; logarithmic: low > 0 */
     bool logarithmic;
-    const char *label;         /* with unit, "time / steps"; NULL: none */
+    fw_label label;            /* its factor is of the numbers at the ticks alone */
     const fw_axis_name *names; /* ticks with names in place of numbers */
     int name_count;
     bool bare;      /* ticks only: the panel below carries numbers and label */

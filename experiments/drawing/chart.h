@@ -29,7 +29,7 @@ typedef struct fw_curve {
 
 /* A panel of curves. */
 typedef struct fw_chart {
-    const char *label; /* what y is, with unit */
+    fw_label label; /* what y is */
     const fw_curve *curves;
     int curve_count;
     bool logarithmic;

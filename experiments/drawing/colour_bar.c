@@ -24,7 +24,7 @@ static double label_offset(const fw_colour_bar *bar)
 
 double fw_colour_bar_width(const fw_colour_bar *bar)
 {
-    double label = bar->axis.label ? fw_canvas_line_height(FW_TEXT_SIZE) : 0;
+    double label = bar->axis.label.text ? fw_canvas_line_height(FW_TEXT_SIZE) : 0;
     return bar_gap + bar_breadth + label_offset(bar) + label;
 }
 
@@ -86,8 +86,9 @@ void fw_colour_bar_draw(const fw_colour_bar *bar, fw_canvas *canvas, double left
         (fw_vec2){left + fw_colour_bar_width(bar), top - (bar->scale.exceeds_high ? 3.4 : 1.1)},
         bar->axis.ticks.note,
         (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_RIGHT, FW_TEXT_BASELINE, 0, false});
-    if (!bar->axis.label) return;
-    double size = fw_canvas_fitting_size(bar->axis.label, FW_TEXT_SIZE, height + 6);
-    fw_canvas_text(canvas, (fw_vec2){right + label_offset(bar), top + height / 2}, bar->axis.label,
+    if (!bar->axis.label.text) return;
+    double size = fw_canvas_fitting_size(bar->axis.label.text, FW_TEXT_SIZE, height + 6);
+    fw_canvas_text(canvas, (fw_vec2){right + label_offset(bar), top + height / 2},
+                   bar->axis.label.text,
                    (fw_text_look){size, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 90, false});
 }

@@ -3,21 +3,22 @@
 #ifndef FW_COLOUR_SCALE_H
 #define FW_COLOUR_SCALE_H
 
+#include "experiments/drawing/label.h"
 #include "experiments/drawing/palette.h"
 #include "experiments/text/range.h"
 
 /* The wish how numbers become colours; all zero is a good start. */
 typedef struct fw_colouring {
-    const char *label; /* what the numbers are, with unit: title of the colour bar */
-    fw_range range;    /* fixed ends; where high <= low they come from the values */
-    double trim;       /* part of the values that may lie beyond each end: 0 (all within), .01 */
-    bool logarithmic;  /* values <= 0 have no colour then */
+    fw_label label;   /* what the numbers are: title of the colour bar */
+    fw_range range;   /* fixed ends; where high <= low they come from the values */
+    double trim;      /* part of the values that may lie beyond each end: 0 (all within), .01 */
+    bool logarithmic; /* values <= 0 have no colour then */
     fw_palette_map map;
 } fw_colouring;
 
 /* How numbers do become colours. */
 typedef struct fw_colour_scale {
-    const char *label;
+    fw_label label;
     fw_range range; /* low < high */
     bool logarithmic;
     fw_palette_map map;             /* not AUTO */

@@ -99,11 +99,11 @@ typedef struct fw_figure_stack_plan {
     int view_count;
     fw_view_look look;
     fw_colouring colouring;
-    const char *y_label; /* of the views; NULL: "y" */
-    fw_range y_range;    /* of the views; where high <= low it comes from their bodies */
+    fw_label y_label; /* of the views; none: "y" */
+    fw_range y_range; /* of the views; where high <= low it comes from their bodies */
     const fw_chart *charts;
     int chart_count;
-    const char *label; /* what x is, with unit */
+    fw_label label; /* what x is */
     bool logarithmic;
     fw_range range;            /* of x; where high <= low it comes from the data */
     const fw_axis_name *names; /* ticks with names in place of numbers, each with a line */
@@ -122,12 +122,12 @@ fw_status fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *pla
 
 /* Observables over time. */
 fw_status fw_figure_series(const fw_page *page, const fw_chart *charts, int chart_count,
-                           const char *time_label, const fw_figure_mark *marks, int mark_count,
+                           fw_label time, const fw_figure_mark *marks, int mark_count,
                            fw_error *error);
 
 /* One panel of curves and markers over any x, such as a dispersion along a path with named ticks.
  */
-fw_status fw_figure_curves(const fw_page *page, const fw_chart *chart, const char *x_label,
+fw_status fw_figure_curves(const fw_page *page, const fw_chart *chart, fw_label x,
                            const fw_axis_name *names, int name_count, fw_error *error);
 
 /* A number at every place of a rectangular grid: value[row * columns + column] at
@@ -136,7 +136,7 @@ typedef struct fw_figure_map_plan {
     int columns, rows;
     const double *values;
     double p_first, p_step, q_first, q_step; /* steps > 0 */
-    const char *p_label, *q_label;
+    fw_label p_label, q_label;
     const fw_axis_name *p_names, *q_names; /* ticks with names in place of numbers */
     int p_name_count, q_name_count;
     bool equal_aspect; /* p and q are of one kind */
@@ -166,7 +166,7 @@ typedef struct fw_figure_pairs_plan {
     fw_view_look look;
     fw_colouring colouring; /* of the views */
     bool spots;             /* the particles are seen as white spots */
-    const char *x_label;    /* of the charts */
+    fw_label x_label;       /* of the charts */
 } fw_figure_pairs_plan;
 /* FW_BAD_INPUT for no pair or more than that. */
 fw_status fw_figure_pairs(const fw_page *page, const fw_figure_pairs_plan *plan, fw_error *error);

@@ -40,14 +40,14 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
 {
     fw_view_key key;
     fw_panel panel = {.canvas = NULL};
-    fw_colour_bar bar = {.axis = {.label = NULL}};
+    fw_colour_bar bar = {.axis = {.label = {NULL, 0}}};
     FW_TRY(fw_view_key_for(&key, plan->view, 1, plan->colouring, error));
     fw_view_bounds bounds = fw_view_bounds_or_empty(plan->bounds);
     fw_view_bounds_include_bodies(&bounds, plan->view);
     if (fw_view_bounds_are_unset(plan->bounds))
         fw_view_bounds_include_walls(&bounds, plan->view, 1);
-    panel.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = "x (length)"};
-    panel.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = "y (length)"};
+    panel.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = page->x_label};
+    panel.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = page->y_label};
     double right = 3;
     for (int round = 0; round < 2; ++round) {
         fw_page_fit_equal(page, &panel, right, 18, 1.05 * page->width);
@@ -109,11 +109,12 @@ static double narrowest_spacing(const fw_figure_strip_plan *plan)
     return least;
 }
 
-static void explain(const fw_figure_strip_plan *plan, double mm_per_length, strip_layout *layout)
+static void explain(const fw_page *page, const fw_figure_strip_plan *plan, double mm_per_length,
+                    strip_layout *layout)
 {
     const double wanted = arrow_spacings * mm_per_length * narrowest_spacing(plan);
     fw_view_arrows_for(&layout->arrows, plan->views, plan->view_count,
-                       fmin(fmax(wanted, arrow_shortest), arrow_longest));
+                       fmin(fmax(wanted, arrow_shortest), arrow_longest), page->force);
     layout->entry_count = layout->key.entry_count;
     memcpy(layout->entries, layout->key.entries, sizeof layout->key.entries);
     if (layout->arrows.entry.label) layout->entries[layout->entry_count++] = layout->arrows.entry;
@@ -147,7 +148,7 @@ static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
     layout->first.left = FW_PAGE_MARGIN;
     layout->first.width =
         (layout->legend_width - (layout->columns - 1) * strip_gap) / layout->columns;
-    explain(plan, layout->first.width / x_extent, layout);
+    explain(page, plan, layout->first.width / x_extent, layout);
     layout->first.top =
         layout->top + name_height +
         fw_legend_height(layout->entries, layout->entry_count, layout->legend_width);

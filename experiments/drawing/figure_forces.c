@@ -255,7 +255,8 @@ static void add_entry(forces_legend *legend, fw_legend_entry entry)
 }
 
 /* What is drawn, and how long an arrow is. */
-static void describe(forces_legend *legend, double internal, double external, double scale)
+static void describe(forces_legend *legend, double internal, double external, double scale,
+                     fw_label unit)
 {
     const double largest = fmax(internal, external);
     legend->count = 0;
@@ -268,11 +269,10 @@ static void describe(forces_legend *legend, double internal, double external, do
         add_entry(legend,
                   (fw_legend_entry){"external force", fat_arrow.colour, FW_LEGEND_FAT_ARROW, 0});
     if (!(largest > 0)) return;
-    char number[32];
-    fw_ticks_print_number(number, sizeof number, fw_view_arrows_round(largest), 3);
-    snprintf(legend->scale_label, sizeof legend->scale_label, "force of %s", number);
+    const double shown =
+        fw_view_arrows_print(legend->scale_label, sizeof legend->scale_label, largest, unit);
     add_entry(legend, (fw_legend_entry){legend->scale_label, fw_colour_grey(.1), FW_LEGEND_ARROW,
-                                        scale * fw_view_arrows_round(largest)});
+                                        scale * shown});
 }
 
 static fw_status draw_all(const fw_page *page, const forces_plan *plan, fw_panel *panels,
@@ -281,10 +281,10 @@ static fw_status draw_all(const fw_page *page, const forces_plan *plan, fw_panel
     double top = fw_page_top(page), width = page->width - 2 * FW_PAGE_MARGIN;
     const double internal = largest_force(plan, false), external = largest_force(plan, true);
     forces_legend legend;
-    describe(&legend, internal, external, 1);
+    describe(&legend, internal, external, 1, page->force);
     lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
     double scale = choose_force_scale(plan, panels);
-    describe(&legend, internal, external, scale);
+    describe(&legend, internal, external, scale, page->force);
     /* The scale arrow may have made the legend higher. */
     double bottom =
         lay_out(page, plan, panels, top + fw_legend_height(legend.entries, legend.count, width));
@@ -310,8 +310,8 @@ fw_status fw_figure_forces(const fw_page *page, const fw_figure_forces_plan *pla
         panels && measured.panels ? FW_OK : fw_fail_memory(error, "the panels of a picture");
     for (int k = 0; k < count && status == FW_OK; ++k) {
         measured.panels[k] = measure(&plan->panels[k]);
-        panels[k].x.label = "x (length)";
-        panels[k].y.label = "y (length)";
+        panels[k].x.label = page->x_label;
+        panels[k].y.label = page->y_label;
         panels[k].y.hidden = measured.panels[k].is_chain;
     }
     if (status == FW_OK) {

@@ -77,7 +77,7 @@ static fw_view_bounds bounds_of_motion(const fw_figure_motion_plan *plan)
 static fw_colour_bar step_bar(const fw_figure_motion_plan *plan, double height)
 {
     fw_colour_scale scale = {
-        .label = "step",
+        .label = {"step", 0},
         .map = FW_PALETTE_SEQUENTIAL,
         .range = {(double)plan->views[0].step, (double)plan->views[plan->view_count - 1].step}};
     scale.range = fw_range_roomy(scale.range, 0, false);
@@ -88,8 +88,8 @@ static void lay_out(const fw_page *page, const fw_figure_motion_plan *plan, moti
 {
     fw_panel *panel = &layout->panel;
     fw_view_bounds bounds = bounds_of_motion(plan);
-    panel->x = (fw_axis){.range = fw_range_roomy(bounds.x, .035, false), .label = "x (length)"};
-    panel->y = (fw_axis){.range = fw_range_roomy(bounds.y, .035, false), .label = "y (length)"};
+    panel->x = (fw_axis){.range = fw_range_roomy(bounds.x, .035, false), .label = page->x_label};
+    panel->y = (fw_axis){.range = fw_range_roomy(bounds.y, .035, false), .label = page->y_label};
     describe_instants(plan, layout);
     double right = 3;
     for (int round = 0; round < 2; ++round) {

@@ -26,15 +26,15 @@ static bool has_maps(const layout *l)
 
 /* --- ranges --- */
 
-static void find_view_ranges(layout *l)
+static void find_view_ranges(layout *l, const fw_page *page)
 {
     const fw_figure_pairs_plan *plan = l->plan;
     fw_view_bounds bounds = fw_view_bounds_empty();
     for (int k = 0; k < l->count; ++k) fw_view_bounds_include_bodies(&bounds, plan->pairs[k].view);
     for (int k = 0; k < l->count; ++k)
         fw_view_bounds_include_walls(&bounds, plan->pairs[k].view, 1);
-    l->view.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = "x (length)"};
-    l->view.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = "y (length)"};
+    l->view.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = page->x_label};
+    l->view.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = page->y_label};
 }
 
 static void find_chart_ranges(layout *l)
@@ -215,7 +215,7 @@ fw_status fw_figure_pairs(const fw_page *page, const fw_figure_pairs_plan *plan,
                        page->file, plan->pair_count, FW_FIGURE_PAIRS_MAX);
     for (int k = 0; k < l.count; ++k) views[k] = *plan->pairs[k].view;
     FW_TRY(fw_view_key_for(&l.key, views, l.count, plan->colouring, error));
-    find_view_ranges(&l);
+    find_view_ranges(&l, page);
     if (has_maps(&l))
         find_map_ranges(&l);
     else

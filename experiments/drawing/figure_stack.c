@@ -72,12 +72,13 @@ static void share_rows(columns *all)
             fw_range y = all->stacks[k].panels[row].y.range;
             fw_range_include(&common, (double[]){y.low, y.high}, 2, false);
         }
-        const char *label = all->stacks[0].panels[row].y.label;
+        const char *label = all->stacks[0].panels[row].y.label.text;
         for (int k = 0; k < all->count; ++k) {
             if (row >= all->stacks[k].panel_count) continue;
             fw_axis *y = &all->stacks[k].panels[row].y;
             y->range = common;
-            if (k > 0 && label && y->label && strcmp(label, y->label) == 0) y->label = NULL;
+            if (k > 0 && label && y->label.text && strcmp(label, y->label.text) == 0)
+                y->label.text = NULL;
         }
     }
 }
@@ -192,24 +193,21 @@ fw_status fw_figure_stack(const fw_page *page, const fw_figure_stack_plan *plan,
 }
 
 fw_status fw_figure_series(const fw_page *page, const fw_chart *charts, int chart_count,
-                           const char *time_label, const fw_figure_mark *marks, int mark_count,
+                           fw_label time, const fw_figure_mark *marks, int mark_count,
                            fw_error *error)
 {
     fw_figure_stack_plan plan = {.charts = charts,
                                  .chart_count = chart_count,
-                                 .label = time_label,
+                                 .label = time,
                                  .marks = marks,
                                  .mark_count = mark_count};
     return fw_figure_stack(page, &plan, error);
 }
 
-fw_status fw_figure_curves(const fw_page *page, const fw_chart *chart, const char *x_label,
+fw_status fw_figure_curves(const fw_page *page, const fw_chart *chart, fw_label x,
                            const fw_axis_name *names, int name_count, fw_error *error)
 {
-    fw_figure_stack_plan plan = {.charts = chart,
-                                 .chart_count = 1,
-                                 .label = x_label,
-                                 .names = names,
-                                 .name_count = name_count};
+    fw_figure_stack_plan plan = {
+        .charts = chart, .chart_count = 1, .label = x, .names = names, .name_count = name_count};
     return fw_figure_stack(page, &plan, error);
 }

@@ -5,6 +5,18 @@
 
 #include <stddef.h>
 
+/* What stands there, and by what the values are multiplied to be the numbers shown. */
+typedef struct fw_label {
+    const char *text; /* with unit, "time (ps)"; NULL: none */
+    double factor;    /* > 0; 0: as 1 */
+} fw_label;
+
+/* The values as they are shown. */
+static inline double fw_label_shown(fw_label label, double value)
+{
+    return label.factor > 0 ? label.factor * value : value;
+}
+
 /* "mean square displacement (length^{2})": the quantity in words, '-' as a space, and its unit with
  * powers raised. No unit for a pure number (NULL, "" or "1"), nor where it is the quantity itself.
  */

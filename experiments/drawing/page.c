@@ -10,7 +10,10 @@ static const fw_colour quiet_ink = {.33, .33, .33, 1};
 
 fw_page fw_page_default(void)
 {
-    return (fw_page){.width = 160, .resolution = 200};
+    return (fw_page){.width = 160,
+                     .resolution = 200,
+                     .x_label = {"x (length)", 0},
+                     .y_label = {"y (length)", 0}};
 }
 
 /* One line of a longer text: as many words as fit. Returns where the next line begins. */
@@ -98,8 +101,8 @@ void fw_page_fit_equal(const fw_page *page, fw_panel *panel, double right, doubl
     double x_extent = panel->x.range.high - panel->x.range.low;
     /* The room for the numbers depends on the numbers, and those on the height: twice is enough. */
     double depth = 12;
-    if (panel->y.label) {
-        least = fmax(least, fw_canvas_text_width(panel->y.label, FW_TEXT_SIZE, false));
+    if (panel->y.label.text) {
+        least = fmax(least, fw_canvas_text_width(panel->y.label.text, FW_TEXT_SIZE, false));
     }
     for (int round = 0; round < 3; ++round) {
         double width = fmax(page->width - 2 * FW_PAGE_MARGIN - depth - right, 10);

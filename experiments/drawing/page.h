@@ -6,13 +6,15 @@
 #include "experiments/drawing/panel.h"
 
 typedef struct fw_page {
-    const char *file;    /* ends in .png, .svg or .pdf */
-    double width;        /* mm; the height follows from what is on it */
-    double resolution;   /* dots per inch */
-    const char *title;   /* may be NULL */
-    const char *caption; /* may be NULL; broken into lines where it is long */
-    bool bare;           /* neither is drawn: the paper around it says it */
-    const char *letter;  /* of a panel, "a", in the place of the title; may be NULL */
+    const char *file;          /* ends in .png, .svg or .pdf */
+    double width;              /* mm; the height follows from what is on it */
+    double resolution;         /* dots per inch */
+    const char *title;         /* may be NULL */
+    const char *caption;       /* may be NULL; broken into lines where it is long */
+    bool bare;                 /* neither is drawn: the paper around it says it */
+    fw_label x_label, y_label; /* of places */
+    fw_label force;            /* the unit of a force, of 1 if it has no text */
+    const char *letter;        /* of a panel, "a", in the place of the title; may be NULL */
 } fw_page;
 
 /* 160 mm wide, 200 dots per inch. */

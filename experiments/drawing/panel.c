@@ -70,13 +70,13 @@ static void draw_x_axis(const fw_panel *panel)
     fw_canvas_text(
         panel->canvas, (fw_vec2){right, row}, axis->ticks.note,
         (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_RIGHT, FW_TEXT_TOP, 0, false});
-    if (!axis->label) return;
+    if (!axis->label.text) return;
     /* In the middle, unless the note needs that room. */
-    double width = fw_canvas_text_width(axis->label, FW_TEXT_SIZE, false);
+    double width = fw_canvas_text_width(axis->label.text, FW_TEXT_SIZE, false);
     double middle = panel->box.left + panel->box.width / 2;
     if (note > 0) middle = fmin(middle, right - note - 4 - width / 2);
     fw_canvas_text(
-        panel->canvas, (fw_vec2){middle, row}, axis->label,
+        panel->canvas, (fw_vec2){middle, row}, axis->label.text,
         (fw_text_look){FW_TEXT_SIZE, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 0, false});
 }
 
@@ -103,11 +103,11 @@ static void draw_y_axis(const fw_panel *panel, double label_place)
     fw_canvas_text(
         panel->canvas, (fw_vec2){left, panel->box.top - 1.1}, axis->ticks.note,
         (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_LEFT, FW_TEXT_BASELINE, 0, false});
-    if (!axis->label) return;
+    if (!axis->label.text) return;
     double depth = label_place > 0 ? label_place : fw_axis_depth(axis, false);
-    double size = fw_canvas_fitting_size(axis->label, FW_TEXT_SIZE, panel->box.height);
+    double size = fw_canvas_fitting_size(axis->label.text, FW_TEXT_SIZE, panel->box.height);
     fw_canvas_text(panel->canvas, (fw_vec2){left - depth, panel->box.top + panel->box.height / 2},
-                   axis->label,
+                   axis->label.text,
                    (fw_text_look){size, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 90, false});
 }
 

@@ -61,7 +61,7 @@ static void describe_axes(fw_stack *stack)
             fw_view_bounds_include_bodies(&bounds, &plan->views[k]);
             if (is_fixed(plan->y_range)) bounds.y = plan->y_range;
             panel->y = (fw_axis){.range = fw_range_roomy(bounds.y, .02, false),
-                                 .label = plan->y_label ? plan->y_label : "y"};
+                                 .label = plan->y_label.text ? plan->y_label : (fw_label){"y", 0}};
         } else {
             const fw_chart *chart = &plan->charts[k - plan->view_count];
             panel->y = (fw_axis){.range = range_of_y(chart),

@@ -12,7 +12,7 @@ const fw_profile_column_row fw_profile_columns[FW_PROFILE_COLUMNS] = {
                                "mean length of the return force of a single bond"},
     [FW_PROFILE_ORDER] = {"order", "1", "mean of |psi_n| over particles"},
     [FW_PROFILE_DENSITY] = {"density", "1/length^2", "particles per area"},
-    [FW_PROFILE_TEMPERATURE] = {"temperature", "energy",
+    [FW_PROFILE_TEMPERATURE] = {"temperature", "energy/k_B",
                                 "m v^2/2 relative to the mean of the bin in each sample; of "
                                 "what no grip holds"},
     [FW_PROFILE_DRIFT] = {"drift-velocity", "length/time",

@@ -226,8 +226,8 @@ static void diffusion_ratio(const fw_experiment *experiment, fw_subject subject,
 
 /* clang-format off */
 const fw_quantity fw_particle_quantities[] = {
-    {"temperature", FW_SCOPE_BODIES, "", "energy", "k_B T: kinetic energy about the mean velocity of each body, per degree of freedom, times 2; of what no grip holds", POINT_MASSES, temperature, "fewer than two of its particles are free", FW_NEEDS_NOTHING},
-    {"temperature-along", FW_SCOPE_BODIES, "x y", "energy", "the same of the velocities along x and along y", POINT_MASSES, temperature_along, "fewer than two of its particles are free", FW_NEEDS_NOTHING},
+    {"temperature", FW_SCOPE_BODIES, "", "energy/k_B", "kinetic energy about the mean velocity of each body, per degree of freedom, times 2/k_B; of what no grip holds", POINT_MASSES, temperature, "fewer than two of its particles are free", FW_NEEDS_NOTHING},
+    {"temperature-along", FW_SCOPE_BODIES, "x y", "energy/k_B", "the same of the velocities along x and along y", POINT_MASSES, temperature_along, "fewer than two of its particles are free", FW_NEEDS_NOTHING},
     {"pressure", FW_SCOPE_BODY, "xx xy yx yy", "force/length", "pressure tensor, over the area that the body covered when it was made", MLP, pressure, NULL, FW_NEEDS_NOTHING},
     {"lab-order", FW_SCOPE_BODIES, "", "1", "mean of cos n(phi - axes) over all bonds", MLP, lab_order, NULL, FW_NEEDS_NOTHING},
     {"local-order", FW_SCOPE_BODIES, "", "1", "mean of |psi_n|, psi_n the mean of e^{i n phi} over the bonds of a particle", MLP, local_order, NULL, FW_NEEDS_NOTHING},

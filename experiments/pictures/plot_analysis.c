@@ -73,10 +73,10 @@ static fw_status draw_map(const fw_plot_result *result, const fw_plot_picture *p
             .p_step = step_of(&tables[0]),
             .q_first = tables[1].values[0],
             .q_step = step_of(&tables[1]),
-            .p_label = "c_{1} (spacings/step)",
-            .q_label = "c_{2} (spacings/step)",
+            .p_label = {"c_{1} (spacings/step)", 0},
+            .q_label = {"c_{2} (spacings/step)", 0},
             .equal_aspect = true,
-            .colouring = {.label = "growth (1/step)", .map = FW_PALETTE_SEQUENTIAL},
+            .colouring = {.label = {"growth (1/step)", 0}, .map = FW_PALETTE_SEQUENTIAL},
             .curves = &disc,
             .curve_count = 1};
         status = fw_figure_map(&picture->page, &plan, error);
@@ -139,12 +139,12 @@ static fw_status draw_dispersion(const fw_plot_result *result, const fw_plot_pic
                                     FW_CURVE_MARKERS, 1, NULL},
                                    {"slow, simulated", count, t[0].values, t[1].values, NULL, NULL,
                                     FW_CURVE_MARKERS, 2, NULL}};
-        const fw_chart chart = {.label = "frequency (radians/step)",
+        const fw_chart chart = {.label = {"frequency (radians/step)", 0},
                                 .curves = curves,
                                 .curve_count = 4,
                                 .range = {0, 1.05 * closed.highest}};
-        status =
-            fw_figure_curves(&picture->page, &chart, "wave vector along Γ–X–M–Γ", places, 4, error);
+        status = fw_figure_curves(&picture->page, &chart,
+                                  (fw_label){"wave vector along Γ–X–M–Γ", 0}, places, 4, error);
     }
     clear(t);
     return status;
@@ -159,11 +159,12 @@ static fw_status draw_reference(const fw_plot_result *result, const fw_plot_pict
     if (status == FW_OK) {
         const fw_curve curve = {NULL, t[0].extent[0], t[0].values, t[1].values, NULL,
                                 NULL, FW_CURVE_LINE,  1,           NULL};
-        const fw_chart chart = {.label = "largest difference (length)",
+        const fw_chart chart = {.label = {"largest difference (length)", 0},
                                 .curves = &curve,
                                 .curve_count = 1,
                                 .logarithmic = true};
-        status = fw_figure_curves(&picture->page, &chart, "time (half-steps)", NULL, 0, error);
+        status = fw_figure_curves(&picture->page, &chart, (fw_label){"time (half-steps)", 0}, NULL,
+                                  0, error);
     }
     clear(t);
     return status;

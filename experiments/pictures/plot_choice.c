@@ -4,7 +4,6 @@
  * recorded, picture and output say which one stands for it. Start reading at fw_plot_choose(). */
 #include "plot_choice.h"
 
-#include "experiments/drawing/label.h"
 #include "experiments/setup/solids.h"
 #include "experiments/text/spelling.h"
 #include "experiments/text/text.h"
@@ -391,6 +390,7 @@ static fw_status choose_page(draft *d, fw_error *error)
     const bool of_paper = kind == FW_PICTURE_MOTION || kind == FW_PICTURE_FORCES ||
                           needs(kind) & FW_PICTURE_NEEDS_PROFILE;
     *page = fw_plot_page(d->wish);
+    fw_plot_name_places(&choice->names, page, &scenario->units);
     page->title = d->own && d->own->title ? d->own->title : scenario->title;
     if (d->own && of_paper && scenario->figure && scenario->source)
         fw_text_append(choice->caption, sizeof choice->caption, "Compare %s.%s", scenario->source,
@@ -407,6 +407,17 @@ static fw_status choose_page(draft *d, fw_error *error)
     return fw_path_join(choice->file, d->result->directory, name, error);
 }
 
+void fw_plot_name_field(fw_plot_picture *picture, const fw_plot_result *result)
+{
+    const fw_playback *playback = result->playback;
+    const char *name = picture->asked.field.text ? picture->asked.field.text : "", *unit = NULL;
+    for (int n = 0; n < playback->field_count; ++n)
+        if (strcmp(playback->fields[n].name, name) == 0) unit = playback->fields[n].unit;
+    fw_label_print(picture->field_label, sizeof picture->field_label, name, NULL);
+    picture->field = fw_plot_label(picture->field_axis, sizeof picture->field_axis, name, unit,
+                                   &result->scenario->units);
+}
+
 fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
                          const fw_plot_wish *wish, fw_error *error)
 {
@@ -416,8 +427,7 @@ fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
     FW_TRY(choose_kind(d, error));
     const fw_picture_kind kind = d->picture->asked.kind;
     if (fw_picture_reads(kind, "field")) FW_TRY(choose_field(d, error));
-    fw_label_print(d->picture->field_label, sizeof d->picture->field_label,
-                   d->picture->asked.field.text ? d->picture->asked.field.text : "", NULL);
+    fw_plot_name_field(d->picture, result);
     if (fw_picture_rows[kind].frames > 0) FW_TRY(take_frames(d, error));
     if (fw_picture_reads(kind, "observables")) FW_TRY(choose_observables(d, error));
     if (fw_picture_reads(kind, "from")) FW_TRY(take_span(d, error));

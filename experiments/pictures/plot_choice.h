@@ -9,6 +9,7 @@
 /* A picture, and the texts and lists that it points into. */
 typedef struct fw_plot_choice {
     fw_plot_picture picture;
+    fw_plot_names names;
     const char *name;        /* of the file, without folder and ending */
     char file[FW_PATH_SIZE]; /* in the folder of the result; unused where the wish names one */
     char data[FW_NAME_BYTES + 16];

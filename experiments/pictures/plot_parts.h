@@ -9,6 +9,7 @@
 #include "experiments/pictures/wall_outline.h"
 #include "experiments/results/playback.h"
 #include "experiments/scenario/scenario.h"
+#include "plot_label.h"
 
 /* Everything but the numbers of single frames. */
 typedef struct fw_plot_result {
@@ -65,10 +66,15 @@ typedef struct fw_plot_picture {
     int64_t *frames; /* ascending */
     int observable_count;
     const char **observables;
-    char field_label[FW_NAME_SIZE];
+    char field_label[FW_NAME_SIZE]; /* without unit, for sentences */
+    char field_axis[2 * FW_NAME_SIZE];
+    fw_label field; /* points to it */
     const fw_scenario_analysis *analysis;
     const char *data; /* name of the table of its numbers in the result's folder; NULL: no table */
 } fw_plot_picture;
+
+/* Of the field that is asked for, or of none; the label points into the picture. */
+void fw_plot_name_field(fw_plot_picture *picture, const fw_plot_result *result);
 
 /* --- what is found before anything is drawn --- */
 

@@ -18,11 +18,11 @@ enum { CHARTS = 2, REGIONS = 4 };
 /* What is drawn below the bodies; the second one where bonds break, the last one elsewhere. */
 typedef struct drawn_column {
     fw_profile_column column;
-    const char *label;
+    const char *name, *unit;
 } drawn_column;
-static const drawn_column drawn[] = {{FW_PROFILE_RETURN_FORCE, "return force (force)"},
-                                     {FW_PROFILE_BOND_BREAKING, "bond-breaking rate (1/time)"},
-                                     {FW_PROFILE_DRIFT, "drift velocity (length/time)"}};
+static const drawn_column drawn[] = {{FW_PROFILE_RETURN_FORCE, "return force", "force"},
+                                     {FW_PROFILE_BOND_BREAKING, "bond-breaking rate", "1/time"},
+                                     {FW_PROFILE_DRIFT, "drift velocity", "length/time"}};
 
 /* One column of the figure: the experiment, or its control. */
 typedef struct side {
@@ -31,6 +31,7 @@ typedef struct side {
     double *x, *values[CHARTS], *errors[CHARTS];
     fw_curve curves[CHARTS];
     fw_chart charts[CHARTS];
+    char labels[CHARTS][64], places[2][32];
     fw_figure_region regions[REGIONS];
 } side;
 
@@ -82,7 +83,8 @@ static const drawn_column *drawn_in(const fw_profile_table *table, int chart)
     return &drawn[chart > 0 && !has_values(table, drawn[chart].column) ? CHARTS : chart];
 }
 
-static fw_status fill_curves(side *s, const fw_profile_table *table, bool control, fw_error *error)
+static fw_status fill_curves(side *s, const fw_profile_table *table, bool control,
+                             const fw_units *units, fw_error *error)
 {
     const size_t bins = (size_t)table->bin_count;
     s->x = fw_array_of_doubles(bins);
@@ -100,7 +102,8 @@ static fw_status fill_curves(side *s, const fw_profile_table *table, bool contro
                                   .error = s->errors[n],
                                   .look = FW_CURVE_LINE_AND_MARKERS,
                                   .colour = n + 1};
-        s->charts[n] = (fw_chart){.label = what->label,
+        s->charts[n] = (fw_chart){.label = fw_plot_label(s->labels[n], sizeof s->labels[n],
+                                                         what->name, what->unit, units),
                                   .curves = &s->curves[n],
                                   .curve_count = 1,
                                   .range = range_of(column, table->bin_count)};
@@ -109,21 +112,23 @@ static fw_status fill_curves(side *s, const fw_profile_table *table, bool contro
 }
 
 static fw_figure_stack_plan plan_of(side *s, const fw_profile_table *table, fw_colouring colouring,
-                                    const char *name)
+                                    const char *name, const fw_units *units)
 {
+    const char *across = table->axis == 'x' ? "x" : "y", *along = table->axis == 'x' ? "y" : "x";
     const fw_view *view = &s->view.view;
     snprintf(s->name, sizeof s->name, "%s%s%s", name ? name : "", name ? ", " : "", view->name);
     s->view.view.name = s->name;
-    return (fw_figure_stack_plan){.views = &s->view.view,
-                                  .view_count = 1,
-                                  .look = FW_VIEW_DISCS,
-                                  .colouring = colouring,
-                                  .charts = s->charts,
-                                  .chart_count = CHARTS,
-                                  .label = table->axis == 'x' ? "x (length)" : "y (length)",
-                                  .y_label = table->axis == 'x' ? "y (length)" : "x (length)",
-                                  .regions = s->regions,
-                                  .region_count = 3};
+    return (fw_figure_stack_plan){
+        .views = &s->view.view,
+        .view_count = 1,
+        .look = FW_VIEW_DISCS,
+        .colouring = colouring,
+        .charts = s->charts,
+        .chart_count = CHARTS,
+        .label = fw_plot_label(s->places[0], sizeof s->places[0], across, "length", units),
+        .y_label = fw_plot_label(s->places[1], sizeof s->places[1], along, "length", units),
+        .regions = s->regions,
+        .region_count = 3};
 }
 
 static void clear_side(side *s)
@@ -225,17 +230,18 @@ static fw_status fill_sides(side sides[2], const fw_plot_result *result,
                             const fw_plot_result *control, const fw_profile_table *table,
                             const fw_plot_picture *picture, fw_error *error)
 {
+    const fw_units *units = &result->scenario->units;
     int64_t frame = picture->frames[0];
     if (picture->asked.instant_count == 0) FW_TRY(find_frame(result, table, &frame, error));
     FW_TRY(fw_plot_view_load(&sides[0].view, result, frame, picture->asked.field.text, error));
     lay_across(&sides[0].view, table->axis);
-    FW_TRY(fill_curves(&sides[0], table, false, error));
+    FW_TRY(fill_curves(&sides[0], table, false, units, error));
     mark_regions(&sides[0], &result->scenario->profile);
     if (!control) return FW_OK;
     const int64_t nearest = fw_plot_nearest_frame(control, result->steps[frame]);
     FW_TRY(fw_plot_view_load(&sides[1].view, control, nearest, picture->asked.field.text, error));
     lay_across(&sides[1].view, table->axis);
-    FW_TRY(fill_curves(&sides[1], table, true, error));
+    FW_TRY(fill_curves(&sides[1], table, true, units, error));
     mark_regions(&sides[1], &result->scenario->profile);
     return FW_OK;
 }
@@ -251,8 +257,9 @@ static fw_status draw_sides(const fw_plot_result *result, const fw_plot_picture 
     if (status == FW_OK) status = fw_plot_colours_find(&colours, result, picture, error);
     if (status == FW_OK) {
         fw_figure_stack_plan plans[2] = {
-            plan_of(&sides[0], table, colours, control ? "experiment" : NULL),
-            plan_of(&sides[1], table, colours, "control")};
+            plan_of(&sides[0], table, colours, control ? "experiment" : NULL,
+                    &result->scenario->units),
+            plan_of(&sides[1], table, colours, "control", &result->scenario->units)};
         const bool all = share_axes(plans, sides, control ? 2 : 1, table);
         fw_page page = picture->page;
         char caption[2048];
@@ -327,6 +334,8 @@ fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture 
                             fw_error *error)
 {
     const int along = result->scenario->profile.axis == 0 ? 1 : 0;
+    const fw_units *units = &result->scenario->units;
+    char labels[2][64];
     double *slip = NULL, *force = NULL;
     int count = 0;
     fw_status status = read_component(result, "slip", along, &slip, &count, error);
@@ -337,7 +346,10 @@ fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture 
         for (int n = 0; n < count; ++n) force[n] = -force[n];
         const fw_curve curve = {.count = count, .x = slip, .y = force, .look = FW_CURVE_LINE};
         const fw_chart chart = {
-            .label = "tangential force (force)", .curves = &curve, .curve_count = 1, .height = 90};
+            .label = fw_plot_label(labels[0], sizeof labels[0], "tangential force", "force", units),
+            .curves = &curve,
+            .curve_count = 1,
+            .height = 90};
         fw_page page = picture->page;
         char caption[2048];
         snprintf(caption, sizeof caption,
@@ -345,7 +357,10 @@ fw_status fw_plot_draw_loop(const fw_plot_result *result, const fw_plot_picture 
                  "displacement of the first grip less that of the second. %s",
                  page.caption ? page.caption : "");
         page.caption = caption;
-        status = fw_figure_curves(&page, &chart, "slip of the grips (length)", NULL, 0, error);
+        status = fw_figure_curves(
+            &page, &chart,
+            fw_plot_label(labels[1], sizeof labels[1], "slip of the grips", "length", units), NULL,
+            0, error);
     }
     free(slip);
     free(force);

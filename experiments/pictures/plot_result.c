@@ -193,6 +193,7 @@ void fw_plot_walls_at(fw_outline *walls, const fw_plot_result *result, int64_t f
 /* Where every lattice has spacing 1, that is the unit of length. */
 static const char *sentence_of_units(const fw_scenario *scenario)
 {
+    if (fw_units_given(&scenario->units)) return "";
     for (int b = 0; b < scenario->body_count; ++b)
         if (scenario->bodies[b].lattice.spacing != 1 ||
             scenario->bodies[b].shape.kind == FW_SHAPE_PLACED)
@@ -298,9 +299,13 @@ static void name_view(fw_plot_view *view, const fw_plot_result *result, int64_t 
 {
     char step[32], time[32];
     fw_ticks_print_number(step, sizeof step, (double)result->steps[frame], 15);
-    fw_ticks_print_number(time, sizeof time, result->times[frame], 6);
     const bool same = result->times[frame] == (double)result->steps[frame];
-    snprintf(view->name, sizeof view->name, same ? "step %s" : "step %s, time %s", step, time);
+    const fw_physical unit = fw_units_physical(&result->scenario->units, "time");
+    fw_ticks_print_number(time, sizeof time,
+                          result->times[frame] * (unit.factor > 0 ? unit.factor : 1), 6);
+    snprintf(view->name, sizeof view->name,
+             same && unit.factor == 0 ? "step %s" : "step %s, time %s%s%s", step, time,
+             unit.factor > 0 ? " " : "", unit.text);
 }
 
 static void describe_view(fw_plot_view *view, const fw_plot_result *result, int64_t frame)

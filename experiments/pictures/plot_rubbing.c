@@ -165,18 +165,23 @@ static fw_status draw_map(const rubbing *r, const fw_colouring *colouring, fw_pa
     const fw_plot_result *result = r->result;
     const double time = result->times[r->from + 1] - result->times[r->from];
     const double steps = (double)(result->steps[r->from + 1] - result->steps[r->from]);
-    snprintf(label, sizeof label, "%s at rest, along %s", r->along_y ? "y" : "x",
+    const fw_units *units = &result->scenario->units;
+    char where[FW_NAME_SIZE + 32], when[32];
+    snprintf(where, sizeof where, "%s at rest, along %s", r->along_y ? "y" : "x",
              result->playback->bodies[r->body].name);
-    fw_figure_map_plan plan = {.columns = (int)(r->until - r->from),
-                               .rows = r->row_count,
-                               .values = r->values,
-                               .p_first = result->times[r->from] + time / 2,
-                               .p_step = time,
-                               .q_first = r->places[0],
-                               .q_step = r->row_count > 1 ? r->places[1] - r->places[0] : 1,
-                               .p_label = time == steps ? "time (steps)" : "time",
-                               .q_label = label,
-                               .colouring = *colouring};
+    fw_figure_map_plan plan = {
+        .columns = (int)(r->until - r->from),
+        .rows = r->row_count,
+        .values = r->values,
+        .p_first = result->times[r->from] + time / 2,
+        .p_step = time,
+        .q_first = r->places[0],
+        .q_step = r->row_count > 1 ? r->places[1] - r->places[0] : 1,
+        .p_label = fw_plot_time_label(when, sizeof when, time == steps, units),
+        .q_label = fw_units_given(units)
+                       ? fw_plot_label(label, sizeof label, where, "length", units)
+                       : (fw_label){where, 0},
+        .colouring = *colouring};
     if (!is_even(r)) {
         const int every = (r->row_count + TICKS_MAX - 1) / TICKS_MAX;
         plan.q_first = 0;
@@ -184,7 +189,8 @@ static fw_status draw_map(const rubbing *r, const fw_colouring *colouring, fw_pa
         plan.q_names = names;
         for (int n = 0; n < r->row_count; n += every) {
             char *text = texts[plan.q_name_count];
-            fw_ticks_print_number(text, FW_TICK_LABEL_SIZE, r->places[n], 4);
+            fw_ticks_print_number(text, FW_TICK_LABEL_SIZE,
+                                  fw_label_shown(plan.q_label, r->places[n]), 4);
             names[plan.q_name_count++] = (fw_axis_name){n, text};
         }
     }
@@ -247,7 +253,8 @@ static fw_status draw(const fw_plot_result *result, const fw_plot_picture *pictu
 fw_status fw_plot_draw_slip(const fw_plot_result *result, const fw_plot_picture *picture,
                             fw_error *error)
 {
-    const fw_colouring colouring = {.label = "part of the steps in which it slid", .range = {0, 1}};
+    const fw_colouring colouring = {.label = {"part of the steps in which it slid", 0},
+                                    .range = {0, 1}};
     return draw(result, picture, FW_FIELD_SLIDING, true, colouring,
                 "Between two frames: 0 sticks, 1 slides all the time. A place between two bodies "
                 "sticks as long as anything there holds it.",
@@ -258,7 +265,9 @@ fw_status fw_plot_draw_heat(const fw_plot_result *result, const fw_plot_picture 
                             fw_error *error)
 {
     /* What swings while it sticks takes a little back in places: that is no second kind of heat. */
-    const fw_colouring colouring = {.label = "heat of friction (energy/time)",
+    char label[64];
+    const fw_colouring colouring = {.label = fw_plot_label(label, sizeof label, "heat of friction",
+                                                           "energy/time", &result->scenario->units),
                                     .map = FW_PALETTE_SEQUENTIAL};
     return draw(result, picture, FW_FIELD_HEAT, false, colouring,
                 "Heat of friction at each particle, between two frames; between two bodies half of "

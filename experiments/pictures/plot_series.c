@@ -220,16 +220,17 @@ static void name_curve(curve *c, panel_facts facts)
 }
 
 /* "elongation x of nine (length)", "energy", "kinetic fraction". */
-static void name_panel(panel_facts facts, char *label, size_t size)
+static fw_label name_panel(panel_facts facts, char *label, size_t size, const fw_units *units)
 {
     const curve *c = facts.first;
     char whole[4 * FW_NAME_SIZE];
     const bool own_unit = facts.one_quantity && strcmp(c->unit, c->quantity) != 0;
+    const bool physical = fw_units_physical(units, c->unit).factor > 0;
     const char *part = facts.one_part ? c->part : "";
     const char *subject = facts.one_subject ? c->subject : "";
     snprintf(whole, sizeof whole, "%s%s%s%s%s", facts.one_quantity ? c->quantity : c->unit,
              part[0] ? " " : "", part, subject[0] ? " of " : "", subject);
-    fw_label_print(label, size, whole, own_unit ? c->unit : NULL);
+    return fw_plot_label(label, size, whole, own_unit || physical ? c->unit : NULL, units);
 }
 
 /* A curve that lies on another one would hide it: it is dashed, so that both are seen. */
@@ -256,9 +257,10 @@ static fw_curve_look look_of(const series *s, int number)
     return FW_CURVE_LINE;
 }
 
-/* What a heat bath is set to in a step; NAN: there is none. */
-static double set_temperature(const fw_scenario *scenario, int64_t step)
+/* What a heat bath was set to in the step that ended there; NAN: there is none. */
+static double set_temperature(const fw_scenario *scenario, int64_t end)
 {
+    const int64_t step = end > 0 ? end - 1 : 0;
     double damping = scenario->dynamics.damping, temperature = scenario->dynamics.temperature;
     for (int n = 0; n < scenario->phase_count; ++n) {
         const fw_scenario_phase *phase = &scenario->phases[n];
@@ -303,8 +305,9 @@ static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
     fw_curve *next = s->drawn;
     for (int p = 0; p < s->panel_count; ++p) {
         panel_facts facts = facts_of(s, p);
-        name_panel(facts, s->labels[p], sizeof s->labels[p]);
-        s->charts[p] = (fw_chart){.label = s->labels[p],
+        const fw_label label =
+            name_panel(facts, s->labels[p], sizeof s->labels[p], &s->result->scenario->units);
+        s->charts[p] = (fw_chart){.label = label,
                                   .curves = next,
                                   .curve_count = facts.curves,
                                   .logarithmic = logarithmic};
@@ -349,10 +352,12 @@ static fw_status check_logarithmic(const series *s, fw_error *error)
 static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error *error)
 {
     bool by_step = steps_are_times(s);
+    char time[32];
+    const fw_units *units = &s->result->scenario->units;
     const fw_scenario_run *run = &s->result->scenario->run;
     const fw_figure_mark reversal = {(double)run->reverse_at, "reversal"};
     return fw_figure_series(&picture->page, s->charts, s->panel_count,
-                            by_step ? "time (steps)" : "time", &reversal,
+                            fw_plot_time_label(time, sizeof time, by_step, units), &reversal,
                             run->reverse_at > 0 && by_step, error);
 }
 

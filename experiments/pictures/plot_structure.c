@@ -57,6 +57,7 @@ typedef struct structure_maps {
     double first, step, least;
     double *values; /* of each frame one map */
     fw_figure_map_plan plan[FW_PICTURE_PAIRS_MAX];
+    char labels[2][32];
 } structure_maps;
 
 static void choose_grid(structure_maps *m, const fw_plot_view *view)
@@ -76,6 +77,7 @@ static void choose_grid(structure_maps *m, const fw_plot_view *view)
 
 static fw_status find_maps(structure_maps *m, const pairs *p, fw_error *error)
 {
+    const fw_units *units = &m->result->scenario->units;
     choose_grid(m, &p->loaded[0]);
     const size_t size = (size_t)m->points * (size_t)m->points;
     const double *asked = m->picture->asked.range;
@@ -96,10 +98,10 @@ static fw_status find_maps(structure_maps *m, const pairs *p, fw_error *error)
             .p_step = m->step,
             .q_first = m->first,
             .q_step = m->step,
-            .p_label = "q_{x} (1/length)",
-            .q_label = "q_{y} (1/length)",
+            .p_label = fw_plot_label(m->labels[0], sizeof m->labels[0], "q_{x}", "1/length", units),
+            .q_label = fw_plot_label(m->labels[1], sizeof m->labels[1], "q_{y}", "1/length", units),
             .equal_aspect = true,
-            .colouring = {.label = "structure factor S(q)",
+            .colouring = {.label = {"structure factor S(q)", 0},
                           .range = asked[0] < asked[1] ? (fw_range){asked[0], asked[1]}
                                                        : (fw_range){m->least, 1},
                           .logarithmic = !(asked[0] < asked[1]) || asked[0] > 0,
@@ -253,7 +255,8 @@ static void draw_steps(steps *s, const distributions *d, int number)
             s->y[2 * bin + end] = d->of[number].part[bin];
         }
     s->curve = (fw_curve){.count = 2 * BINS, .x = s->x, .y = s->y, .look = FW_CURVE_LINE};
-    s->chart = (fw_chart){.label = "part of the particles", .curves = &s->curve, .curve_count = 1};
+    s->chart =
+        (fw_chart){.label = {"part of the particles", 0}, .curves = &s->curve, .curve_count = 1};
 }
 
 fw_status fw_plot_draw_stages(const fw_plot_result *result, const fw_plot_picture *picture,
@@ -263,7 +266,7 @@ fw_status fw_plot_draw_stages(const fw_plot_result *result, const fw_plot_pictur
     distributions d = {.result = result, .count = picture->frame_count, .frames = picture->frames};
     steps *histograms = calloc(FW_PICTURE_PAIRS_MAX, sizeof *histograms);
     fw_figure_pairs_plan plan = {
-        .pairs = p.pair, .look = FW_VIEW_CELLS, .spots = true, .x_label = picture->field_label};
+        .pairs = p.pair, .look = FW_VIEW_CELLS, .spots = true, .x_label = picture->field};
     fw_status status = load_pairs(&p, result, picture, picture->asked.field.text, error);
     if (status == FW_OK && !histograms) status = fw_fail_memory(error, "histograms");
     if (status == FW_OK) status = find_distributions(&d, picture, error);
@@ -306,6 +309,8 @@ fw_status fw_plot_draw_histogram(const fw_plot_result *result, const fw_plot_pic
     double *parts = fw_array_of_doubles(count * BINS), *mean = fw_array_of_doubles(2 * count);
     if (status == FW_OK && (!parts || !mean)) status = fw_fail_memory(error, "a histogram");
     if (status == FW_OK) {
+        char time[32];
+        const fw_units *units = &result->scenario->units;
         double *times = mean + count;
         for (size_t k = 0; k < count; ++k) {
             times[k] = result->times[d.frames[k]];
@@ -323,9 +328,9 @@ fw_status fw_plot_draw_histogram(const fw_plot_result *result, const fw_plot_pic
             .p_step = count > 1 ? (times[count - 1] - times[0]) / (double)(count - 1) : 1,
             .q_first = d.range.low + bin / 2,
             .q_step = bin,
-            .p_label = "time",
-            .q_label = picture->field_label,
-            .colouring = {.label = "part of the particles",
+            .p_label = fw_plot_time_label(time, sizeof time, false, units),
+            .q_label = picture->field,
+            .colouring = {.label = {"part of the particles", 0},
                           .trim = .002,
                           .map = FW_PALETTE_SEQUENTIAL},
             .curves = &line,

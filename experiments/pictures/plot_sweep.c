@@ -164,7 +164,8 @@ static bool is_of_several(const fw_sweep_column *column, const fw_sweep_table *t
 }
 
 const char *fw_plot_sweep_label(const fw_sweep_column *column, const fw_sweep_table *table,
-                                bool whole, char *label, size_t size)
+                                const fw_units *units, bool whole, char *text, size_t size,
+                                fw_label *label)
 {
     char quantity[FW_SWEEP_NAME + 8] = "";
     const char *name = column->name;
@@ -177,7 +178,7 @@ const char *fw_plot_sweep_label(const fw_sweep_column *column, const fw_sweep_ta
         fw_text_append(quantity, sizeof quantity, " of %.*s", parts.subject,
                        name + parts.subject_at);
     if (whole) fw_text_append(quantity, sizeof quantity, "%s", parts.end);
-    fw_label_print(label, size, quantity, column->unit);
+    *label = fw_plot_label(text, size, quantity, column->unit, units);
     const char *part = name + parts.quantity;
     return part + strspn(part, " .,");
 }

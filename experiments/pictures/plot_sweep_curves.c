@@ -5,9 +5,9 @@
 #include "plot_sweep_parts.h"
 
 #include "experiments/drawing/figure.h"
-#include "experiments/drawing/label.h"
 #include "experiments/text/number.h"
 #include "experiments/text/text.h"
+#include "plot_label.h"
 
 #include "core/array.h"
 
@@ -244,10 +244,12 @@ static fw_status fill_panel(drawing *d, int number, const fw_sweep_column *colum
                                 &panel->curves[d->line_count + n]);
         used += PARTS * (size_t)d->lines[n].count;
     }
-    const char *part = fw_plot_sweep_label(column, &d->sweep->table, d->line_count > 1,
-                                           panel->label, sizeof panel->label);
+    fw_label label;
+    const char *part =
+        fw_plot_sweep_label(column, &d->sweep->table, &d->sweep->scenario->units, d->line_count > 1,
+                            panel->label, sizeof panel->label, &label);
     name_curves(d, panel, part, number, expected);
-    d->charts[number] = (fw_chart){.label = panel->label,
+    d->charts[number] = (fw_chart){.label = label,
                                    .curves = panel->curves,
                                    .curve_count = expected ? 2 * d->line_count : d->line_count,
                                    .logarithmic = logarithmic};
@@ -289,15 +291,18 @@ static void write_caption(const drawing *d, const fw_sweep_choice *choice, char 
         fw_text_append(caption, size, "Grey: what is expected, with its tolerance as a bar. ");
     if (d->expected && d->line_count > 1)
         fw_text_append(caption, size, "Dashes: what is expected. ");
-    fw_text_append(caption, size, "Reduced units.");
+    if (!fw_units_given(&d->sweep->scenario->units))
+        fw_text_append(caption, size, "Reduced units.");
 }
 
 static fw_status draw(drawing *d, const fw_sweep_choice *choice, fw_page *page, fw_error *error)
 {
     const fw_sweep_axis *axis = &d->sweep->table.axes[d->along];
-    char label[FW_SWEEP_NAME + 80], caption[3072] = "";
-    fw_label_print(label, sizeof label, axis->name, axis->unit);
-    if (d->across) fw_plot_sweep_label(d->across, &d->sweep->table, true, label, sizeof label);
+    char text[FW_SWEEP_NAME + 80], caption[3072] = "";
+    const fw_units *units = &d->sweep->scenario->units;
+    fw_label label = fw_plot_label(text, sizeof text, axis->name, axis->unit, units);
+    if (d->across)
+        fw_plot_sweep_label(d->across, &d->sweep->table, units, true, text, sizeof text, &label);
     write_caption(d, choice, caption, sizeof caption);
     page->caption = caption;
     const fw_figure_stack_plan plan = {.charts = d->charts,

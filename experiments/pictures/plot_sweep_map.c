@@ -6,8 +6,8 @@
 #include "plot_sweep_parts.h"
 
 #include "experiments/drawing/figure.h"
-#include "experiments/drawing/label.h"
 #include "experiments/text/text.h"
+#include "plot_label.h"
 
 #include "core/array.h"
 
@@ -24,7 +24,8 @@ typedef struct side {
     double *values;
     char text[TICKS_MAX][FW_TICK_LABEL_SIZE];
     fw_axis_name names[TICKS_MAX];
-    char label[FW_NAME_BYTES + 80];
+    char name[FW_NAME_BYTES + 80];
+    fw_label label; /* points to it */
 } side;
 
 /* A map on its way to its figure; its ticks point into it. */
@@ -37,6 +38,8 @@ typedef struct map {
     double *values, *errors; /* [rows][p.count], NaN where there is none */
     char (*cells)[CELL_TEXT];
     const char **texts; /* NULL: none are written */
+    char name[FW_SWEEP_NAME + 80];
+    fw_label label; /* of the numbers; points to it */
     fw_sweep_level level;
     bool has_level, bisected;
 } map;
@@ -44,11 +47,12 @@ typedef struct map {
 static void add_name(side *s, double place, double value)
 {
     char *text = s->text[s->name_count];
-    snprintf(text, FW_TICK_LABEL_SIZE, "%.4g", value);
+    snprintf(text, FW_TICK_LABEL_SIZE, "%.4g", fw_label_shown(s->label, value));
     s->names[s->name_count++] = (fw_axis_name){place, text};
 }
 
-static fw_status make_side(side *s, const fw_sweep_table *table, int axis, fw_error *error)
+static fw_status make_side(side *s, const fw_sweep_table *table, int axis, const fw_units *units,
+                           fw_error *error)
 {
     s->axis = axis;
     s->values = fw_array_of_doubles((size_t)table->row_count);
@@ -62,7 +66,8 @@ static fw_status make_side(side *s, const fw_sweep_table *table, int axis, fw_er
         s->values[at] = value;
         s->count += 1;
     }
-    fw_label_print(s->label, sizeof s->label, table->axes[axis].name, table->axes[axis].unit);
+    s->label = fw_plot_label(s->name, sizeof s->name, table->axes[axis].name,
+                             table->axes[axis].unit, units);
     return FW_OK;
 }
 
@@ -138,7 +143,8 @@ static fw_status fill_grid(map *m, fw_error *error)
                       place_of(&m->p, value_of(m, r, &m->p));
         m->values[n] = m->column->mean[r];
         m->errors[n] = m->column->error[r];
-        write_cell(m->cells[n], m->values[n], m->errors[n]);
+        write_cell(m->cells[n], fw_label_shown(m->label, m->values[n]),
+                   fw_label_shown(m->label, m->errors[n]));
         m->texts[n] = m->cells[n][0] ? m->cells[n] : NULL;
     }
     return FW_OK;
@@ -230,6 +236,7 @@ static fw_status make_level(map *m, const fw_plot_wish *wish, const fw_scenario_
 static void write_caption(const map *m, char *caption, size_t size)
 {
     bool hole = false;
+    const double level = fw_label_shown(m->label, m->level.level);
     for (int n = 0; n < m->rows * m->p.count; ++n) hole |= !isfinite(m->values[n]);
     fw_plot_sweep_explain(m->column, caption, size);
     fw_text_append(caption, size, "Drawn: %s. ", m->column->name);
@@ -238,18 +245,18 @@ static void write_caption(const map *m, char *caption, size_t size)
                        m->sweep->table.row_count);
     fw_plot_sweep_say_seeds(m->sweep->scenario->study.seeds, caption, size);
     if (m->has_level && m->level.mark_count == 0)
-        fw_text_append(caption, size, "Nowhere does it pass %.6g. ", m->level.level);
+        fw_text_append(caption, size, "Nowhere does it pass %.6g. ", level);
     else if (m->has_level && m->bisected)
         fw_text_append(caption, size,
-                       "Line: it crosses %.6g, found by bisection, with its uncertainty. ",
-                       m->level.level);
+                       "Line: it crosses %.6g, found by bisection, with its uncertainty. ", level);
     else if (m->has_level)
         fw_text_append(caption, size,
                        "Line: it is %.6g, by straight lines between cases, with the standard error "
                        "of where it passes. ",
-                       m->level.level);
+                       level);
     if (hole) fw_text_append(caption, size, "Grey: no number. ");
-    fw_text_append(caption, size, "Reduced units.");
+    if (!fw_units_given(&m->sweep->scenario->units))
+        fw_text_append(caption, size, "Reduced units.");
 }
 
 /* --- the picture --- */
@@ -298,8 +305,9 @@ static fw_status make_map(map *m, const fw_plot_wish *wish, const fw_scenario_pi
         status = fw_fail(error, FW_BAD_INPUT,
                          "a map lies over two parameters, and %s is a number of the sweep",
                          wish->along ? wish->along : own->along_quantity);
-    if (status == FW_OK) status = make_side(&sides[0], &sweep->table, 0, error);
-    if (status == FW_OK) status = make_side(&sides[1], &sweep->table, 1, error);
+    const fw_units *units = &sweep->scenario->units;
+    if (status == FW_OK) status = make_side(&sides[0], &sweep->table, 0, units, error);
+    if (status == FW_OK) status = make_side(&sides[1], &sweep->table, 1, units, error);
     m->bisected = sweep->scenario->study.sweep.tolerance > 0;
     int x = along.axis >= 0 ? along.axis : sides[1].count > sides[0].count;
     if (m->bisected) x = 1 - sweep->scenario->study.sweep.bisected;
@@ -327,7 +335,6 @@ fw_status fw_plot_sweep_map(const fw_plot_sweep *sweep, const fw_plot_wish *wish
 {
     const fw_sweep_table *table = &sweep->table;
     fw_sweep_choice choice;
-    char label[FW_SWEEP_NAME + 80];
     if (table->axis_count != 2)
         return fw_fail(error, FW_BAD_INPUT, "%s: a map needs two parameters, but the sweep has %d",
                        sweep->directory, table->axis_count);
@@ -342,8 +349,9 @@ fw_status fw_plot_sweep_map(const fw_plot_sweep *sweep, const fw_plot_wish *wish
     if (!m) return fw_fail_memory(error, "a map of a sweep");
     m->sweep = sweep;
     m->column = &table->columns[choice.columns[0]];
-    fw_plot_sweep_label(m->column, table, true, label, sizeof label);
-    fw_colouring colouring = {.label = label,
+    fw_plot_sweep_label(m->column, table, &sweep->scenario->units, true, m->name, sizeof m->name,
+                        &m->label);
+    fw_colouring colouring = {.label = m->label,
                               .logarithmic = wish->logarithmic || (own && own->logarithmic)};
     const double *range = wish->range[0] < wish->range[1] ? wish->range : own ? own->range : NULL;
     if (range && range[0] < range[1]) colouring.range = (fw_range){range[0], range[1]};

@@ -7,6 +7,7 @@
 #include "experiments/pictures/plot.h"
 #include "experiments/scenario/scenario.h"
 #include "experiments/study/sweep.h"
+#include "plot_label.h"
 
 /* A sweep that is drawn. */
 typedef struct fw_plot_sweep {
@@ -33,7 +34,8 @@ fw_status fw_plot_sweep_choose(fw_sweep_choice *choice, const fw_plot_sweep *swe
  * and end are said as well, "centre of mass x, rate (length/time)", and where the table has it of
  * several bodies, of which. */
 const char *fw_plot_sweep_label(const fw_sweep_column *column, const fw_sweep_table *table,
-                                bool whole, char *label, size_t size);
+                                const fw_units *units, bool whole, char *text, size_t size,
+                                fw_label *label);
 /* Adds to a caption what the column's quantity means, where it says so by itself. */
 void fw_plot_sweep_explain(const fw_sweep_column *column, char *caption, size_t size);
 

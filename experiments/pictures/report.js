@@ -230,7 +230,7 @@ class Player {
     context.restore();
     this.drawAxes(context);
     const facts = this.motion.facts, step = facts.steps[this.frame], time = facts.times[this.frame];
-    this.said.textContent = `step ${step}` + (time === step ? "" : `, time ${digits(time)}`);
+    this.said.textContent = `step ${step}` + (time === step ? "" : `, time ${digits(time)} ${facts.timeUnit}`);
     this.drawCurve();
   }
 
@@ -320,25 +320,26 @@ class Player {
     context.strokeRect(x + 0.5, y + 0.5, width, height);
     context.textAlign = "center";
     context.textBaseline = "top";
-    for (const value of ticks((x - this.left) / this.unit, (x + width - this.left) / this.unit, width / 80)) {
-      const at = this.left + this.unit * value;
+    const shown = this.unit / this.motion.facts.lengthFactor, length = this.motion.facts.lengthUnit;
+    for (const value of ticks((x - this.left) / shown, (x + width - this.left) / shown, width / 80)) {
+      const at = this.left + shown * value;
       context.fillRect(at, y + height, 1, 4);
       context.fillText(digits(value), at, y + height + 6);
     }
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const value of ticks((this.top - y - height) / this.unit, (this.top - y) / this.unit, height / 50)) {
-      const at = this.top - this.unit * value;
+    for (const value of ticks((this.top - y - height) / shown, (this.top - y) / shown, height / 50)) {
+      const at = this.top - shown * value;
       context.fillRect(x - 4, at, 4, 1);
       context.fillText(digits(value), x - 6, at);
     }
     context.textAlign = "center";
     context.textBaseline = "top";
-    context.fillText("x (length)", x + width / 2, y + height + 22);
+    context.fillText(`x (${length})`, x + width / 2, y + height + 22);
     context.save();
     context.translate(4, y + height / 2);
     context.rotate(-Math.PI / 2);
-    context.fillText("y (length)", 0, 0);
+    context.fillText(`y (${length})`, 0, 0);
     context.restore();
     this.drawBar(context);
   }
@@ -357,7 +358,7 @@ class Player {
       context.fillText(digits(value), left + 16, y + height * (field.high - value) / (field.high - field.low));
     context.textBaseline = "top";
     context.textAlign = "right";
-    context.fillText(field.name, left + 76, y + height + 22);
+    context.fillText(field.label, left + 76, y + height + 22);
   }
 
   valuesOf(number) {

@@ -76,18 +76,20 @@ static fw_status write_certificate(fw_json *json, fw_playback *playback, fw_erro
 /* --- what was measured --- */
 
 static fw_status write_curve(fw_json *json, fw_playback *playback, const fw_column *column,
-                             int64_t every, int64_t rows, float *shown, double *values,
-                             fw_error *error)
+                             const fw_units *units, int64_t every, int64_t rows, float *shown,
+                             double *values, fw_error *error)
 {
     const fw_playback_observable *of = &playback->observables[column->observable];
     char name[FW_COLUMN_NAME];
+    const fw_physical unit = fw_units_physical(units, of->unit);
+    const double factor = unit.factor > 0 ? unit.factor : 1;
     FW_TRY(fw_playback_read_observable(playback, column->observable, values, error));
     for (int64_t n = 0; n < rows; ++n)
-        shown[n] = (float)values[n * every * of->components + column->component];
+        shown[n] = (float)(factor * values[n * every * of->components + column->component]);
     fw_column_name(playback, column, name);
     fw_json_begin(json, NULL, '{');
     fw_json_text(json, "name", name);
-    fw_json_text(json, "unit", of->unit);
+    fw_json_text(json, "unit", unit.factor > 0 ? unit.text : of->unit);
     fw_json_text(json, "meaning", of->meaning);
     const fw_status status =
         fw_report_bytes(json, "values", shown, (size_t)rows * sizeof *shown, error);
@@ -118,7 +120,8 @@ static fw_status write_curves(fw_json *json, const fw_plot_result *result, fw_er
         fw_json_end(json, ']');
         fw_json_begin(json, "curves", '[');
         for (int c = 0; c < count && status == FW_OK; ++c)
-            status = write_curve(json, playback, &columns[c], every, rows, shown, values, error);
+            status = write_curve(json, playback, &columns[c], &result->scenario->units, every, rows,
+                                 shown, values, error);
         fw_json_end(json, ']');
     }
     free(steps);

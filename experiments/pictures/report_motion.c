@@ -2,7 +2,6 @@
 /* report_motion.c - frames of a result in few bytes, for a player.
  * Keeps no state. Start reading at fw_report_motion(). */
 #include "core/array.h"
-#include "experiments/drawing/label.h"
 #include "plot_extent.h"
 #include "report_parts.h"
 
@@ -116,7 +115,7 @@ static fw_status write_field(player *p, const fw_playback_field *field, fw_error
 {
     fw_plot_picture picture = {.asked.field.text = (char *)field->name};
     fw_colouring colouring;
-    fw_label_print(picture.field_label, sizeof picture.field_label, field->name, NULL);
+    fw_plot_name_field(&picture, p->result);
     FW_TRY(fw_plot_colours_find(&colouring, p->result, &picture, error));
     fw_range range = colouring.range;
     if (!(range.low < range.high)) range = (fw_range){0, 1};
@@ -134,9 +133,10 @@ static fw_status write_field(player *p, const fw_playback_field *field, fw_error
     if (status == FW_OK) {
         fw_json_begin(p->json, NULL, '{');
         fw_json_text(p->json, "name", picture.field_label);
+        fw_json_text(p->json, "label", picture.field_axis);
         fw_json_text(p->json, "meaning", field->meaning);
-        fw_json_number(p->json, "low", range.low);
-        fw_json_number(p->json, "high", range.high);
+        fw_json_number(p->json, "low", fw_label_shown(picture.field, range.low));
+        fw_json_number(p->json, "high", fw_label_shown(picture.field, range.high));
         write_map(p->json, colouring.map);
         status = fw_report_bytes(p->json, "shades", shades, count, error);
         fw_json_end(p->json, '}');
@@ -277,10 +277,16 @@ static void write_times(const player *p)
     for (int64_t f = 0; f < p->thin.frames; ++f)
         fw_json_integer(p->json, NULL, p->result->steps[f * p->thin.every]);
     fw_json_end(p->json, ']');
+    const fw_physical time = fw_units_physical(&p->result->scenario->units, "time");
     fw_json_begin(p->json, "times", '[');
     for (int64_t f = 0; f < p->thin.frames; ++f)
-        fw_json_number(p->json, NULL, p->result->times[f * p->thin.every]);
+        fw_json_number(p->json, NULL,
+                       p->result->times[f * p->thin.every] * (time.factor > 0 ? time.factor : 1));
     fw_json_end(p->json, ']');
+    fw_json_text(p->json, "timeUnit", time.text);
+    const fw_physical length = fw_units_physical(&p->result->scenario->units, "length");
+    fw_json_text(p->json, "lengthUnit", length.factor > 0 ? length.text : "length");
+    fw_json_number(p->json, "lengthFactor", length.factor > 0 ? length.factor : 1);
     fw_json_begin(p->json, "box", '[');
     fw_json_number(p->json, NULL, p->box.x.low);
     fw_json_number(p->json, NULL, p->box.x.high);

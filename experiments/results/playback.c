@@ -155,7 +155,11 @@ static fw_status read_fields(fw_playback *playback, fw_error *error)
         snprintf(path, sizeof path, FW_PARTICLES "/%s", names[i]);
         fw_hdf5_read_attribute(playback->file->hdf5, path, "meaning", field->meaning,
                                sizeof field->meaning);
-        if (!is_plain(field->meaning)) fw_hdf5_refuse(playback->file->hdf5, path);
+        fw_hdf5_read_attribute(playback->file->hdf5, path, "unit", field->unit, sizeof field->unit);
+        fw_hdf5_read_attribute(playback->file->hdf5, path, "physical", field->physical,
+                               sizeof field->physical);
+        if (!is_plain(field->meaning) || !is_plain(field->unit) || !is_plain(field->physical))
+            fw_hdf5_refuse(playback->file->hdf5, path);
     }
     free(names);
     return fw_hdf5_check(playback->file->hdf5, error);
@@ -180,11 +184,13 @@ static fw_status read_observables(fw_playback *playback, fw_error *error)
         fw_hdf5_read_attribute(hdf5, path, "meaning", added->meaning, sizeof added->meaning);
         snprintf(path, sizeof path, FW_SERIES "/%s/value", names[i]);
         fw_hdf5_read_attribute(hdf5, path, "unit", added->unit, sizeof added->unit);
+        fw_hdf5_read_attribute(hdf5, path, "physical", added->physical, sizeof added->physical);
         if (!fw_hdf5_shape(hdf5, fw_hdf5_find(hdf5, path), &shape) || shape.text ||
             shape.element != FW_F64 || (shape.rank != 1 && shape.rank != 2) ||
             shape.extent[0] < (uint64_t)playback->sample_count ||
             (shape.rank == 2 && (shape.extent[1] < 1 || shape.extent[1] > INT_MAX)) ||
-            !is_plain(names[i]) || !is_plain(added->unit) || !is_plain(added->meaning))
+            !is_plain(names[i]) || !is_plain(added->unit) || !is_plain(added->physical) ||
+            !is_plain(added->meaning))
             fw_hdf5_refuse(hdf5, is_plain(names[i]) ? path : FW_SERIES);
         else
             added->components = shape.rank == 2 ? (int)shape.extent[1] : 1;
@@ -217,6 +223,9 @@ static fw_status read_head(fw_playback *playback, fw_error *error)
     if (!has_element(playback, "position", 2))
         return fw_playback_refuse(playback, FW_PARTICLES "/position", error);
     uint64_t count = (uint64_t)playback->particle_count;
+    fw_hdf5_read_attribute(playback->file->hdf5, "observables", "time", playback->time_physical,
+                           sizeof playback->time_physical);
+    if (!is_plain(playback->time_physical)) fw_hdf5_refuse(playback->file->hdf5, "observables");
     playback->velocity = has_element(playback, "velocity", 2);
     playback->force = has_element(playback, "force", 2);
     playback->mass = fw_playback_find_rows(playback, FW_PARTICLES "/mass", FW_F64,

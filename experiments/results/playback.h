@@ -19,12 +19,15 @@ typedef struct fw_playback_body {
 
 typedef struct fw_playback_field {
     char name[FW_NAME_SIZE];
+    char unit[64];
+    char physical[FW_PHYSICAL_TEXT]; /* what one of it is in nature, "0.74 eV"; "": nobody said */
     char meaning[256];
 } fw_playback_field;
 
 typedef struct fw_playback_observable {
     char name[FW_NAME_SIZE];
     char unit[64];
+    char physical[FW_PHYSICAL_TEXT]; /* as of a field */
     char meaning[256];
     int components;
 } fw_playback_observable;
@@ -37,7 +40,8 @@ typedef struct fw_playback {
     int body_count;
     const int (*links)[2]; /* pairs of particles, numbered among all */
     int link_count;
-    bool velocity, force, mass; /* whether the file has them */
+    char time_physical[FW_PHYSICAL_TEXT]; /* of a time of 1; "": nobody said */
+    bool velocity, force, mass;           /* whether the file has them */
     fw_playback_field *fields;
     int field_count;
     fw_playback_observable *observables;

@@ -14,6 +14,8 @@
 #ifndef FW_TRAJECTORY_H
 #define FW_TRAJECTORY_H
 
+#include "experiments/units/units.h"
+
 #include "core/status.h"
 #include "experiments/storage/folder.h"
 #include "experiments/storage/table.h"
@@ -44,7 +46,7 @@ typedef struct fw_trajectory_body {
 
 /* A number per particle and frame besides positions, such as "strain". */
 typedef struct fw_trajectory_field {
-    const char *name;
+    const char *name, *unit;
     const char *meaning;
 } fw_trajectory_field;
 
@@ -73,11 +75,12 @@ typedef struct fw_table_group {
 /* Plain data that describes the file; start from fw_trajectory_def_default(). */
 typedef struct fw_trajectory_def {
     const char *directory;
-    bool overwrite;       /* an earlier result in the folder is replaced, else refused */
-    const char *author;   /* NULL: whoever runs the program */
-    const char *title;    /* of the experiment */
-    const char *scenario; /* its text as run, after every --set */
-    const char *forms;    /* of bodies whose solid has several, a line each: "BODY: FORM" */
+    bool overwrite;        /* an earlier result in the folder is replaced, else refused */
+    const char *author;    /* NULL: whoever runs the program */
+    const char *title;     /* of the experiment */
+    const char *scenario;  /* its text as run, after every --set */
+    const fw_units *units; /* what the reduced ones are in nature; NULL: nobody said */
+    const char *forms;     /* of bodies whose solid has several, a line each: "BODY: FORM" */
     uint64_t seed;
     int threads;
     const fw_trajectory_body *bodies;

@@ -134,6 +134,7 @@ static void make_masses(fw_hdf5 *file, const fw_trajectory_def *def, uint64_t co
         for (int i = 0; i < def->bodies[body].count; ++i) *next++ = def->bodies[body].mass[i];
     fw_dataset mass = fw_hdf5_make_array(file, "particles/trajectory/mass", FW_F64, 1, &count);
     fw_hdf5_write(file, mass, FW_F64, 0, count, masses);
+    fw_layout_attach_unit(file, def, "particles/trajectory/mass", "mass");
     free(masses);
 }
 
@@ -236,60 +237,6 @@ static void make_notes(fw_hdf5 *file)
     make_text(file, "parameters/warnings", FW_WARNINGS_SIZE, "");
 }
 
-/* Arrays of the run as a whole. They are no observables of H5MD: readers expect a row per frame of
- * these. */
-static void make_arrays(fw_hdf5 *file, const fw_trajectory_def *def)
-{
-    for (int i = 0; i < def->array_count; ++i) {
-        const fw_trajectory_array *array = &def->arrays[i];
-        char path[FW_NAME_SIZE + 64];
-        const size_t group = strcspn(array->name, "/");
-        const size_t count = (size_t)array->rows * (size_t)array->columns;
-        if (i == 0 || strncmp(array->name, def->arrays[i - 1].name, group + 1) != 0) {
-            snprintf(path, sizeof path, "parameters/%.*s", (int)group, array->name);
-            fw_hdf5_make_group(file, path);
-        }
-        snprintf(path, sizeof path, "parameters/%s", array->name);
-        uint64_t extent[2] = {(uint64_t)array->rows, (uint64_t)array->columns};
-        if (array->rows == 1) extent[0] = extent[1];
-        const int rank = array->rows > 1 && array->columns > 1 ? 2 : 1;
-        double *unknown = fw_array_of_doubles(count);
-        fw_dataset dataset = fw_hdf5_make_array(file, path, FW_F64, rank, extent);
-        if (unknown) {
-            for (size_t n = 0; n < count; ++n) unknown[n] = NAN;
-            fw_hdf5_write(file, dataset, FW_F64, 0, extent[0], unknown);
-        } else {
-            fw_hdf5_give_up(file, "the arrays of a run");
-        }
-        free(unknown);
-        fw_hdf5_attach_text(file, path, "unit", array->unit);
-        fw_hdf5_attach_text(file, path, "meaning", array->meaning);
-        if (array->columns > 1)
-            fw_hdf5_attach_text(file, path, "columns",
-                                "mean, standard error, control, its standard error");
-    }
-}
-
-static void make_tables(fw_hdf5 *file, const fw_trajectory_def *def)
-{
-    char path[3 * FW_NAME_SIZE];
-    if (def->group_count > 0) fw_hdf5_make_group(file, "parameters/analysis");
-    for (int g = 0; g < def->group_count; ++g) {
-        const fw_table_group *group = &def->groups[g];
-        snprintf(path, sizeof path, "parameters/analysis/%s", group->name);
-        fw_hdf5_make_group(file, path);
-        for (int n = 0; n < group->table_count; ++n) {
-            const fw_table *table = &group->tables[n];
-            const uint64_t extent[] = {(uint64_t)table->extent[0], (uint64_t)table->extent[1]};
-            snprintf(path, sizeof path, "parameters/analysis/%s/%s", group->name, table->name);
-            fw_dataset made = fw_hdf5_make_array(file, path, FW_F64, table->rank, extent);
-            fw_hdf5_write(file, made, FW_F64, 0, extent[0], table->values);
-            fw_hdf5_attach_text(file, path, "unit", table->unit);
-            fw_hdf5_attach_text(file, path, "meaning", table->meaning);
-        }
-    }
-}
-
 void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def)
 {
     fw_provenance now = fw_provenance_now();
@@ -299,17 +246,26 @@ void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def)
     fw_hdf5_make_group(file, "observables");
     make_parameters(file, def, &now);
     fw_hdf5_make_group(file, "parameters/series");
-    make_tables(file, def);
+    fw_layout_make_tables(file, def);
     make_notes(file);
-    make_arrays(file, def);
+    fw_layout_make_arrays(file, def);
 }
 
 void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def)
 {
-    char path[FW_NAME_SIZE + 64];
+    char path[FW_NAME_SIZE + 64], physical[FW_PHYSICAL_TEXT];
+    fw_layout_attach_unit(file, def, "particles/trajectory/position", "length");
+    if (def->units && fw_units_given(def->units)) {
+        fw_units_print(physical, def->units, "time", 10);
+        fw_hdf5_attach_text(file, "observables", "time", physical);
+    }
+    if (def->velocity)
+        fw_layout_attach_unit(file, def, "particles/trajectory/velocity", "length/time");
+    if (def->force) fw_layout_attach_unit(file, def, "particles/trajectory/force", "force");
     for (int i = 0; i < def->field_count; ++i) {
         snprintf(path, sizeof path, "particles/trajectory/%s", def->fields[i].name);
         fw_hdf5_attach_text(file, path, "meaning", def->fields[i].meaning);
+        fw_layout_attach_unit(file, def, path, def->fields[i].unit);
     }
     for (int i = 0; i < def->observable_count; ++i) {
         for (int all = 0; all < 2; ++all) {
@@ -317,7 +273,7 @@ void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def)
             snprintf(path, sizeof path, "%s/%s", group, def->observables[i].name);
             fw_hdf5_attach_text(file, path, "meaning", def->observables[i].meaning);
             snprintf(path, sizeof path, "%s/%s/value", group, def->observables[i].name);
-            fw_hdf5_attach_text(file, path, "unit", def->observables[i].unit);
+            fw_layout_attach_unit(file, def, path, def->observables[i].unit);
         }
     }
 }

@@ -40,6 +40,8 @@ static const fw_key scenario_keys[] = {
      .hint = "such as {A: 2, F: 24*A}",
      .meaning = "named numbers, which formulas in the place of any number may use, as `24*A`; a "
                 "sweep may vary them. Formulas are those of `study.sweep`"},
+    {"units", AT_OBJECT(fw_scenario, units), .subsection = &fw_units_section,
+     .default_meaning = "reduced units alone", .meaning = "what the reduced units are in nature"},
     {"materials", FW_FORM_NAMED, .subsection = &fw_material_section, .least = 1,
      .most = FW_NAMED_MAX, REQUIRED, NOT_STORED, .meaning = "materials by name"},
     {"bodies", FW_FORM_NAMED, .subsection = &fw_body_section, .least = 1, .most = FW_NAMED_MAX,
@@ -176,6 +178,16 @@ static fw_status refuse_twins(const fw_scenario *scenario, const char *what,
     return FW_OK;
 }
 
+static fw_status read_units(fw_scenario *scenario, fw_error *error)
+{
+    const char *key;
+    int count;
+    const fw_status status = fw_units_complete(&scenario->units, &key, error);
+    const fw_node *units = fw_scenario_part(scenario, "units", &count);
+    if (status != FW_BAD_INPUT) return status;
+    return fw_scenario_fail_again(scenario, fw_node_find(units, key)->place, status, error);
+}
+
 static fw_status build(fw_scenario *scenario, const char *const *settings, int setting_count,
                        fw_error *error)
 {
@@ -188,6 +200,7 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
                           error));
     FW_TRY(refuse_lines(scenario, "title", error));
     FW_TRY(refuse_lines(scenario, "figure", error));
+    FW_TRY(read_units(scenario, error));
     FW_TRY(fw_scenario_complete_run(scenario, error));
     FW_TRY(refuse_twins(scenario, "measure", &scenario->measure, error));
     FW_TRY(refuse_twins(scenario, "record.fields", &scenario->record.fields, error));

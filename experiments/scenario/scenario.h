@@ -22,6 +22,7 @@
 #include "experiments/scenario/scenario_study.h"
 #include "experiments/scenario/scenario_walls.h"
 #include "experiments/schema/schema.h"
+#include "experiments/units/units.h"
 
 /* The keys of a scenario: the root, from which the sections of all its parts can be reached. */
 extern const fw_section fw_scenario_section;
@@ -50,6 +51,7 @@ struct fw_scenario {
     fw_scenario_group group;
     double takes;         /* measured seconds of a run; 0: unknown */
     fw_schema_name small; /* what stands for it where time is short; text NULL: nothing does */
+    fw_units units;       /* what the reduced ones are in nature; may be none */
     int material_count;
     fw_scenario_material *materials;
     int body_count;

@@ -9,10 +9,10 @@ fw_body_field fw_body_field_at(const fw_experiment *experiment, int body, int n)
     const fw_solid *solid = fw_experiment_solid(experiment, body);
     const int number = experiment->bodies[body].solid;
     for (const fw_field *field = solid->model->fields; field && field->name; ++field)
-        if (n-- == 0) return (fw_body_field){field->name, field->meaning, field, NULL};
+        if (n-- == 0) return (fw_body_field){field->name, field->unit, field->meaning, field, NULL};
     for (const fw_contact_field *field = fw_contact_fields; field->name; ++field)
         if (fw_scene_find_field(experiment->scene, number, field->name) && n-- == 0)
-            return (fw_body_field){field->name, field->meaning, NULL, field};
+            return (fw_body_field){field->name, field->unit, field->meaning, NULL, field};
     return (fw_body_field){0};
 }
 

@@ -7,8 +7,8 @@
 #include "experiments/setup/experiment.h"
 
 typedef struct fw_body_field {
-    const char *name, *meaning; /* NULL: there is none */
-    const fw_field *of_solid;   /* one of these ... */
+    const char *name, *unit, *meaning; /* NULL: there is none */
+    const fw_field *of_solid;          /* one of these ... */
     const fw_contact_field *of_contact;
 } fw_body_field;
 

@@ -89,7 +89,8 @@ static fw_status add_field(fw_file_plan *plan, fw_trajectory_field *fields, fw_s
     for (int b = 0; b < plan->experiment->body_count; ++b) {
         const fw_body_field field = fw_body_field_find(plan->experiment, b, name.text);
         if (!field.name) continue;
-        fields[plan->def.field_count++] = (fw_trajectory_field){field.name, field.meaning};
+        fields[plan->def.field_count++] =
+            (fw_trajectory_field){field.name, field.unit, field.meaning};
         return FW_OK;
     }
     return refuse_field(plan, name, error);
@@ -206,6 +207,7 @@ fw_status fw_file_plan_make(fw_file_plan *plan, const fw_observer *observer,
     plan->def = fw_trajectory_def_default();
     plan->def.directory = plan->directory;
     plan->def.title = scenario->title;
+    plan->def.units = &scenario->units;
     plan->def.scenario = plan->scenario;
     plan->def.seed = (uint64_t)scenario->run.seed;
     plan->def.threads = threads;

@@ -38,6 +38,14 @@ static void put(fw_hdf5 *file, const char *path, fw_element element, int count, 
     fw_hdf5_release(made);
 }
 
+static void put_unit(fw_hdf5 *file, const char *path, const fw_sweep_table *table, const char *unit)
+{
+    char physical[FW_PHYSICAL_TEXT];
+    fw_hdf5_attach_text(file, path, "unit", unit);
+    fw_units_print(physical, table->units, unit, 10);
+    if (physical[0]) fw_hdf5_attach_text(file, path, "physical", physical);
+}
+
 /* Of each row the value of its case. */
 static void put_parameters(fw_hdf5 *file, const fw_sweep_table *table, const char *group,
                            int per_case, double *room)
@@ -49,7 +57,7 @@ static void put_parameters(fw_hdf5 *file, const fw_sweep_table *table, const cha
             room[r] = table->values[r / per_case * table->axis_count + a];
         join(path, group, table->axes[a].name, "");
         put(file, path, FW_F64, table->row_count * per_case, room);
-        fw_hdf5_attach_text(file, path, "unit", table->axes[a].unit);
+        put_unit(file, path, table, table->axes[a].unit);
     }
 }
 
@@ -75,7 +83,7 @@ static void put_cases(fw_hdf5 *file, const fw_sweep_seeds *seeds, double *room)
                      {"expected", column->expected},
                      {"within", column->within}};
         fw_hdf5_make_group(file, join(path, "cases/numbers", column->name, ""));
-        fw_hdf5_attach_text(file, path, "unit", column->unit);
+        put_unit(file, path, table, column->unit);
         for (size_t p = 0; p < sizeof parts / sizeof parts[0]; ++p)
             put(file, join(path, "cases/numbers", column->name, parts[p].name), FW_F64,
                 table->row_count, parts[p].values);
@@ -97,7 +105,7 @@ static void put_seeds(fw_hdf5 *file, const fw_sweep_seeds *seeds, double *room)
     for (int c = 0; c < table->column_count; ++c) {
         join(path, "seeds/numbers", table->columns[c].name, "");
         put(file, path, FW_F64, seeds->row_count, seeds->columns[c]);
-        fw_hdf5_attach_text(file, path, "unit", table->columns[c].unit);
+        put_unit(file, path, table, table->columns[c].unit);
     }
 }
 

@@ -77,6 +77,7 @@ fw_status fw_sweep_outcome_table(fw_sweep_table *table, const fw_scenario *sweep
 {
     const fw_scenario_sweep *plan = &sweep->study.sweep;
     FW_TRY(fw_sweep_table_create(table, plan, (int)sweep->study.seeds, error));
+    table->units = &sweep->units;
     for (int n = 0; n < plan->case_count; ++n)
         if (!add_case(table, n, &cases[n])) return fw_fail_memory(error, "the table of a sweep");
     return FW_OK;

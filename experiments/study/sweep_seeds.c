@@ -154,12 +154,12 @@ static void write(FILE *out, const void *object)
     fw_text_print_line(out, what->title);
     fputs("\n# units: ", out);
     for (int a = 0; a < table->axis_count; ++a) {
-        fw_csv_write_text(out, table->axes[a].unit);
+        fw_sweep_table_write_unit(out, table, table->axes[a].unit);
         fputc(',', out);
     }
     for (int c = 0; c < table->column_count; ++c) {
         fputc(',', out);
-        fw_csv_write_text(out, table->columns[c].unit);
+        fw_sweep_table_write_unit(out, table, table->columns[c].unit);
     }
     fputc('\n', out);
     for (int a = 0; a < table->axis_count; ++a) fprintf(out, "%s,", table->axes[a].name);

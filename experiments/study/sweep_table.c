@@ -123,6 +123,13 @@ static bool has_part(const fw_sweep_table *table, int column, int part)
     return false;
 }
 
+void fw_sweep_table_write_unit(FILE *out, const fw_sweep_table *table, const char *unit)
+{
+    char said[FW_UNITS_SAID];
+    fw_units_say(said, table->units, unit);
+    fw_csv_write_text(out, said);
+}
+
 static void write_head(FILE *out, const fw_sweep_table *table, const char *title)
 {
     char name[FW_SWEEP_NAME + 16];
@@ -131,13 +138,13 @@ static void write_head(FILE *out, const fw_sweep_table *table, const char *title
     fputs("\n# units: ", out);
     for (int a = 0; a < table->axis_count; ++a) {
         if (a > 0) fputc(',', out);
-        fw_csv_write_text(out, table->axes[a].unit);
+        fw_sweep_table_write_unit(out, table, table->axes[a].unit);
     }
     for (int c = 0; c < table->column_count; ++c)
         for (int p = 0; p < PARTS; ++p) {
             if (!has_part(table, c, p)) continue;
             fputc(',', out);
-            fw_csv_write_text(out, table->columns[c].unit);
+            fw_sweep_table_write_unit(out, table, table->columns[c].unit);
         }
     fputc(',', out);
     if (has_failures(table)) fputc(',', out);
@@ -209,19 +216,27 @@ static int find_part(const fw_sweep_table *table, const char *name)
     return 0;
 }
 
+/* The unit without what one of it is in nature. */
+static char *cut_unit(char *units, char **unit)
+{
+    char *next = fw_csv_cut(units, unit), *said = strstr(*unit, " = ");
+    if (said) *said = '\0';
+    return next;
+}
+
 /* FW_BAD_INPUT where a table is not as expected, FW_SYSTEM_FAILED without memory. */
 static fw_status read_names(fw_sweep_table *table, layout *cells, char *units, char *names)
 {
     char *unit, *name;
     for (int a = 0; a < table->axis_count; ++a) {
         if (!names || !units) return FW_BAD_INPUT;
-        units = fw_csv_cut(units, &unit);
+        units = cut_unit(units, &unit);
         snprintf(table->axes[a].unit, sizeof table->axes[a].unit, "%s", unit);
         names = fw_csv_cut(names, &name);
         snprintf(table->axes[a].name, sizeof table->axes[a].name, "%s", name);
     }
     while (names && units && cells->count < CELLS_MAX) {
-        units = fw_csv_cut(units, &unit);
+        units = cut_unit(units, &unit);
         names = fw_csv_cut(names, &name);
         if (strcmp(name, SEEDS) == 0) {
             cells->seeds = true;

@@ -5,6 +5,7 @@
 #define FW_SWEEP_TABLE_H
 
 #include "experiments/measures/verdict.h"
+#include "experiments/units/units.h"
 
 enum { FW_SWEEP_NAME = FW_VERDICT_TEXT + FW_NAME_BYTES + 64 };
 
@@ -22,6 +23,7 @@ typedef struct fw_sweep_axis {
 } fw_sweep_axis;
 
 typedef struct fw_sweep_table {
+    const fw_units *units; /* of whoever writes it; NULL where it was read */
     int axis_count;
     fw_sweep_axis axes[FW_PARAMETERS_MAX];
     int row_count;  /* one per case */
@@ -41,6 +43,9 @@ void fw_sweep_table_clear(fw_sweep_table *table);
 /* A column by its name, made where there is none yet; NULL without memory. Adding another one may
  * move it. */
 fw_sweep_column *fw_sweep_table_column(fw_sweep_table *table, const char *name, const char *unit);
+
+/* A unit for the head of a table, and what one of it is in nature. */
+void fw_sweep_table_write_unit(FILE *out, const fw_sweep_table *table, const char *unit);
 
 /* The case of this row has failed; false without memory. */
 bool fw_sweep_table_fail(fw_sweep_table *table, int row, const char *reason);

@@ -24,8 +24,9 @@ static inline fw_trajectory_def run_def(const char *directory)
 {
     static const fw_trajectory_body bodies[] = {{"sheet", 5, run_masses, run_links, 3},
                                                 {"Körper", 3, run_masses + 5, run_links, 2}};
-    static const fw_trajectory_field fields[] = {{"strain", "elongation of the links"},
-                                                 {"return-force", "force towards its site"}};
+    static const fw_trajectory_field fields[] = {
+        {"strain", "1", "elongation of the links"},
+        {"return-force", "force", "force towards its site"}};
     static const fw_observable observables[] = {
         {"energy", "energy", "kinetic and elastic energy", 1},
         {"momentum", "mass length / time", "of all bodies", 2}};

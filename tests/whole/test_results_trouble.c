@@ -308,7 +308,7 @@ static void names_that_cannot_be_stored_are_refused(void **state)
     };
     for (size_t i = 0; i < sizeof names / sizeof *names; ++i) {
         fw_trajectory_def def = run_def("/tmp/fretwork-never-made");
-        fw_trajectory_field field = {names[i].field, "a field"};
+        fw_trajectory_field field = {names[i].field, "1", "a field"};
         fw_observable observable = {names[i].observable, "1", "an observable", 1};
         def.fields = &field;
         def.observables = &observable;

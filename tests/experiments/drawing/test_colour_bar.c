@@ -16,7 +16,7 @@ static void a_bar_rises_from_its_low_end_to_its_high_one(void **state)
 {
     (void)state;
     const double values[] = {-1, 4};
-    const fw_colouring wish = {.label = "speed", .map = FW_PALETTE_SEQUENTIAL};
+    const fw_colouring wish = {.label = {"speed", 0}, .map = FW_PALETTE_SEQUENTIAL};
     const fw_colour_scale scale = fw_colour_scale_for(wish, values, 2);
     const fw_colour_bar bar = fw_colour_bar_for(scale, 80);
     fw_canvas *canvas;

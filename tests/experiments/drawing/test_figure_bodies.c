@@ -143,10 +143,10 @@ static void a_field_is_drawn_on_the_particles(void **state)
     (void)state;
     journey *j = travel();
     fw_figure_field_plan plan = {.view = &j->views[1],
-                                 .colouring = {.label = "speed / lattice units per step"}};
+                                 .colouring = {.label = {"speed / lattice units per step", 0}}};
     draw_everywhere(draw_field, &plan, page_with("Speed of the particles", NULL), "field");
     plan.look = FW_VIEW_DISCS;
-    plan.colouring = (fw_colouring){.label = "velocity along x", .trim = .02};
+    plan.colouring = (fw_colouring){.label = {"velocity along x", 0}, .trim = .02};
     j->bodies[1].field = j->at[1].u;
     draw_everywhere(draw_field, &plan, page_with(NULL, NULL), "field-signs");
     free(j);
@@ -157,7 +157,7 @@ static void a_sequence_is_drawn_side_by_side(void **state)
     (void)state;
     journey *j = travel();
     fw_figure_strip_plan plan = {
-        .views = j->views, .view_count = INSTANTS, .colouring = {.label = "speed"}};
+        .views = j->views, .view_count = INSTANTS, .colouring = {.label = {"speed", 0}}};
     draw_everywhere(draw_strip, &plan, page_with("The bounce in frames", NULL), "strip");
     static const char *const kinds[7] = {"white", NULL, NULL, NULL, NULL, NULL, "black"};
     unsigned char species[SHEET];

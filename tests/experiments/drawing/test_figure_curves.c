@@ -30,13 +30,13 @@ static void observables_over_time_are_drawn(void **state)
     const fw_curve total = {NULL, SAMPLES, time, energy, NULL, NULL, FW_CURVE_LINE, 0, NULL};
     const fw_curve change = {NULL, SAMPLES, time, drift, NULL, NULL, FW_CURVE_LINE, 0, NULL};
     const fw_chart charts[3] = {
-        {.label = "energy / m v^{2}", .curves = parts, .curve_count = 2},
-        {.label = "total energy", .curves = &total, .curve_count = 1},
-        {.label = "|ΔE| / E", .curves = &change, .curve_count = 1, .logarithmic = true}};
+        {.label = {"energy / m v^{2}", 0}, .curves = parts, .curve_count = 2},
+        {.label = {"total energy", 0}, .curves = &total, .curve_count = 1},
+        {.label = {"|ΔE| / E", 0}, .curves = &change, .curve_count = 1, .logarithmic = true}};
     const fw_figure_mark marks[3] = {{600, "settle"}, {1400, "drive"}, {1500, "sample"}};
     fw_figure_stack_plan plan = {.charts = charts,
                                  .chart_count = 3,
-                                 .label = "time / steps",
+                                 .label = {"time / steps", 0},
                                  .marks = marks,
                                  .mark_count = 3};
     draw_everywhere(draw_stack, &plan, page_with("Energy of the sheet", NULL), "series");
@@ -63,10 +63,10 @@ static void a_dispersion_is_drawn(void **state)
         {"simulated", MEASURED, at, seen, error, NULL, FW_CURVE_MARKERS, FW_PALETTE_KINDS - 1,
          NULL}};
     const fw_axis_name names[4] = {{0, "Γ"}, {1, "X"}, {2, "M"}, {3, "Γ"}};
-    const fw_chart chart = {.label = "frequency ω τ", .curves = curves, .curve_count = 3};
+    const fw_chart chart = {.label = {"frequency ω τ", 0}, .curves = curves, .curve_count = 3};
     fw_figure_stack_plan plan = {.charts = &chart,
                                  .chart_count = 1,
-                                 .label = "wave vector along Γ–X–M–Γ",
+                                 .label = {"wave vector along Γ–X–M–Γ", 0},
                                  .names = names,
                                  .name_count = 4};
     draw_everywhere(draw_stack, &plan, page_with("Dispersion of the elastic automaton", NULL),
@@ -123,8 +123,8 @@ static void a_profile_is_drawn_under_its_configuration(void **state)
     const fw_curve bond_order = {NULL, BINS,          place, order, order_error,
                                  NULL, FW_CURVE_LINE, 2,     NULL};
     const fw_chart charts[2] = {
-        {.label = "⟨|F_{return}|⟩ / ε r_{0}^{−1}", .curves = returns, .curve_count = 2},
-        {.label = "bond order ψ_{6}", .curves = &bond_order, .curve_count = 1}};
+        {.label = {"⟨|F_{return}|⟩ / ε r_{0}^{−1}", 0}, .curves = returns, .curve_count = 2},
+        {.label = {"bond order ψ_{6}", 0}, .curves = &bond_order, .curve_count = 1}};
     const fw_figure_region regions[5] = {{-9, -6, "far", 0},
                                          {-6, -1.8, "intermediate", .45},
                                          {-1.8, 1.8, "contact", 1},
@@ -132,10 +132,10 @@ static void a_profile_is_drawn_under_its_configuration(void **state)
                                          {6, 9, "far", 0}};
     fw_figure_stack_plan plan = {.views = &view,
                                  .view_count = 1,
-                                 .colouring = {.label = "return force |F| / ε r_{0}^{−1}"},
+                                 .colouring = {.label = {"return force |F| / ε r_{0}^{−1}", 0}},
                                  .charts = charts,
                                  .chart_count = 2,
-                                 .label = "x / r_{0}",
+                                 .label = {"x / r_{0}", 0},
                                  .regions = regions,
                                  .region_count = 5};
     draw_everywhere(draw_stack, &plan,
@@ -188,16 +188,16 @@ static void a_map_is_drawn_with_a_curve_over_it(void **state)
                                .values = growth,
                                .p_step = .025,
                                .q_step = .025,
-                               .p_label = "c_{1}",
-                               .q_label = "c_{2}",
+                               .p_label = {"c_{1}", 0},
+                               .q_label = {"c_{2}", 0},
                                .equal_aspect = true,
-                               .colouring = {.label = "largest |λ|"},
+                               .colouring = {.label = {"largest |λ|", 0}},
                                .curves = &arc,
                                .curve_count = 1};
     draw_everywhere(draw_map, &plan, page_with("Stability of the elastic automaton", NULL), "map");
     plan.equal_aspect = false;
-    plan.p_label = "time / steps";
-    plan.q_label = "density";
+    plan.p_label = (fw_label){"time / steps", 0};
+    plan.q_label = (fw_label){"density", 0};
     growth[1000] = NAN;
     draw_everywhere(draw_map, &plan, page_with(NULL, NULL), "map-wide");
 }

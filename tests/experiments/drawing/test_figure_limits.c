@@ -36,7 +36,7 @@ static void walls_of_every_shape_are_drawn(void **state)
     const double x[4] = {8, 9, 8, 9}, y[4] = {14, 14, 15, 15}, field[4] = {-1, .5, NAN, 2};
     const fw_view_body body = {.count = 4, .x = x, .y = y, .field = field, .spacing = 1};
     const fw_view view = {.bodies = &body, .body_count = 1, .walls = walls, .wall_count = 6};
-    fw_figure_field_plan plan = {.view = &view, .colouring = {.label = "charge"}};
+    fw_figure_field_plan plan = {.view = &view, .colouring = {.label = {"charge", 0}}};
     /* Too small a body for its walls: they are left out ... */
     draw_everywhere(draw_field, &plan, page_with("A small body in the middle of things", NULL),
                     "walls-left-out");
@@ -54,7 +54,7 @@ static void one_particle_has_a_picture(void **state)
     const double x = 1e4 + .25, y = -3e4, value = 5;
     const fw_view_body body = {.count = 1, .x = &x, .y = &y, .field = &value};
     const fw_view view = {.bodies = &body, .body_count = 1};
-    fw_figure_field_plan plan = {.view = &view, .colouring = {.label = "mass"}};
+    fw_figure_field_plan plan = {.view = &view, .colouring = {.label = {"mass", 0}}};
     draw_everywhere(draw_field, &plan, page_with("One particle", NULL), "one-particle");
     const fw_figure_path path = {&x, &y, 1};
     fw_figure_motion_plan motion = {
@@ -73,9 +73,9 @@ static void nothing_has_a_picture_that_says_so(void **state)
     const double gap[3] = {NAN, INFINITY, -INFINITY}, time[3] = {0, 1, 2};
     const fw_curve curves[2] = {{"none", 0, NULL, NULL, NULL, NULL, FW_CURVE_LINE, 0, NULL},
                                 {"undefined", 3, time, gap, gap, NULL, FW_CURVE_LINE, 0, NULL}};
-    const fw_chart charts[2] = {{.label = "a", .curves = curves, .curve_count = 1},
-                                {.label = "b", .curves = curves + 1, .curve_count = 1}};
-    fw_figure_stack_plan stack = {.charts = charts, .chart_count = 2, .label = "time"};
+    const fw_chart charts[2] = {{.label = {"a", 0}, .curves = curves, .curve_count = 1},
+                                {.label = {"b", 0}, .curves = curves + 1, .curve_count = 1}};
+    fw_figure_stack_plan stack = {.charts = charts, .chart_count = 2, .label = {"time", 0}};
     draw_everywhere(draw_stack, &stack, page_with(NULL, NULL), "no-data");
 }
 
@@ -95,7 +95,8 @@ static void a_hundred_thousand_particles_have_a_picture(void **state)
     value[5] = 1e9; /* one wild value must not wash out the rest */
     const fw_view_body body = {.count = MANY, .x = x, .y = y, .field = value, .spacing = 1};
     const fw_view view = {.bodies = &body, .body_count = 1};
-    fw_figure_field_plan plan = {.view = &view, .colouring = {.label = "pressure", .trim = .001}};
+    fw_figure_field_plan plan = {.view = &view,
+                                 .colouring = {.label = {"pressure", 0}, .trim = .001}};
     fw_page page = page_with("A hundred thousand particles", NULL);
     draw_into(draw_field, &plan, page, "many", ".png");
     draw_into(draw_field, &plan, page, "many", ".pdf");
@@ -122,9 +123,9 @@ static void long_noisy_series_stay_small(void **state)
     value[LONG / 2] = 6e22; /* a single spike is seen */
     const fw_curve curve = {"force", LONG, time, value, error, NULL, FW_CURVE_LINE, 0, NULL};
     const fw_chart charts[2] = {
-        {.label = "force", .curves = &curve, .curve_count = 1},
-        {.label = "force", .curves = &curve, .curve_count = 1, .logarithmic = true}};
-    fw_figure_stack_plan stack = {.charts = charts, .chart_count = 2, .label = "time / steps"};
+        {.label = {"force", 0}, .curves = &curve, .curve_count = 1},
+        {.label = {"force", 0}, .curves = &curve, .curve_count = 1, .logarithmic = true}};
+    fw_figure_stack_plan stack = {.charts = charts, .chart_count = 2, .label = {"time / steps", 0}};
     draw_everywhere(draw_stack, &stack, page_with("Long", NULL), "long");
     file_bytes svg = read_file(picture_name("long", ".svg"));
     assert_true(svg.count < 4000000);
@@ -181,7 +182,7 @@ static void what_cannot_be_drawn_is_said(void **state)
                      FW_BAD_INPUT);
     assert_int_equal(fw_figure_forces(&page, &(fw_figure_forces_plan){.panel_count = 0}, &error),
                      FW_BAD_INPUT);
-    assert_int_equal(fw_figure_stack(&page, &(fw_figure_stack_plan){.label = "x"}, &error),
+    assert_int_equal(fw_figure_stack(&page, &(fw_figure_stack_plan){.label = {"x", 0}}, &error),
                      FW_BAD_INPUT);
     page.resolution = 1e6;
     assert_int_equal(fw_figure_motion(&page, &nothing, &error), FW_BAD_INPUT);

@@ -2,6 +2,7 @@
 /* test_plot_data.c - what pictures of a result show, as numbers before anything is drawn. */
 #include "tests/support/laws.h"
 
+#include "experiments/pictures/plot_choice.h"
 #include "experiments/pictures/plot_exact.h"
 #include "experiments/pictures/plot_extent.h"
 #include "experiments/pictures/plot_parts.h"
@@ -113,17 +114,17 @@ static void curves_are_named_by_what_tells_them_apart(void **state)
     open_result();
     find_series(&series, names, 5, 0, INT64_MAX);
     assert_int_equal(series.panel_count, 4);
-    assert_string_equal(series.charts[0].label, "elongation x (length)");
+    assert_string_equal(series.charts[0].label.text, "elongation x (length)");
     assert_int_equal(series.charts[0].curve_count, 2);
     assert_string_equal(series.charts[0].curves[0].label, "sheet");
     assert_string_equal(series.charts[0].curves[1].label, "rod");
-    assert_string_equal(series.charts[1].label, "momentum of rod");
+    assert_string_equal(series.charts[1].label.text, "momentum of rod");
     assert_int_equal(series.charts[1].curve_count, 2); /* x is not drawn twice */
     assert_string_equal(series.charts[1].curves[0].label, "x");
     assert_string_equal(series.charts[1].curves[1].label, "y");
-    assert_string_equal(series.charts[2].label, "energy");
+    assert_string_equal(series.charts[2].label.text, "energy");
     assert_null(series.charts[2].curves[0].label);
-    assert_string_equal(series.charts[3].label, "reaction y (force)"); /* there is one wall */
+    assert_string_equal(series.charts[3].label.text, "reaction y (force)"); /* there is one wall */
     fw_plot_series_clear(&series);
     fw_plot_result_close(&result);
 }
@@ -136,7 +137,7 @@ static void quantities_of_one_unit_share_a_panel(void **state)
     open_result();
     find_series(&series, names, 2, 0, INT64_MAX);
     assert_int_equal(series.panel_count, 1);
-    assert_string_equal(series.charts[0].label, "length of sheet");
+    assert_string_equal(series.charts[0].label.text, "length of sheet");
     assert_string_equal(series.charts[0].curves[0].label, "elongation x");
     assert_string_equal(series.charts[0].curves[3].label, "centre of mass y");
     fw_plot_series_clear(&series);
@@ -239,7 +240,51 @@ static void a_temperature_is_drawn_beside_what_is_set(void **state)
     assert_string_equal(set->label, "set by the heat bath");
     assert_close(set->y[5], .1, 0);
     assert_close(set->y[15], .3, 0);
+    assert_close(set->y[20], .3, 0);
     fw_plot_series_clear(&series);
+    fw_plot_result_close(&result);
+    remove_folder(directory);
+}
+
+/* The values stay reduced; what is shown beside the axis is .4 nm, .5 meV, and so on. */
+static void axes_tell_the_units_of_nature(void **state)
+{
+    (void)state;
+    char directory[64];
+    const char *names[] = {"kinetic-energy", "extent.x"};
+    const fw_plot_picture picture = {.asked = {.kind = FW_PICTURE_SERIES, .until = INT64_MAX},
+                                     .observables = names,
+                                     .observable_count = 2};
+    const fw_plot_wish wish = {.kind = "field", .field = "speed"};
+    fw_plot_series series;
+    fw_plot_choice choice;
+    make_folder(directory, sizeof directory);
+    run_scenario("title: A gas\n"
+                 "units: {length: 0.4 nm, time: 2 ps, mass: 1 u}\n"
+                 "materials: {gas: {movable-particles: {}}}\n"
+                 "bodies: {gas: {material: gas, lattice: hexagonal, shape: {rectangle: [3, 3]}, "
+                 "velocity: [1, 0]}}\n"
+                 "dynamics: {time-step: 0.005}\n"
+                 "measure: [kinetic-energy, extent]\n"
+                 "record: {fields: [speed]}\n"
+                 "run: {steps: 20}\n",
+                 directory);
+    assert_fine(fw_plot_result_open(&result, directory, &error));
+    assert_fine(fw_plot_series_find(&series, &result, &picture, &error));
+    /* 1 u (.4 nm/2 ps)^2 = 1.66054e-27 kg (200 m/s)^2 = 6.64216e-23 J = .41457 meV. */
+    assert_string_equal(series.charts[0].label.text, "kinetic energy (meV)");
+    assert_close(series.charts[0].label.factor, .41457, 1e-5);
+    assert_string_equal(series.charts[1].label.text, "extent x (nm)");
+    assert_close(series.charts[1].label.factor, .4, 1e-15);
+    assert_close(series.charts[1].curves[0].y[0], 2.5, 1e-12);
+    fw_plot_series_clear(&series);
+    assert_fine(fw_plot_choose(&choice, &result, &wish, &error));
+    assert_string_equal(choice.picture.field.text, "speed (km/s)");
+    assert_close(choice.picture.field.factor, .2, 1e-15);
+    assert_string_equal(choice.picture.page.x_label.text, "x (nm)");
+    assert_close(choice.picture.page.y_label.factor, .4, 1e-15);
+    assert_string_equal(choice.picture.page.force.text, "pN");
+    fw_plot_choice_clear(&choice);
     fw_plot_result_close(&result);
     remove_folder(directory);
 }
@@ -304,6 +349,7 @@ int main(void)
         cmocka_unit_test(a_curve_that_lies_on_another_is_dashed),
         cmocka_unit_test(colours_and_axes_are_those_of_the_whole_result),
         cmocka_unit_test(a_temperature_is_drawn_beside_what_is_set),
+        cmocka_unit_test(axes_tell_the_units_of_nature),
         cmocka_unit_test(a_quantity_that_another_would_flatten_stands_alone),
         cmocka_unit_test(the_exact_solution_is_where_the_automaton_is),
     };

@@ -208,13 +208,15 @@ static void labels_name_what_differs(void **state)
         {"layer contact (force)", ""}};
     const fw_sweep_table table = {.columns = columns, .column_count = 6};
     char label[200];
+    fw_label axis;
     (void)state;
     for (int n = 0; n < 6; ++n) {
-        const char *part = fw_plot_sweep_label(&columns[n], &table, true, label, sizeof label);
+        const char *part =
+            fw_plot_sweep_label(&columns[n], &table, NULL, true, label, sizeof label, &axis);
         assert_string_equal(label, wanted[n][0]);
         assert_string_equal(part, wanted[n][1]);
     }
-    fw_plot_sweep_label(&columns[0], &table, false, label, sizeof label);
+    fw_plot_sweep_label(&columns[0], &table, NULL, false, label, sizeof label, &axis);
     assert_string_equal(label, "centre of mass (length)");
 }
 

@@ -225,7 +225,7 @@ static void resume_refuses_what_does_not_fit(void **state)
     assert_refused(fw_trajectory_reopen(&trajectory, &def, 15, 100, &error), FW_BAD_INPUT,
                    "'sheet' in place of 'slab'");
     def = run_def(folder);
-    fw_trajectory_field field = {"stress", "not recorded"};
+    fw_trajectory_field field = {"stress", "force", "not recorded"};
     def.fields = &field;
     def.field_count = 1;
     assert_refused(fw_trajectory_reopen(&trajectory, &def, 15, 100, &error), FW_BAD_INPUT,
@@ -254,7 +254,8 @@ static void file_killed_while_cut_is_put_right(void **state)
     char folder[64], command[512];
     make_folder(folder, sizeof folder);
     record(folder, 100, "interrupted");
-    /* The length goes first, then the head is rewritten; 48 bytes in front of the copy are its own. */
+    /* The length goes first, then the head is rewritten; 48 bytes in front of the copy are its own.
+     */
     static const char *const damages[] = {
         "true",
         "dd if=trajectory.h5.cutting of=trajectory.h5 iflag=skip_bytes skip=48 bs=64k count=1 "

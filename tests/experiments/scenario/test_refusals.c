@@ -42,24 +42,20 @@ static const struct {
      "14:50: layers is 11, expected at most the 10 rows of body 'sheet'"},
     {"from: 10, until: 20", "from: 4000, until: 5000",
      "14:60: forces.pull.from is 4000, expected less than the 4000 steps of the run: it would "
-     "never "
-     "act"},
+     "never act"},
     {"record-every: 20}\nexpect:\n  - {quantity: energy-drift, below",
      "measure-every: 30}\nexpect:\n  - {quantity: energy-drift, from: 31, until: 59, below",
      "17:47: the expectation of 'energy-drift' looks at the steps 31 to 59, of which 0 are "
-     "measured "
-     "(run.measure-every is 30), expected at least 1"},
+     "measured (run.measure-every is 30), expected at least 1"},
     {"record-every: 20}\nexpect:\n  - {quantity: energy-drift, below",
      "measure-every: 30}\nphases: {a: {until: 31}, mid: {until: 59}, z: {until: 4000}}\nexpect:\n"
      "  - {quantity: energy-drift, phase: mid, below",
      "18:37: the expectation of 'energy-drift' looks at the steps 31 to 59, of which 0 are "
-     "measured "
-     "(run.measure-every is 30), expected at least 1"},
+     "measured (run.measure-every is 30), expected at least 1"},
     {"quantity: energy-drift, below",
      "quantity: energy-drift, from: 60, until: 60, statistic: rate, below",
      "17:47: the expectation of 'energy-drift' looks at the steps 60 to 60, of which 1 are "
-     "measured "
-     "(run.measure-every is 1), expected at least 2 for a rate"},
+     "measured (run.measure-every is 1), expected at least 2 for a rate"},
     {"record-every: 20}\nexpect:\n  - {quantity: energy-drift, below: 1e-11}\npictures:\n"
      "  fig1: {kind: motion, instants: [0, 2000]}",
      "measure-every: 30}\npictures:\n  fig1: {kind: series, from: 31, until: 59}",
@@ -71,6 +67,8 @@ static const struct {
      "3:46: unknown key 'viscosity' in materials.rubber.lattice-boltzmann, expected a key of a "
      "lattice Boltzmann material: rest-mass, damping, link-stiffness, break-at"},
     {"title:", "titel:", "1:1: unknown key 'titel'; did you mean 'title'?"},
+    {"title:", "units: {length: 1 nm, mass: 1 u, time: 1 nm}\ntitle:",
+     "1:40: units.time is in 'nm', expected a unit of time: s with any prefix"},
     {"record-every", "record_every",
      "15:20: unknown key 'record_every' in run; did you mean 'record-every'?"},
     {"walls:", "wall:", "11:1: unknown key 'wall'; did you mean 'walls'?"},
@@ -297,12 +295,13 @@ static const struct {
     {"run.steps=[", "run.steps=[: a value is missing"},
     {"run.steps=4e3", "run.steps=4e3: run.steps is '4e3', expected a whole number of at least 1, "
                       "written without point, exponent or leading zeros"},
-    {"steps=3", "steps=3: unknown key 'steps', expected a key of a scenario: title, source, "
-                "figure, group, takes, small, "
-                "about, parameters, materials, bodies, walls, forces, grips, phases, profile, "
-                "study, dynamics, "
-                "contact, run, record, "
-                "measure, expect, pictures, analysis"},
+    {"steps=3",
+     "steps=3: unknown key 'steps', expected a key of a scenario: title, source, "
+     "figure, group, takes, small, "
+     "about, parameters, units, materials, bodies, walls, forces, grips, phases, profile, "
+     "study, dynamics, "
+     "contact, run, record, "
+     "measure, expect, pictures, analysis"},
     {"walls.floor.box=[0,0,1,1]", "walls.floor.box=[0,0,1,1]: there is no 'floor' in walls"},
     {"walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}",
      "walls.floor={box: [0,0,1,1], surface: {coulomb: -1}}: walls.floor.surface.coulomb is '-1', "
@@ -327,12 +326,13 @@ static const struct {
      "expected corners that differ in x and in y"},
     {"forces.pull.until=5",
      "forces.pull.until=5: forces.pull.until is 5, expected more than 'from', which is 10"},
-    {"a=b=c", "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, "
-              "takes, small, "
-              "about, parameters, materials, bodies, walls, forces, grips, phases, profile, study, "
-              "dynamics, "
-              "contact, run, record, "
-              "measure, expect, pictures, analysis"},
+    {"a=b=c",
+     "a=b=c: unknown key 'a', expected a key of a scenario: title, source, figure, group, "
+     "takes, small, "
+     "about, parameters, units, materials, bodies, walls, forces, grips, phases, profile, study, "
+     "dynamics, "
+     "contact, run, record, "
+     "measure, expect, pictures, analysis"},
 };
 
 static char *change(const char *written, const char *instead)
