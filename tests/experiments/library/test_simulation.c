@@ -15,7 +15,7 @@ static const char gas[] =
     "bodies:\n"
     "  left: {material: gas, lattice: hexagonal, shape: {rectangle: [5, 5]}, temperature: 1}\n"
     "  right: {material: gas, lattice: hexagonal, shape: {rectangle: [4, 4]}, origin: [9, 0]}\n"
-    "walls: {box: {box: [-3, -3, 20, 9]}}\n"
+    "walls: {box: {box: [-0.05, -0.05, 20, 9]}}\n"
     "dynamics: {time-step: 0.01, damping: 1, temperature: 0.5}\n"
     "run: {steps: 50, record-every: 4, measure-every: 3, seed: 7}\n"
     "record: {fields: [local-order], force: true}\n"
@@ -176,6 +176,49 @@ static void quantities_are_measured_by_name(void **state)
                    "centre-of-mass.left");
     assert_refused(fw_simulation_measure(simulation, "grip-work", values, &count, &error),
                    FW_BAD_INPUT, "there is nothing to measure grip-work of");
+    fw_simulation_destroy(simulation);
+}
+
+static fw_vec2 sum_of(const double *x, const double *y, int count)
+{
+    fw_vec2 sum = {0, 0};
+    for (int i = 0; i < count; ++i) sum = fw_vec2_add(sum, (fw_vec2){x[i], y[i]});
+    return sum;
+}
+
+/* Particles of mass 1, and a force at rest on all of them. */
+static void velocities_and_forces_are_those_of_mechanics(void **state)
+{
+    (void)state;
+    const char *const settings[] = {"forces.pull={body: right, force: [0.25, 0.5]}"};
+    fw_simulation_def def = def_of(gas);
+    fw_simulation *simulation;
+    fw_vec2 force = {0, 0}, push = {0, 0};
+    const double *x, *y, *speed;
+    bool pushed = false;
+    def.settings = settings;
+    def.setting_count = 1;
+    assert_fine(fw_simulation_create(&simulation, &def, &error));
+    while (!fw_simulation_is_at_end(simulation)) {
+        assert_fine(fw_simulation_advance(simulation, 1, &error));
+        assert_fine(fw_simulation_velocities(simulation, 0, &x, &y, &error));
+        const fw_vec2 momentum = sum_of(x, y, 25);
+        assert_close(momentum.x, measured(simulation, "momentum.left.x", 1, 0), 1e-12);
+        assert_close(momentum.y, measured(simulation, "momentum.left.y", 1, 0), 1e-12);
+        assert_fine(fw_simulation_forces(simulation, 0, &x, &y, &error));
+        force = sum_of(x, y, 25);
+        assert_fine(fw_simulation_forces(simulation, 1, &x, &y, &error));
+        force = fw_vec2_add(force, sum_of(x, y, 16));
+        push = (fw_vec2){measured(simulation, "reaction.box.x", 1, 0),
+                         measured(simulation, "reaction.box.y", 1, 0)};
+        assert_close(force.x, push.x + 16 * 0.25, 1e-10);
+        assert_close(force.y, push.y + 16 * 0.5, 1e-10);
+        pushed = pushed || push.x != 0;
+    }
+    assert_true(pushed);
+    assert_fine(fw_simulation_velocities(simulation, 1, &x, &y, &error));
+    assert_fine(fw_simulation_field(simulation, 1, "speed", &speed, &error));
+    for (int i = 0; i < 16; ++i) assert_close(speed[i], hypot(x[i], y[i]), 1e-14);
     fw_simulation_destroy(simulation);
 }
 
@@ -372,6 +415,7 @@ int main(void)
         cmocka_unit_test(whoever_looks_is_called_at_multiples_and_at_the_end),
         cmocka_unit_test(what_is_handed_out_shows_the_present),
         cmocka_unit_test(quantities_are_measured_by_name),
+        cmocka_unit_test(velocities_and_forces_are_those_of_mechanics),
         cmocka_unit_test(expectations_are_judged_at_the_end),
         cmocka_unit_test(results_are_those_of_the_program),
         cmocka_unit_test(a_run_that_diverges_can_be_looked_at),
