@@ -79,6 +79,22 @@ static void pieces_make_the_same_whole(void **state)
     fw_simulation_destroy(pieces);
 }
 
+/* On which nothing acts: such bodies take many steps at once. */
+static void free_bodies_stop_where_they_are_told(void **state)
+{
+    (void)state;
+    fw_simulation *simulation = simulation_of(
+        "title: free\n"
+        "materials: {rubber: {lattice-boltzmann: {rest-mass: 0}}}\n"
+        "bodies: {sheet: {material: rubber, shape: {rectangle: [9, 9]}, velocity: [0.1, 0]}}\n"
+        "run: {steps: 100, record-every: 50, measure-every: 50}\n");
+    const fw_body_view sheet = fw_simulation_body(simulation, 0);
+    assert_fine(fw_simulation_advance(simulation, 7, &error));
+    assert_int_equal(fw_simulation_step(simulation), 7);
+    assert_close(sheet.x[40], 4 + 0.7, 1e-13);
+    fw_simulation_destroy(simulation);
+}
+
 typedef struct diary {
     int count;
     int64_t steps[32];
@@ -412,6 +428,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pieces_make_the_same_whole),
+        cmocka_unit_test(free_bodies_stop_where_they_are_told),
         cmocka_unit_test(whoever_looks_is_called_at_multiples_and_at_the_end),
         cmocka_unit_test(what_is_handed_out_shows_the_present),
         cmocka_unit_test(quantities_are_measured_by_name),
