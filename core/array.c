@@ -56,6 +56,13 @@ void *fw_array_allocate(size_t count, size_t element_size)
     return memory;
 }
 
+void *fw_array_zeroed(size_t count, size_t element_size)
+{
+    void *memory = calloc(count + 1, element_size);
+    if (memory) fw_array_ask_for_large_pages(memory, count * element_size);
+    return memory;
+}
+
 double *fw_array_of_doubles(size_t count)
 {
     return fw_array_allocate(count, sizeof(double));

@@ -41,6 +41,9 @@ size_t fw_element_size(fw_element element);
  * there is none; a count of zero gives a valid pointer. Freed with free(). */
 void *fw_array_allocate(size_t count, size_t element_size);
 double *fw_array_of_doubles(size_t count);
+/* The same on the boundary of malloc(): sooner there where it is large, and what is not touched
+ * takes no memory. */
+void *fw_array_zeroed(size_t count, size_t element_size);
 /* Large memory that nobody has touched yet is to come in large pages where the system has them:
  * they are there sooner, and found sooner. */
 void fw_array_ask_for_large_pages(void *memory, size_t bytes);

@@ -3,6 +3,8 @@
  * Invariant of every set: rows ascend, columns ascend within a row, no site twice. */
 #include "core/lattice.h"
 
+#include "core/array.h"
+
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -26,7 +28,7 @@ static fw_status allocate_sites(fw_sites *sites, long long count, fw_error *erro
     if (count > FW_SITES_MAX)
         return fw_fail(error, FW_BAD_INPUT, "the shape has %lld sites, expected at most %d", count,
                        FW_SITES_MAX);
-    sites->site = malloc((size_t)count * sizeof *sites->site);
+    sites->site = fw_array_zeroed((size_t)count, sizeof *sites->site);
     if (!sites->site) return fw_fail_memory(error, "the sites of a shape");
     sites->count = (int)count;
     return FW_OK;
@@ -129,7 +131,7 @@ int fw_sites_find(const fw_sites *sites, fw_site site)
     return found ? (int)(found - sites->site) : -1;
 }
 
-int fw_sites_find_next(const fw_sites *sites, fw_site site, int *at)
+int fw_sites_walk(const fw_sites *sites, fw_site site, int *at)
 {
     int n = *at;
     while (n < sites->count && compare_sites(&sites->site[n], &site) < 0) ++n;

@@ -60,7 +60,14 @@ void fw_sites_clear(fw_sites *sites);
 int fw_sites_find(const fw_sites *sites, fw_site site);
 /* The same, walking from *at (0 at first), where it leaves off: for sites that are asked for in
  * ascending order, all answers together take as long as one walk through the set. */
-int fw_sites_find_next(const fw_sites *sites, fw_site site, int *at);
+int fw_sites_walk(const fw_sites *sites, fw_site site, int *at);
+static inline int fw_sites_find_next(const fw_sites *sites, fw_site site, int *at)
+{
+    const int next = *at + 1; /* mostly it is that */
+    if (next >= sites->count || sites->site[next].i != site.i || sites->site[next].j != site.j)
+        return fw_sites_walk(sites, site, at);
+    return *at = next;
+}
 /* The neighbour of a site of the square lattice. */
 fw_site fw_site_neighbour(fw_site site, int direction);
 

@@ -126,8 +126,8 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
                               fw_error *error)
 {
     const size_t size = (size_t)body->head.count;
-    body->cell = fw_array_allocate(size, sizeof *body->cell);
-    body->white = fw_array_allocate(size, sizeof *body->white);
+    body->cell = fw_array_zeroed(size, sizeof *body->cell);
+    body->white = fw_array_zeroed(size, sizeof *body->white);
     if (!body->cell || !body->white) return fw_fail_memory(error, "the colours of an automaton");
     for (int p = 0; p < body->head.count; ++p) {
         const fw_site site = def->sites->site[p];
@@ -295,7 +295,7 @@ static fw_status find_borders(fw_automaton *body, const surroundings *around, fw
 {
     const size_t size = (size_t)body->head.count;
     size_t links = 0;
-    body->border = fw_array_allocate(size, sizeof *body->border);
+    body->border = fw_array_zeroed(size, sizeof *body->border);
     if (!body->border) return fw_fail_memory(error, "the borders of an automaton");
     for (int p = 0; p < body->head.count; ++p) {
         const int *next = around->next[p];
@@ -306,7 +306,7 @@ static fw_status find_borders(fw_automaton *body, const surroundings *around, fw
         }
         for (int d = FW_EAST; d <= FW_NORTH; ++d) links += next[d] >= 0;
     }
-    body->head.links = fw_array_allocate(links, sizeof *body->head.links);
+    body->head.links = fw_array_zeroed(links, sizeof *body->head.links);
     if (!body->head.links) return fw_fail_memory(error, "the bonds of an automaton");
     fw_automaton_list_bonds(body);
     return FW_OK;
@@ -362,8 +362,8 @@ fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_de
                                fw_error *error)
 {
     const size_t size = (size_t)body->head.count;
-    surroundings around = {fw_array_allocate(size, sizeof *around.next),
-                           fw_array_allocate(size, sizeof *around.seam)};
+    surroundings around = {fw_array_zeroed(size, sizeof *around.next),
+                           fw_array_zeroed(size, sizeof *around.seam)};
     body->ring_of_rows = def->period_rows > 0;
     fw_status status = around.next && around.seam
                            ? FW_OK

@@ -52,6 +52,14 @@ static fw_sym2 stiffness_of(const fw_lb_solid_def *def, int site, int direction)
     return own ? own[site] : def->stiffness;
 }
 
+/* Sites with masses and stiffnesses that may be those of no site before: the first, where all are
+ * the same. */
+static int described(const fw_lb_solid_def *def)
+{
+    const bool vary = def->rest_masses || def->stiffness_east || def->stiffness_north;
+    return vary || def->sites->count < 1 ? def->sites->count : 1;
+}
+
 static fw_status check_stiffness(fw_sym2 kappa, fw_site site, fw_error *error)
 {
     if (!is_positive(kappa))
@@ -86,7 +94,7 @@ static fw_status check_definition(const fw_lb_solid_def *def, fw_error *error)
     if (!(def->break_at > 0))
         return fw_fail(error, FW_BAD_INPUT, "break-at %g, expected a positive stretch",
                        def->break_at);
-    for (int l = 0; l < def->sites->count; ++l) {
+    for (int l = 0; l < described(def); ++l) {
         fw_site site = def->sites->site[l];
         if (!is_finite(rest_mass_of(def, l)))
             return fw_fail(error, FW_BAD_INPUT, "rest mass of site [%d, %d] is not finite", site.i,
@@ -102,7 +110,7 @@ static void choose_kernels(lb_solid *lb, const fw_lb_solid_def *def)
     lb->mu = def->mu;
     lb->break_at = def->break_at;
     lb->resting = isfinite(def->break_at); /* breaking makes rest mass */
-    for (int l = 0; l < def->sites->count; ++l) {
+    for (int l = 0; l < described(def); ++l) {
         fw_sym2 rest = rest_mass_of(def, l), east = stiffness_of(def, l, FW_EAST),
                 north = stiffness_of(def, l, FW_NORTH);
         lb->resting |= rest.xx != 0 || rest.xy != 0 || rest.yy != 0;
@@ -151,8 +159,32 @@ static void destroy(fw_solid *solid)
     free(solid);
 }
 
+/* Its mass (M0^2 + sum of its link stiffnesses)/2 (Eq 4), where that can be inverted. */
+static fw_status check_mass(fw_sym2 mass, fw_site site, fw_error *error)
+{
+    if (!is_positive(mass))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "site [%d, %d] has no links and a rest mass that leaves it without "
+                       "mass, expected a rest mass that is not singular",
+                       site.i, site.j);
+    const double condition = fw_sym2_condition(mass);
+    if (!(condition <= FW_LB_CONDITION_MAX))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "site [%d, %d] has the mass (M0^2 + sum of its link stiffnesses)/2 = "
+                       "[%.17g, %.17g, %.17g] with the condition number %.2g, expected at most "
+                       "%.2g: beyond it rounding takes energy and momentum from the body",
+                       site.i, site.j, mass.xx, mass.xy, mass.yy, condition, FW_LB_CONDITION_MAX);
+    return FW_OK;
+}
+
+static bool is_same(fw_sym2 a, fw_sym2 b)
+{
+    return a.xx == b.xx && a.xy == b.xy && a.yy == b.yy;
+}
+
 static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error)
 {
+    fw_sym2 before = {0, 0, 0}, inverse = {0, 0, 0}; /* of the site before, mostly the same */
     for (int l = 0; l < lb->head.count; ++l) {
         if (lb->resting) lb_put(&lb->rest_mass, l, rest_mass_of(def, l));
         if (lb->weighted)
@@ -163,22 +195,14 @@ static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error
         fw_sym2 sum = fw_sym2_square(rest_mass_of(def, l));
         for (int d = 0; d < FW_DIRECTIONS; ++d)
             if (lb->present[l] & (1u << d)) sum = fw_sym2_add(sum, lb_stiffness(lb, l, d));
-        fw_sym2 mass = fw_sym2_scale(0.5, sum); /* Eq 4 */
-        if (!is_positive(mass))
-            return fw_fail(error, FW_BAD_INPUT,
-                           "site [%d, %d] has no links and a rest mass that leaves it without "
-                           "mass, expected a rest mass that is not singular",
-                           def->sites->site[l].i, def->sites->site[l].j);
-        const double condition = fw_sym2_condition(mass);
-        if (!(condition <= FW_LB_CONDITION_MAX))
-            return fw_fail(error, FW_BAD_INPUT,
-                           "site [%d, %d] has the mass (M0^2 + sum of its link stiffnesses)/2 = "
-                           "[%.17g, %.17g, %.17g] with the condition number %.2g, expected at most "
-                           "%.2g: beyond it rounding takes energy and momentum from the body",
-                           def->sites->site[l].i, def->sites->site[l].j, mass.xx, mass.xy, mass.yy,
-                           condition, FW_LB_CONDITION_MAX);
+        const fw_sym2 mass = fw_sym2_scale(0.5, sum); /* Eq 4 */
+        if (l == 0 || !is_same(mass, before)) {
+            FW_TRY(check_mass(mass, def->sites->site[l], error));
+            inverse = fw_sym2_invert(mass);
+            before = mass;
+        }
         lb_put(&lb->mass, l, mass);
-        lb_put(&lb->inverse, l, fw_sym2_invert(mass));
+        lb_put(&lb->inverse, l, inverse);
     }
     return FW_OK;
 }
@@ -189,7 +213,7 @@ static fw_status list_links(lb_solid *lb, fw_error *error)
     for (int l = 0; l < lb->head.count; ++l)
         for (int d = FW_EAST; d <= FW_NORTH; ++d) count += (lb->present[l] >> d) & 1;
     lb->head.link_count = count;
-    lb->head.links = fw_array_allocate((size_t)count, sizeof *lb->head.links);
+    lb->head.links = fw_array_zeroed((size_t)count, sizeof *lb->head.links);
     if (!lb->head.links) return fw_fail_memory(error, "the links of an LB solid");
     lb_layout_rebuild(lb);
     return FW_OK;
@@ -202,7 +226,7 @@ static void start(lb_solid *lb, const fw_lb_solid_def *def)
     const fw_vec2 zero = {0, 0};
     for (int l = 0; l < lb->head.count; ++l) {
         fw_vec2 u = def->displacement ? def->displacement[l] : zero;
-        fw_vec2 velocity = def->velocity ? def->velocity[l] : zero;
+        fw_vec2 velocity = def->velocity ? def->velocity[l] : def->drift;
         fw_vec2 site = fw_lattice_position(&def->lattice, def->sites->site[l]);
         lb->head.x[l] = site.x + u.x;
         lb->head.y[l] = site.y + u.y;
@@ -214,7 +238,7 @@ static void start(lb_solid *lb, const fw_lb_solid_def *def)
             int m = lb->neighbour[d][l];
             if (m < 0) continue;
             fw_vec2 um = def->displacement ? def->displacement[m] : zero;
-            fw_vec2 vm = def->velocity ? def->velocity[m] : zero;
+            fw_vec2 vm = def->velocity ? def->velocity[m] : def->drift;
             lb->slot_x[d][l] = 0.5 * (um.x - u.x) + 0.25 * (velocity.x + vm.x);
             lb->slot_y[d][l] = 0.5 * (um.y - u.y) + 0.25 * (velocity.y + vm.y);
         }

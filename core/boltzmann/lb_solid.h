@@ -60,7 +60,8 @@ typedef struct fw_lb_solid_def {
     fw_lb_form form;
     double break_at;             /* a link longer or shorter than this by |d| breaks; INFINITY */
     const fw_vec2 *displacement; /* u at the start, or NULL for rest */
-    const fw_vec2 *velocity;     /* V at the start, length per step, or NULL */
+    fw_vec2 drift;               /* V of all sites at the start, length per step */
+    const fw_vec2 *velocity;     /* V per site instead, or NULL */
 } fw_lb_solid_def;
 
 /* mu = 1, M0 = 0, kappa = 1, unbreakable, at rest, as populations. */

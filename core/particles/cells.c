@@ -17,9 +17,9 @@ fw_status fw_cells_create(fw_cells *cells, int count, fw_error *error)
 {
     *cells = (fw_cells){.count = count, .most = SIDE_LEAST * SIDE_LEAST};
     while (cells->most < 2 * (int64_t)count && cells->most < 1 << 29) cells->most *= 2;
-    cells->cell = fw_array_allocate((size_t)count, sizeof *cells->cell);
-    cells->begin = fw_array_allocate((size_t)cells->most + 1, sizeof *cells->begin);
-    cells->member = fw_array_allocate((size_t)count, sizeof *cells->member);
+    cells->cell = fw_array_zeroed((size_t)count, sizeof *cells->cell);
+    cells->begin = fw_array_zeroed((size_t)cells->most + 1, sizeof *cells->begin);
+    cells->member = fw_array_zeroed((size_t)count, sizeof *cells->member);
     if (cells->cell && cells->begin && cells->member) return FW_OK;
     return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for the neighbours of %d particles",
                    count);

@@ -8,7 +8,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef const fw_linear_bond (*fw_bond_table)[FW_BOND_DIRECTIONS];
+#define ROOT_3 1.73205080756887729353
+
+/* Where bonds differ from each other; of all of them. */
+typedef struct bond_table {
+    const fw_linear_neighbours *of;
+    double k1;
+    bool compensated;
+} bond_table;
+
+typedef struct bond_weight {
+    double plain, turning;
+} bond_weight;
+
+/* A bond is the edge of the triangle to its left, with the neighbour 60 degrees on, and of the one
+ * to its right. A triangle (a, b, c), counter-clockwise, adds the potential
+ * -(sqrt3/2) k1 (u_a x u_b + u_b x u_c + u_c x u_a); edges between two triangles cancel. */
+static bond_weight weight_of(const bond_table *table, int i, int alpha)
+{
+    const int32_t *around = table->of[i];
+    const int left = around[(alpha + 1) % FW_BOND_DIRECTIONS] >= 0;
+    const int right = around[(alpha + FW_BOND_DIRECTIONS - 1) % FW_BOND_DIRECTIONS] >= 0;
+    if (!table->compensated) return (bond_weight){table->k1, 0};
+    return (bond_weight){0.5 * (left + right) * table->k1,
+                         -0.5 * ROOT_3 * table->k1 * (left - right)};
+}
 
 /* The slots of a block for one direction. */
 typedef struct slot_group {
@@ -28,7 +52,7 @@ static fw_bond_slot *slot_of(slot_group *group, int32_t offset, int direction)
 }
 
 /* Counts slots and their weights, and writes slots where there is room for them. */
-static uint32_t fill(fw_linear_bonds *bonds, double k1, fw_bond_table of)
+static uint32_t fill(fw_linear_bonds *bonds, const bond_table *table)
 {
     uint32_t slot_count = 0;
     bonds->weight_count = 0;
@@ -38,11 +62,13 @@ static uint32_t fill(fw_linear_bonds *bonds, double k1, fw_bond_table of)
         for (int alpha = 0; alpha < FW_BOND_DIRECTIONS; ++alpha) {
             slot_group group = {.count = 0};
             for (int i = first; i < end; ++i) {
-                const fw_linear_bond *bond = &of[i][alpha];
-                if (bond->neighbour < 0) continue;
-                fw_bond_slot *slot = slot_of(&group, bond->neighbour - i, alpha);
+                const int32_t neighbour = table->of[i][alpha];
+                if (neighbour < 0) continue;
+                fw_bond_slot *slot = slot_of(&group, neighbour - i, alpha);
                 slot->mask |= (uint8_t)(1 << (i - first));
-                if (slot->weights < 0 && (bond->plain != k1 || bond->turning != 0))
+                if (slot->weights >= 0) continue;
+                const bond_weight weight = weight_of(table, i, alpha);
+                if (weight.plain != table->k1 || weight.turning != 0)
                     slot->weights = (int32_t)bonds->weight_count++;
             }
             if (bonds->slots)
@@ -54,16 +80,16 @@ static uint32_t fill(fw_linear_bonds *bonds, double k1, fw_bond_table of)
     return slot_count;
 }
 
-static void fill_weights(fw_linear_bonds *bonds, fw_bond_table of)
+static void fill_weights(fw_linear_bonds *bonds, const bond_table *table)
 {
     for (int block = 0; block * FW_LANES < bonds->count; ++block)
         for (uint32_t s = bonds->begin[block]; s < bonds->begin[block + 1]; ++s) {
             const fw_bond_slot *slot = &bonds->slots[s];
             for (int k = 0; k < FW_LANES && slot->weights >= 0; ++k) {
                 if (!(slot->mask >> k & 1)) continue;
-                const fw_linear_bond *bond = &of[block * FW_LANES + k][slot->direction];
-                bonds->weights[slot->weights].plain[k] = bond->plain;
-                bonds->weights[slot->weights].turning[k] = bond->turning;
+                const bond_weight weight = weight_of(table, block * FW_LANES + k, slot->direction);
+                bonds->weights[slot->weights].plain[k] = weight.plain;
+                bonds->weights[slot->weights].turning[k] = weight.turning;
             }
         }
 }
@@ -74,18 +100,19 @@ static fw_status no_memory(const fw_linear_bonds *bonds, fw_error *error)
                    bonds->count);
 }
 
-fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1, fw_bond_table of,
-                                 fw_error *error)
+fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1, bool compensated,
+                                 const fw_linear_neighbours *of, fw_error *error)
 {
+    const bond_table table = {of, k1, compensated};
     *bonds = (fw_linear_bonds){.count = count};
     bonds->begin = fw_array_allocate((size_t)count / FW_LANES + 2, sizeof *bonds->begin);
     if (!bonds->begin) return no_memory(bonds, error);
-    bonds->slots = fw_array_allocate((size_t)fill(bonds, k1, of), sizeof *bonds->slots);
+    bonds->slots = fw_array_allocate((size_t)fill(bonds, &table), sizeof *bonds->slots);
     if (!bonds->slots) return no_memory(bonds, error);
-    fill(bonds, k1, of);
+    fill(bonds, &table);
     bonds->weights = fw_array_allocate(bonds->weight_count, sizeof *bonds->weights);
     if (!bonds->weights) return no_memory(bonds, error);
-    fill_weights(bonds, of);
+    fill_weights(bonds, &table);
     return FW_OK;
 }
 

@@ -12,17 +12,15 @@
 #include "core/status.h"
 #include "core/vec2.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 
 enum { FW_BOND_DIRECTIONS = 6 };
 
-/* What a bond contributes to the force on its owner, for stretch d = u_j - u_i:
+/* The neighbour of a particle in each direction, or -1. What the bond with it contributes to the
+ * force on the particle, for stretch d = u_j - u_i, is
  *     axial e (e . d) + plain d + turning z x d. */
-typedef struct fw_linear_bond {
-    int neighbour; /* -1: none */
-    double plain;  /* k1, or half of it on a compensated edge */
-    double turning;
-} fw_linear_bond;
+typedef int32_t fw_linear_neighbours[FW_BOND_DIRECTIONS];
 
 /* plain and turning of the eight bonds of a slot. */
 typedef struct fw_bond_weights {
@@ -44,9 +42,9 @@ typedef struct fw_linear_bonds {
     uint32_t weight_count;
 } fw_linear_bonds;
 
-/* FW_SYSTEM_FAILED without memory; to be released then too. */
-fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1,
-                                 const fw_linear_bond (*of)[FW_BOND_DIRECTIONS], fw_error *error);
+/* `compensated`: with surface forces. FW_SYSTEM_FAILED without memory; to be released then too. */
+fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1, bool compensated,
+                                 const fw_linear_neighbours *of, fw_error *error);
 void fw_linear_bonds_release(fw_linear_bonds *bonds);
 
 /* Everything that forces and energies are made of. Eight numbers before and behind each array may

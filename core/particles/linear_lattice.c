@@ -250,27 +250,7 @@ static fw_site neighbour_site(fw_site site, int alpha)
     return (fw_site){site.i + step[alpha].i, site.j + step[alpha].j};
 }
 
-/* A bond is the edge of the triangle to its left, with the neighbour 60 degrees on, and of the one
- * to its right. A triangle (a, b, c), counter-clockwise, adds the potential
- * -(sqrt3/2) k1 (u_a x u_b + u_b x u_c + u_c x u_a); edges between two triangles cancel. */
-static void weigh_bonds(const fw_linear_lattice *lattice, fw_linear_bond (*bonds_of)[NEIGHBOURS],
-                        bool compensated)
-{
-    for (int i = 0; i < lattice->langevin.head.count; ++i) {
-        fw_linear_bond *bonds = bonds_of[i];
-        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
-            const int left = bonds[(alpha + 1) % NEIGHBOURS].neighbour >= 0;
-            const int right = bonds[(alpha + NEIGHBOURS - 1) % NEIGHBOURS].neighbour >= 0;
-            bonds[alpha].plain = lattice->k1;
-            bonds[alpha].turning = 0;
-            if (bonds[alpha].neighbour < 0 || !compensated) continue;
-            bonds[alpha].plain = 0.5 * (left + right) * lattice->k1;
-            bonds[alpha].turning = -0.5 * ROOT_3 * lattice->k1 * (left - right);
-        }
-    }
-}
-
-static fw_status list_links(fw_linear_lattice *lattice, fw_linear_bond (*bonds_of)[NEIGHBOURS],
+static fw_status list_links(fw_linear_lattice *lattice, const fw_linear_neighbours *around,
                             fw_error *error)
 {
     fw_solid *head = &lattice->langevin.head;
@@ -278,13 +258,13 @@ static fw_status list_links(fw_linear_lattice *lattice, fw_linear_bond (*bonds_o
         int count = 0;
         for (int i = 0; i < head->count; ++i)
             for (int alpha = 0; alpha < NEIGHBOURS / 2; ++alpha) {
-                const int j = bonds_of[i][alpha].neighbour;
+                const int j = around[i][alpha];
                 if (j < 0) continue;
                 if (pass == 1) head->links[count][0] = i, head->links[count][1] = j;
                 count += 1;
             }
         if (pass == 0) {
-            head->links = fw_array_allocate((size_t)count, sizeof *head->links);
+            head->links = fw_array_zeroed((size_t)count, sizeof *head->links);
             if (!head->links) return fw_fail_memory(error, "the links of a linear lattice");
             head->link_count = count;
         }
@@ -312,24 +292,23 @@ static void place(fw_linear_lattice *lattice, const fw_linear_lattice_def *def)
 }
 
 static fw_status tie(fw_linear_lattice *lattice, const fw_linear_lattice_def *def,
-                     fw_linear_bond (*bonds)[NEIGHBOURS], fw_error *error)
+                     fw_linear_neighbours *around, fw_error *error)
 {
     fw_solid *head = &lattice->langevin.head;
     int at[NEIGHBOURS] = {0};
     for (int i = 0; i < head->count; ++i) {
-        int around = 0;
+        int found = 0;
         for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
             const int j = fw_sites_find_next(def->sites, neighbour_site(def->sites->site[i], alpha),
                                              &at[alpha]);
-            bonds[i][alpha].neighbour = j;
-            around += j >= 0;
+            around[i][alpha] = j;
+            found += j >= 0;
         }
-        if (around < NEIGHBOURS) head->boundary[head->boundary_count++] = i;
+        if (found < NEIGHBOURS) head->boundary[head->boundary_count++] = i;
     }
-    weigh_bonds(lattice, bonds, def->compensated);
-    FW_TRY(list_links(lattice, bonds, error));
-    return fw_linear_bonds_create(&lattice->bonds, head->count, lattice->k1,
-                                  (const fw_linear_bond(*)[NEIGHBOURS])bonds, error);
+    FW_TRY(list_links(lattice, (const fw_linear_neighbours *)around, error));
+    return fw_linear_bonds_create(&lattice->bonds, head->count, lattice->k1, def->compensated,
+                                  (const fw_linear_neighbours *)around, error);
 }
 
 static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *def,
@@ -346,10 +325,10 @@ static fw_status build(fw_linear_lattice *lattice, const fw_linear_lattice_def *
     for (int alpha = 0; alpha < NEIGHBOURS; ++alpha)
         lattice->direction[alpha] = bond_direction(&def->lattice, alpha);
     place(lattice, def);
-    fw_linear_bond(*bonds)[NEIGHBOURS] = fw_array_allocate(count, sizeof *bonds);
-    if (!bonds) return fw_fail_memory(error, "the bonds of a linear lattice");
-    const fw_status status = tie(lattice, def, bonds, error);
-    free(bonds);
+    fw_linear_neighbours *around = fw_array_zeroed(count, sizeof *around);
+    if (!around) return fw_fail_memory(error, "the bonds of a linear lattice");
+    const fw_status status = tie(lattice, def, around, error);
+    free(around);
     if (status != FW_OK) return status;
     langevin->seed = def->seed;
     langevin->find_forces = find_forces;

@@ -202,7 +202,7 @@ fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *count
     const bool ordered = fw_list_order_create(&made->order, counts, bodies);
     fw_status status = fw_cells_create(&made->cells, made->count, error);
     if (status == FW_OK) {
-        made->boxes = fw_array_allocate((size_t)made->cells.most, sizeof *made->boxes);
+        made->boxes = fw_array_zeroed((size_t)made->cells.most, sizeof *made->boxes);
         if (!made->chunks || !made->first_chunk || !made->words || !made->built_x ||
             !made->built_y || !made->boxes || !ordered || !begin_chunks(made, counts))
             status = fw_fail(error, FW_SYSTEM_FAILED,

@@ -155,14 +155,14 @@ static bool allocate_arrays(fw_particles *particles, bool turning)
     const size_t groups = (size_t)particles->group_count;
     particles->groups = calloc(groups, sizeof *particles->groups);
     particles->amplitudes = fw_array_of_doubles(groups);
-    particles->group_of = fw_array_allocate(count, sizeof *particles->group_of);
+    particles->group_of = fw_array_zeroed(count, sizeof *particles->group_of);
     bool complete = particles->groups && particles->amplitudes && particles->group_of;
     particles->energies = calloc(1, sizeof *particles->energies);
     if (!particles->energies) return false;
-    particles->energies->values = fw_array_of_doubles(count);
+    particles->energies->values = fw_array_zeroed(count, sizeof(double));
     complete = complete && particles->energies->values;
     for (int v = 0; v < 4; ++v) {
-        particles->virial[v] = fw_array_of_doubles(count);
+        particles->virial[v] = fw_array_zeroed(count, sizeof(double));
         complete = complete && particles->virial[v];
     }
     if (!turning) return complete;

@@ -89,7 +89,7 @@ static fw_status add_mode(const fw_scenario *scenario, int number, const fw_patt
     fw_automaton_mode mode;
     FW_TRY(fw_build_automaton_mode(material, &body->lattice, pattern->wave_vector, pattern->branch,
                                    &mode, error));
-    fw_vec2 *wave = calloc((size_t)sites->count, sizeof *wave);
+    fw_vec2 *wave = fw_array_zeroed((size_t)sites->count, sizeof *wave);
     int *particles = NULL, count = 0;
     fw_status status =
         wave ? fw_selection_particles(&pattern->sites, sites, &particles, &count, error)
@@ -157,8 +157,8 @@ fw_status fw_build_automaton(const fw_scenario *scenario, int number, const fw_s
 {
     const fw_scenario_body *body = &scenario->bodies[number];
     fw_elastic_automaton_def def = def_of(scenario, number, sites);
-    fw_vec2 *displacement = calloc((size_t)sites->count, sizeof *displacement);
-    fw_vec2 *velocity = calloc((size_t)sites->count, sizeof *velocity);
+    fw_vec2 *displacement = fw_array_zeroed((size_t)sites->count, sizeof *displacement);
+    fw_vec2 *velocity = fw_array_zeroed((size_t)sites->count, sizeof *velocity);
     bool modes = false;
     fw_status status =
         displacement && velocity

@@ -27,16 +27,20 @@ static void release_start(start_values *start)
     free(start->selected);
 }
 
-static bool allocate_start(start_values *start, size_t count)
+/* What is the same at all sites has no array. */
+static bool allocate_start(start_values *start, const fw_scenario_body *body, size_t count)
 {
-    start->displacement = calloc(count, sizeof *start->displacement);
-    start->velocity = calloc(count, sizeof *start->velocity);
-    start->rest_mass = calloc(count, sizeof *start->rest_mass);
-    start->stiffness[FW_EAST] = calloc(count, sizeof *start->stiffness[FW_EAST]);
-    start->stiffness[FW_NORTH] = calloc(count, sizeof *start->stiffness[FW_NORTH]);
+    const bool varies[] = {body->displacement.count > 0, body->velocities.count > 0,
+                           body->rest_mass.count > 0, body->link_stiffness.count > 0};
+    if (varies[0]) start->displacement = fw_array_zeroed(count, sizeof *start->displacement);
+    if (varies[1]) start->velocity = fw_array_zeroed(count, sizeof *start->velocity);
+    if (varies[2]) start->rest_mass = fw_array_zeroed(count, sizeof *start->rest_mass);
+    for (int d = FW_EAST; d <= FW_NORTH && varies[3]; ++d)
+        start->stiffness[d] = fw_array_zeroed(count, sizeof *start->stiffness[d]);
     start->selected = calloc(count, sizeof *start->selected);
-    return start->displacement && start->velocity && start->rest_mass &&
-           start->stiffness[FW_EAST] && start->stiffness[FW_NORTH] && start->selected;
+    return start->selected && (start->displacement || !varies[0]) &&
+           (start->velocity || !varies[1]) && (start->rest_mass || !varies[2]) &&
+           ((start->stiffness[FW_EAST] && start->stiffness[FW_NORTH]) || !varies[3]);
 }
 
 static fw_status mark_selected(const fw_selection *selection, const fw_sites *sites, bool *selected,
@@ -91,9 +95,10 @@ static fw_status fill_start(const fw_scenario *scenario, int number, const fw_si
     const fw_scenario_boltzmann *material = &scenario->materials[body->material].boltzmann;
     const uint64_t seed = (uint64_t)scenario->run.seed;
     for (int l = 0; l < sites->count; ++l) {
-        start->velocity[l] = body->velocity;
-        start->rest_mass[l] = material->rest_mass;
-        start->stiffness[FW_EAST][l] = start->stiffness[FW_NORTH][l] = material->link_stiffness;
+        if (start->velocity) start->velocity[l] = body->velocity;
+        if (start->rest_mass) start->rest_mass[l] = material->rest_mass;
+        for (int d = FW_EAST; d <= FW_NORTH; ++d)
+            if (start->stiffness[d]) start->stiffness[d][l] = material->link_stiffness;
     }
     FW_TRY(fw_build_patterns(&body->displacement, sites, &body->lattice, seed,
                              fw_build_displacement_stream(number), start->displacement, error));
@@ -118,20 +123,23 @@ static fw_status build(const fw_scenario *scenario, int number, const fw_sites *
     start_values start = {0};
     fw_lb_solid_def def = fw_lb_solid_def_default();
     fw_status status = FW_OK;
-    if (!allocate_start(&start, (size_t)sites->count))
+    if (!allocate_start(&start, body, (size_t)sites->count))
         status = fw_fail_memory(error, "the starting state of a body");
     if (status == FW_OK) status = fill_start(scenario, number, sites, &start, error);
     if (status == FW_OK) {
         def.sites = sites;
         def.lattice = body->lattice;
         def.mu = 1 - material->damping;
+        def.rest_mass = material->rest_mass;
         def.rest_masses = start.rest_mass;
+        def.stiffness = material->link_stiffness;
         def.stiffness_east = start.stiffness[FW_EAST];
         def.stiffness_north = start.stiffness[FW_NORTH];
         if (!may_be_carried(scenario)) def.form = FW_LB_DISPLACEMENTS;
         if (material->break_at > 0) def.break_at = material->break_at;
         def.displacement = start.displacement;
         def.velocity = start.velocity;
+        def.drift = body->velocity;
         status = fw_lb_solid_create(solid, &def, error);
         status = fw_build_fail(scenario, number, status, error);
     }

@@ -30,12 +30,9 @@ fw_status fw_build_fail_step(const fw_scenario *scenario, int body, double limit
                                    scenario->bodies[body].name);
 }
 
-/* Adds velocity, spin about the middle of the places (all particles of a body weigh the same) and
- * the patterns to what is there. */
-static fw_status set_in_motion(const fw_scenario *scenario, int number, const fw_sites *sites,
-                               const fw_vec2 *positions, fw_vec2 *velocities, fw_error *error)
+static void turn_about_middle(const fw_scenario_body *body, const fw_sites *sites,
+                              const fw_vec2 *positions, fw_vec2 *velocities)
 {
-    const fw_scenario_body *body = &scenario->bodies[number];
     fw_vec2 middle = {0, 0};
     for (int l = 0; l < sites->count; ++l) middle = fw_vec2_add(middle, positions[l]);
     middle = fw_vec2_scale(1. / sites->count, middle);
@@ -44,6 +41,19 @@ static fw_status set_in_motion(const fw_scenario *scenario, int number, const fw
         const fw_vec2 turning = fw_vec2_scale(body->spin, fw_vec2_turn(from));
         velocities[l] = fw_vec2_add(velocities[l], fw_vec2_add(body->velocity, turning));
     }
+}
+
+/* Adds velocity, spin about the middle of the places (all particles of a body weigh the same) and
+ * the patterns to what is there. */
+static fw_status set_in_motion(const fw_scenario *scenario, int number, const fw_sites *sites,
+                               const fw_vec2 *positions, fw_vec2 *velocities, fw_error *error)
+{
+    const fw_scenario_body *body = &scenario->bodies[number];
+    if (body->spin == 0)
+        for (int l = 0; l < sites->count; ++l)
+            velocities[l] = fw_vec2_add(velocities[l], body->velocity);
+    else
+        turn_about_middle(body, sites, positions, velocities);
     return fw_build_patterns(&body->velocities, sites, &body->lattice, (uint64_t)scenario->run.seed,
                              fw_build_velocity_stream(number), velocities, error);
 }
@@ -61,7 +71,7 @@ fw_status fw_build_motion(const fw_scenario *scenario, int number, const fw_site
     }
     for (int l = 0; l < sites->count; ++l) {
         const int i = first + l;
-        positions[l] = fw_solid_position(solid, i);
+        if (body->spin != 0) positions[l] = fw_solid_position(solid, i);
         velocities[l] = fw_langevin_velocity(solid, i);
     }
     FW_TRY(set_in_motion(scenario, number, sites, positions, velocities, error));

@@ -34,7 +34,7 @@ static fw_status build(const fw_scenario *scenario, int number, const fw_sites *
                        fw_solid **solid, fw_error *error)
 {
     *solid = NULL;
-    fw_vec2 *room = calloc(2 * (size_t)sites->count, sizeof *room);
+    fw_vec2 *room = fw_array_zeroed(2 * (size_t)sites->count, sizeof *room);
     if (!room) return fw_fail_memory(error, "the starting state of a linear lattice");
     fw_status status = create(scenario, number, sites, room, solid, error);
     free(room);

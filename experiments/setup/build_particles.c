@@ -52,8 +52,8 @@ static bool allocate(fw_gathering *gathering)
     }
     gathering->groups = calloc((size_t)scenario->body_count + 1, sizeof *gathering->groups);
     gathering->body = calloc((size_t)scenario->body_count + 1, sizeof *gathering->body);
-    gathering->positions = calloc(gathering->particle_count, sizeof(fw_vec2));
-    gathering->room = calloc(2 * gathering->largest, sizeof(fw_vec2));
+    gathering->positions = fw_array_zeroed(gathering->particle_count, sizeof(fw_vec2));
+    gathering->room = fw_array_zeroed(2 * gathering->largest, sizeof(fw_vec2));
     return gathering->groups && gathering->body && gathering->positions && gathering->room;
 }
 
@@ -166,7 +166,7 @@ static fw_status print_limits(FILE *out, const fw_start *start, int *warnings, f
 }
 
 const fw_solid_kind fw_particles_solid = {.model = &fw_particles_model,
-                                          .bytes_per_particle = 430,
+                                          .bytes_per_particle = 300,
                                           .build_together = build,
                                           .set_bath = fw_langevin_set_bath,
                                           .print_limits = print_limits};

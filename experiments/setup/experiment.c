@@ -150,7 +150,7 @@ static fw_status note_start(fw_experiment *experiment, fw_error *error)
         experiment->energy_at_start[b] = energies.kinetic + energies.elastic;
         experiment->momentum_at_start[b] =
             fw_body_range_momentum(experiment->scene, &experiment->bodies[b]);
-        experiment->start[b] = calloc((size_t)range->count, sizeof **experiment->start);
+        experiment->start[b] = fw_array_zeroed((size_t)range->count, sizeof **experiment->start);
         if (!experiment->start[b]) return fw_fail_memory(error, "the positions at the start");
         for (int l = 0; l < range->count; ++l)
             experiment->start[b][l] = fw_solid_position(solid, range->first + l);
