@@ -15,10 +15,9 @@ typedef struct format {
 } format;
 
 static const format formats[] = {
-    {"xdmf", ".xdmf", fw_export_xdmf},
-    {"extxyz", ".extxyz", fw_export_extxyz},
-    {"vtp", ".pvd", fw_export_vtp},
-    {"csv", ".csv", fw_export_csv},
+    {"xdmf", ".xdmf", fw_export_xdmf}, {"extxyz", ".extxyz", fw_export_extxyz},
+    {"vtp", ".pvd", fw_export_vtp},    {"csv", ".csv", fw_export_csv},
+    {"data", ".data", fw_export_data},
 };
 enum { FORMATS = sizeof formats / sizeof *formats };
 

@@ -9,7 +9,7 @@
 #include <stdint.h>
 
 /* The formats: name and what reads it. */
-#define FW_EXPORT_FORMATS "xdmf, extxyz, vtp, csv"
+#define FW_EXPORT_FORMATS "xdmf, extxyz, vtp, csv, data"
 
 typedef struct fw_export_wish {
     const char *directory; /* of the result */

@@ -89,7 +89,8 @@ fw_status fw_exported_read(fw_exported *e, int64_t frame, fw_error *error)
     return FW_OK;
 }
 
-fw_status fw_exported_write(fw_exported *e, const char *name,
+/* Frames from `first` on. */
+static fw_status write_from(fw_exported *e, const char *name, int64_t first,
                             void (*head)(FILE *out, const fw_exported *e),
                             void (*frame)(FILE *out, const fw_exported *e, int64_t number),
                             fw_error *error)
@@ -99,11 +100,26 @@ fw_status fw_exported_write(fw_exported *e, const char *name,
     FW_TRY(fw_whole_file_begin(&file, name, error));
     FILE *out = fw_whole_file_stream(file);
     if (head) head(out, e);
-    for (int64_t n = 0; status == FW_OK && n < fw_exported_count(e); ++n) {
-        status = fw_exported_read(e, n * e->every, error);
-        if (status == FW_OK) frame(out, e, n * e->every);
+    for (int64_t n = first; status == FW_OK && n < e->playback->frame_count; n += e->every) {
+        status = fw_exported_read(e, n, error);
+        if (status == FW_OK) frame(out, e, n);
     }
     if (status == FW_OK) return fw_whole_file_commit(file, error);
     fw_whole_file_abandon(file);
     return status;
+}
+
+fw_status fw_exported_write(fw_exported *e, const char *name,
+                            void (*head)(FILE *out, const fw_exported *e),
+                            void (*frame)(FILE *out, const fw_exported *e, int64_t number),
+                            fw_error *error)
+{
+    return write_from(e, name, 0, head, frame, error);
+}
+
+fw_status fw_exported_write_last(fw_exported *e, const char *name,
+                                 void (*frame)(FILE *out, const fw_exported *e, int64_t number),
+                                 fw_error *error)
+{
+    return write_from(e, name, e->playback->frame_count - 1, NULL, frame, error);
 }

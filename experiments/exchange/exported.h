@@ -42,8 +42,15 @@ fw_status fw_exported_write(fw_exported *exported, const char *name,
                             void (*frame)(FILE *out, const fw_exported *exported, int64_t number),
                             fw_error *error);
 
+/* A file with the last frame alone. */
+fw_status fw_exported_write_last(fw_exported *exported, const char *name,
+                                 void (*frame)(FILE *out, const fw_exported *exported,
+                                               int64_t number),
+                                 fw_error *error);
+
 /* One format: writes all frames under `name`. */
 fw_status fw_export_csv(fw_exported *exported, const char *name, fw_error *error);
+fw_status fw_export_data(fw_exported *exported, const char *name, fw_error *error);
 fw_status fw_export_extxyz(fw_exported *exported, const char *name, fw_error *error);
 fw_status fw_export_vtp(fw_exported *exported, const char *name, fw_error *error);
 fw_status fw_export_xdmf(fw_exported *exported, const char *name, fw_error *error);

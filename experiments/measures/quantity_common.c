@@ -232,7 +232,7 @@ static fw_vec2 displacement_of(const fw_experiment *experiment, int body, int pa
 {
     const fw_body_range *range = &experiment->bodies[body];
     const fw_scenario_body *from = &experiment->scenario->bodies[body];
-    const fw_vec2 rest = from->shape.kind == FW_SHAPE_PLACED
+    const fw_vec2 rest = fw_shape_is_free(from->shape.kind)
                              ? experiment->start[body][particle]
                              : fw_lattice_position(&from->lattice, range->sites.site[particle]);
     return fw_vec2_subtract(

@@ -109,13 +109,16 @@ static void temperature(const fw_experiment *experiment, fw_subject subject, dou
 
 /* --- pressure --- */
 
-/* What the body covered when it was made: its cells of the lattice, or the box it was dropped in.
+/* What the body covered when it was made: its cells of the lattice, the box it was dropped in, or
+ * the box around its places, half a distance of neighbours wider on each side.
  */
 static double area_of(const fw_experiment *experiment, int body)
 {
     const fw_scenario_body *from = &experiment->scenario->bodies[body];
-    if (from->shape.kind == FW_SHAPE_PLACED)
-        return (from->shape.high.x - from->shape.low.x) * (from->shape.high.y - from->shape.low.y);
+    const fw_vec2 size = fw_vec2_subtract(from->shape.high, from->shape.low);
+    if (from->shape.kind == FW_SHAPE_PLACED) return size.x * size.y;
+    if (from->shape.kind == FW_SHAPE_POINTS)
+        return (size.x + from->lattice.spacing) * (size.y + from->lattice.spacing);
     const double square = from->lattice.spacing * from->lattice.spacing;
     const double cell = from->lattice.kind == FW_HEXAGONAL ? 0.5 * sqrt(3) * square : square;
     return cell * experiment->bodies[body].count;

@@ -51,7 +51,7 @@ static fw_status place_where_placed(fw_plot_result *result, fw_error *error)
     for (int b = 0; b < playback->body_count && status == FW_OK; ++b) {
         const fw_playback_body *body = &playback->bodies[b];
         size_t bytes = (size_t)body->count * sizeof *x;
-        if (result->scenario->bodies[b].shape.kind != FW_SHAPE_PLACED) continue;
+        if (!fw_shape_is_free(result->scenario->bodies[b].shape.kind)) continue;
         memcpy(result->rest_x + body->first, x + body->first, bytes);
         memcpy(result->rest_y + body->first, y + body->first, bytes);
     }
@@ -196,7 +196,7 @@ static const char *sentence_of_units(const fw_scenario *scenario)
     if (fw_units_given(&scenario->units)) return "";
     for (int b = 0; b < scenario->body_count; ++b)
         if (scenario->bodies[b].lattice.spacing != 1 ||
-            scenario->bodies[b].shape.kind == FW_SHAPE_PLACED)
+            fw_shape_is_free(scenario->bodies[b].shape.kind))
             return "Reduced units.";
     return scenario->body_count > 0 ? "Reduced units: a length of 1 is a lattice spacing."
                                     : "Reduced units.";

@@ -194,6 +194,7 @@ static fw_status build(fw_scenario *scenario, const char *const *settings, int s
     fw_document *document = scenario->document;
     FW_TRY(fw_settings_apply(document, &fw_scenario_section, settings, setting_count, error));
     FW_TRY(fw_schema_check(document, &fw_scenario_section, error));
+    FW_TRY(fw_scenario_take_files(scenario, error));
     FW_TRY(fw_scenario_read_sweep(scenario, error));
     FW_TRY(fw_scenario_check_constants(scenario, error));
     FW_TRY(fw_schema_fill(document, &fw_scenario_section, fw_document_root(document), scenario,

@@ -148,13 +148,14 @@ static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenar
     body->shape_place = shape->key_place;
     FW_TRY(fw_scenario_read_shape(scenario, shape, body, error));
     static const char *const of_lattices[] = {"lattice", "spacing"};
-    for (int n = 0; n < 2 && body->shape.kind == FW_SHAPE_PLACED; ++n) {
+    for (int n = 0; n < 2 && fw_shape_is_free(body->shape.kind); ++n) {
         const fw_node *stray = fw_node_find(node, of_lattices[n]);
         if (stray)
-            return fw_scenario_fail(scenario, stray->key_place, error,
-                                    "bodies.%s has '%s', but is placed at random and has no "
-                                    "lattice",
-                                    body->name, stray->key);
+            return fw_scenario_fail(
+                scenario, stray->key_place, error,
+                "bodies.%s has '%s', but its particles are placed freely, not on a "
+                "lattice",
+                body->name, stray->key);
     }
     FW_TRY(limit_sites(scenario, body, error));
     FW_TRY(fw_scenario_read_patterns(scenario, fw_node_find(node, "displacement"), body,

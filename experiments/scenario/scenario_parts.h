@@ -99,7 +99,16 @@ extern const fw_section fw_analysis_section;
             .meaning = "of the components that `hold` names"                                       \
     }
 
+extern const fw_section fw_points_file_section;
+
 /* --- readers --- */
+
+/* Puts the places of particles in place of the files that shapes name; after the keys were
+ * checked. */
+fw_status fw_scenario_take_files(fw_scenario *scenario, fw_error *error);
+/* Of a list [[x, y], ...]: count, points, low and high. */
+fw_status fw_scenario_read_points(const fw_scenario *scenario, const fw_node *list,
+                                  fw_scenario_body *body, fw_error *error);
 
 fw_status fw_scenario_read_materials(fw_scenario *scenario, fw_error *error);
 fw_status fw_scenario_read_bodies(fw_scenario *scenario, fw_error *error);

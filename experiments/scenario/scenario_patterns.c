@@ -120,12 +120,13 @@ static fw_status read_pattern(fw_scenario *scenario, const fw_node *node,
     static const char *const regular[] = {"gaussian", "wave", "plane-wave", "gradient"};
     FW_TRY(fw_scenario_read_selection(scenario, node, body, &pattern->sites, error));
     const fw_node *given;
-    for (size_t n = 0; body->shape.kind == FW_SHAPE_PLACED && n < 4; ++n)
+    for (size_t n = 0; fw_shape_is_free(body->shape.kind) && n < 4; ++n)
         if ((given = fw_node_find(node, regular[n])))
-            return fw_scenario_fail(scenario, given->key_place, error,
-                                    "'%s' in body '%s', which is placed at random, expected 'by' "
-                                    "or 'random': it has no lattice for a pattern to follow",
-                                    given->key, body->name);
+            return fw_scenario_fail(
+                scenario, given->key_place, error,
+                "'%s' in body '%s', whose particles are placed freely, expected 'by' "
+                "or 'random': it has no lattice for a pattern to follow",
+                given->key, body->name);
     if ((given = fw_node_find(node, "by"))) {
         pattern->kind = FW_PATTERN_UNIFORM;
         pattern->amplitude = (fw_vec2){fw_node_number(given->first), fw_node_number(given->last)};

@@ -151,25 +151,46 @@ static const fw_section fw_placed_section = {
     "site [n, 0].",
     .keys = placed_keys};
 
+static fw_status refuse_lattices(const fw_scenario *scenario, const fw_node *node,
+                                 const fw_scenario_body *body, const char *how, fw_error *error)
+{
+    if (fw_material_model_of(scenario->materials[body->material].kind)->flows) return FW_OK;
+    return fw_scenario_fail(scenario, node->key_place, error,
+                            "bodies.%s is %s, which only movable particles can be: the others live "
+                            "on a lattice",
+                            body->name, how);
+}
+
+/* All in one row: particle n is site [n, 0]. */
+static void line_up(fw_scenario_shape *shape)
+{
+    shape->columns = (int)shape->count;
+    shape->rows = 1;
+    shape->last_column = shape->columns - 1;
+}
+
+static fw_status read_points(const fw_scenario *scenario, const fw_node *list,
+                             fw_scenario_body *body, fw_error *error)
+{
+    FW_TRY(refuse_lattices(scenario, list, body, "a list of places", error));
+    FW_TRY(fw_scenario_read_points(scenario, list, body, error));
+    line_up(&body->shape);
+    return FW_OK;
+}
+
 static fw_status read_placed(const fw_scenario *scenario, const fw_node *node,
                              fw_scenario_body *body, fw_error *error)
 {
     fw_scenario_shape *shape = &body->shape;
     double box[4];
-    if (!fw_material_model_of(scenario->materials[body->material].kind)->flows)
-        return fw_scenario_fail(scenario, node->key_place, error,
-                                "bodies.%s is placed at random, which only movable particles can "
-                                "be: the others live on a lattice",
-                                body->name);
+    FW_TRY(refuse_lattices(scenario, node, body, "placed at random", error));
     FW_TRY(fw_schema_fill(scenario->document, &fw_placed_section, node, shape, error));
     const fw_node *corners = fw_node_find(node, "box");
     fw_node_numbers(corners, box);
     shape->low = (fw_vec2){box[0], box[1]};
     shape->high = (fw_vec2){box[2], box[3]};
     shape->count = fw_node_integer(fw_node_find(node, "count"));
-    shape->columns = (int)shape->count;
-    shape->rows = 1;
-    shape->last_column = shape->columns - 1;
+    line_up(shape);
     if (shape->low.x < shape->high.x && shape->low.y < shape->high.y) return FW_OK;
     return fw_scenario_fail(scenario, corners->place, error,
                             "bodies.%s.shape.placed.box goes from [%g, %g] to [%g, %g], expected "
@@ -264,7 +285,21 @@ static const shape_row shapes[] = {
                           NOT_STORED, .meaning = "random sequential placement (movable particles)"},
                          read_placed,
                          make_frame,
-                         fills_row}};
+                         fills_row},
+    [FW_SHAPE_POINTS] = {{"points", FW_FORM_LIST, .items = FW_FORM_NUMBERS, .layout = "[x, y]",
+                          ALTERNATIVE, .least = 1, NOT_STORED, .unit = "length",
+                          .meaning = "where each particle is, seen from the body's origin (movable "
+                                     "particles); particle n is called site [n, 0]"},
+                         read_points,
+                         make_frame,
+                         fills_row},
+    {{"file", FW_FORM_TEXT | FW_FORM_MAPPING, .subsection = &fw_points_file_section, ALTERNATIVE,
+      NOT_STORED,
+      .meaning = "where each particle is, from a file: its name, or keys of what follows (movable "
+                 "particles)"},
+     NULL,
+     NULL,
+     NULL}};
 
 const fw_section fw_shape_section = {
     "`bodies.NAME.shape`", "a shape",

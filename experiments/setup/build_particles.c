@@ -20,7 +20,9 @@ static fw_status place(const fw_scenario *scenario, int number, const fw_sites *
                                    fw_build_seed(scenario, number), error);
     }
     for (int l = 0; l < sites->count; ++l)
-        positions[l] = fw_lattice_position(&body->lattice, sites->site[l]);
+        positions[l] = body->shape.kind == FW_SHAPE_POINTS
+                           ? fw_vec2_add(body->lattice.origin, body->shape.points[l])
+                           : fw_lattice_position(&body->lattice, sites->site[l]);
     return FW_OK;
 }
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""exported.py FOLDER NAME [EVERY] - FOLDER/NAME.csv, .extxyz, .pvd and .xdmf, read by standard means, hold
-every number of FOLDER/NAME/trajectory.h5, to the last bit; MDAnalysis reads the .extxyz, where it is
-installed."""
+"""exported.py FOLDER NAME [EVERY [AGAIN]] - FOLDER/NAME.csv, .extxyz, .pvd and .xdmf, read by standard means,
+hold every number of FOLDER/NAME/trajectory.h5, to the last bit, NAME.data those of its last frame; MDAnalysis reads
+the .extxyz, where it is installed. AGAIN: these results begin where those end."""
 
 import base64
 import csv
@@ -86,6 +86,29 @@ def check_extxyz():
     same("extxyz read by MDAnalysis", found, value("position").astype("f4"))
 
 
+def check_data():
+    sections, found, head = ("Masses", "Atoms", "Velocities"), {}, None
+    for line in (folder / f"{name}.data").read_text().splitlines()[1:]:
+        words = line.split("#")[0].split()
+        if words and words[0] in sections:
+            head = words[0]
+        elif words and head:
+            found.setdefault(head, []).append([float(word) for word in words])
+    atoms, count = numpy.array(found["Atoms"]), len(group["id"])
+    same("data ids", atoms[:, 0], numpy.arange(1, count + 1))
+    same("data types", atoms[:, 1], group["body"][()] + 1)
+    same("data places", atoms[:, 2:], group["position/value"][-1])
+    for mass_type, mass in found["Masses"]:
+        same("data masses", group["mass"][()][group["body"][()] == mass_type - 1][0], mass)
+    if "velocity" in group:
+        same("data velocities", numpy.array(found["Velocities"])[:, 1:], group["velocity/value"][-1])
+
+
+def check_again():
+    again = h5py.File(folder / sys.argv[4] / "trajectory.h5", "r")
+    same("the start of the next run", again["particles/trajectory/position/value"][0], group["position/value"][-1])
+
+
 def numbers(element):
     """Of an array of VTK: the number of bytes as one of 64 bits, then the bytes."""
     kind = {"Float64": "<f8", "Int64": "<i8"}[element.get("type")]
@@ -148,3 +171,6 @@ check_csv()
 check_extxyz()
 check_vtp()
 check_xdmf()
+check_data()
+if len(sys.argv) > 4:
+    check_again()

@@ -27,8 +27,8 @@ static const char gas[] =
 
 static void export_everything(const char *folder, const char *options)
 {
-    static const char *const formats[] = {"csv", "extxyz", "vtp", "xdmf"};
-    for (int n = 0; n < 4; ++n) {
+    static const char *const formats[] = {"csv", "extxyz", "vtp", "xdmf", "data"};
+    for (int n = 0; n < 5; ++n) {
         char line[128];
         snprintf(line, sizeof line, "export out --to %s%s", formats[n], options);
         const outcome seen = run_program(folder, line);
@@ -72,11 +72,38 @@ static void particles_without_velocities_are_exported_bit_by_bit(void **state)
     check_scenario(gas);
 }
 
+/* Bit by bit, whether by ids in LAMMPS' order or by lines. */
+static void a_run_starts_where_an_exported_one_ended(void **state)
+{
+    (void)state;
+    static const char *const endings[] = {"data", "extxyz"};
+    char folder[64], line[512];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", gas);
+    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    export_everything(folder, "");
+    for (int n = 0; n < 2; ++n) {
+        snprintf(line, sizeof line,
+                 "title: again\nmaterials: {gas: {movable-particles: {strength: 0}}}\n"
+                 "bodies: {cloud: {material: gas, shape: {file: out.%s}}}\nrun: {steps: 1}\n",
+                 endings[n]);
+        write_scenario(folder, "again.yaml", line);
+        seen = run_program(folder, "run again.yaml -o again --overwrite --no-plot --quiet");
+        expect_end(&seen, 0, "");
+        check_exported(folder, " 1 again");
+        seen = run_program(folder, "rerun again -o third --overwrite");
+        expect_end(&seen, 0, "");
+    }
+    remove_folder(folder);
+    skip_unseen();
+}
+
 static void export_refuses_what_it_cannot_do(void **state)
 {
     (void)state;
     static const char *const refused[][2] = {
-        {"export out", "expected --to and one of xdmf, extxyz, vtp, csv"},
+        {"export out", "expected --to and one of xdmf, extxyz, vtp, csv, data"},
         {"export out --to mp4", "mp4"},
         {"export nothing --to csv", "nothing"},
         {"export out --to vtp -o out.vtp", "expected a name that ends in .pvd"},
@@ -120,6 +147,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(solids_with_links_are_exported_bit_by_bit),
         cmocka_unit_test(particles_without_velocities_are_exported_bit_by_bit),
+        cmocka_unit_test(a_run_starts_where_an_exported_one_ended),
         cmocka_unit_test(export_refuses_what_it_cannot_do),
         cmocka_unit_test(export_that_fails_leaves_nothing),
     };

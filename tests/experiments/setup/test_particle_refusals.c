@@ -40,10 +40,10 @@ static const bad_scenario refusals[] = {
      "t.yaml:3:21: dynamics.damping is '-1', expected a number of at least 0"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 3, "
      "box: [0, 0, 9, 9]}}, spacing: 2}}\n" TAIL,
-     "t.yaml:3:75: bodies.b has 'spacing', but is placed at random and has no lattice"},
+     "t.yaml:3:75: bodies.b has 'spacing', but its particles are placed freely, not on a lattice"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, lattice: square, shape: "
      "{placed: {count: 3, box: [0, 0, 9, 9]}}}}\n" TAIL,
-     "t.yaml:3:27: bodies.b has 'lattice', but is placed at random and has no lattice"},
+     "t.yaml:3:27: bodies.b has 'lattice', but its particles are placed freely, not on a lattice"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\n" DISC(", spacing: 0.6") TAIL,
      "t.yaml:3:10: body b: particle 0 of body 'b' and particle 1 of body 'b' overlap: at distance "
      "0.6 their energy is 416.5, expected at most 100"},
@@ -78,7 +78,8 @@ static const bad_scenario refusals[] = {
      "t.yaml:3:10: body b: 99 particles at least 0.75 from each other are to be placed"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\nbodies: {b: {material: m, shape: {placed: {count: 5, "
      "box: [0, 0, 9, 9]}}, velocities: [{gradient: [0, 1, 0, 0]}]}}\n" TAIL,
-     "t.yaml:3:89: 'gradient' in body 'b', which is placed at random, expected 'by' or 'random': "
+     "t.yaml:3:89: 'gradient' in body 'b', whose particles are placed freely, expected 'by' or "
+     "'random': "
      "it "
      "has no lattice for a pattern to follow"},
     {"title: t\nmaterials: {m: {" PLAIN "}}\nwalls:\n  w: {box: [-9, -9, 30, 9]}\nbodies:\n  a: "

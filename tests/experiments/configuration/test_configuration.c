@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* test_configuration.c - places of particles from files of other programs, and what is wrong with
+ * some. */
+#include "tests/support/laws.h"
+
+#include "experiments/configuration/configuration.h"
+#include "tests/support/scratch.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static char folder[64];
+
+/* Writes the text, and reads it. */
+static fw_status read_text(fw_configuration *found, const char *name, const char *text)
+{
+    char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    FILE *out = fopen(path, "w");
+    assert_non_null(out);
+    fputs(text, out);
+    fclose(out);
+    return fw_configuration_read(found, path, &error);
+}
+
+static void assert_particle(const fw_configuration *found, int n, double x, double y,
+                            const char *kind)
+{
+    assert_true(n < found->count);
+    assert_true(found->place[n].x == x && found->place[n].y == y);
+    assert_string_equal(found->kind[n], kind);
+}
+
+static void columns_of_extended_xyz_are_found_by_their_names(void **state)
+{
+    (void)state;
+    fw_configuration found;
+    assert_int_equal(
+        read_text(&found, "a.extxyz",
+                  "2\n"
+                  "Lattice=\"9 0 0 0 9 0 0 0 9\" Properties=id:I:1:pos:R:3:species:S:1 "
+                  "step=4\n"
+                  "1 0.25 -1e-3 7 Cu\n"
+                  "2 1 2 7 Zn\n"),
+        FW_OK);
+    assert_int_equal(found.count, 2);
+    assert_particle(&found, 0, .25, -1e-3, "Cu");
+    assert_particle(&found, 1, 1, 2, "Zn");
+    fw_configuration_clear(&found);
+}
+
+static void the_last_frame_of_plain_xyz_counts(void **state)
+{
+    (void)state;
+    fw_configuration found;
+    assert_int_equal(
+        read_text(&found, "a.xyz", "1\nfirst\nAr 1 1 0\n2\n\nAr 3 4 0 99\r\nNe 5 6 0 99\n\n"),
+        FW_OK);
+    assert_int_equal(found.count, 2);
+    assert_particle(&found, 0, 3, 4, "Ar");
+    assert_particle(&found, 1, 5, 6, "Ne");
+    fw_configuration_clear(&found);
+}
+
+/* Lines in any order: the number of an atom says which it is. */
+static void atoms_of_lammps_are_found_in_each_style(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *style, *atoms;
+    } files[] = {{"", "2 1 3 4 0 # second\n\n1 2 1 2 0\n"},
+                 {" # atomic", "2 1 3 4 0 0 0 0\n1 2 1 2 0 0 0 0\n"},
+                 {" # charge", "1 2 -0.5 1 2 0\n2 1 0.5 3 4 0\n"},
+                 {" # molecular", "1 7 2 1 2 0\n2 7 1 3 4 0\n"},
+                 {" # full", "1 7 2 -0.5 1 2 0\n2 7 1 0.5 3 4 0\n"}};
+    for (size_t n = 0; n < sizeof files / sizeof *files; ++n) {
+        char text[256];
+        fw_configuration found;
+        snprintf(
+            text, sizeof text,
+            "2 atoms in words\n\n2 atoms\n2 atom types\n\nMasses\n\n1 1\n2 1\n\nAtoms%s\n\n%s\n"
+            "Velocities\n\n1 9 9 0\n2 9 9 0\n",
+            files[n].style, files[n].atoms);
+        assert_int_equal(read_text(&found, "a.data", text), FW_OK);
+        assert_int_equal(found.count, 2);
+        assert_particle(&found, 0, 1, 2, "2");
+        assert_particle(&found, 1, 3, 4, "1");
+        fw_configuration_clear(&found);
+    }
+}
+
+static void each_fault_of_a_file_has_its_sentence(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name, *text, *sentence;
+    } wrong[] = {
+        {"a.pdb", "",
+         "is of no known kind, expected one that ends in .xyz, .extxyz (extended XYZ), "
+         ".data or .lmp (LAMMPS)"},
+        {"a.xyz", "", "a.xyz is empty, expected a number of particles"},
+        {"a.xyz", "two\n\n", "a.xyz:1: there are 'two' particles, expected 1 to 300000"},
+        {"a.xyz", "300001\n\n", "a.xyz:1: there are '300001' particles, expected 1 to 300000"},
+        {"a.xyz", "0\n\n", "a.xyz:1: there are '0' particles, expected 1 to 300000"},
+        {"a.xyz", "1 2\n\n", "a.xyz:1: expected the number of particles alone on a line"},
+        {"a.xyz", "1\n", "a.xyz:1: the file ends after the number of particles"},
+        {"a.xyz", "2\n\nCu 0 0 0\n", "a.xyz:3: the file ends after 1 particles, expected 2"},
+        {"a.xyz", "1\n\nCu 0 0\n", "a.xyz:3: particle 0 has 3 words, expected 4 or more"},
+        {"a.xyz", "1\n\nCu 0 nan 0\n", "a.xyz:3: y is 'nan', expected a number"},
+        {"a.xyz", "2\n\nCu 0 0 1\nCu 0 0 2\n",
+         "a.xyz:4: z is 2, expected 1 as of all before: a plane"},
+        {"a.xyz", "1\nProperties=pos:R:2\nCu 0 0 0\n",
+         "a.xyz:2: Properties has no 'pos:R:3', the places of the particles"},
+        {"a.xyz", "1\nProperties=pos:R\nCu 0 0 0\n",
+         "a.xyz:2: Properties ends after 'pos', expected NAME:KIND:WIDTH"},
+        {"a.data", "t\n2 atoms\n", "a.data:2: the file ends without a section 'Atoms'"},
+        {"a.data", "t\nAtoms\n", "a.data:2: expected a line 'N atoms' before the atoms"},
+        {"a.data", "t\n1 atoms\nAtoms # sphere\n",
+         "a.data:3: the style of the atoms is 'sphere', expected atomic, charge, bond, angle, "
+         "molecular or full"},
+        {"a.data", "t\n2 atoms\nAtoms\n\n1 1 0 0 0\n",
+         "a.data:5: the file ends after 1 atoms, expected 2"},
+        {"a.data", "t\n2 atoms\nAtoms\n\n1 1 0 0 0\n1 1 0 0 0\n",
+         "a.data:6: the number of an atom is '1', expected each of 1 to 2 once"},
+        {"a.data", "t\n1 atoms\nAtoms\n\n2 1 0 0 0\n",
+         "a.data:5: the number of an atom is '2', expected each of 1 to 1 once"},
+        {"a.data", "t\n1 atoms\nAtoms\n\n1 1 0 0\n",
+         "a.data:5: an atom has 4 words, expected 5 of style atomic"}};
+    for (size_t n = 0; n < sizeof wrong / sizeof *wrong; ++n) {
+        fw_configuration found;
+        assert_int_equal(read_text(&found, wrong[n].name, wrong[n].text), FW_BAD_INPUT);
+        const char *tail = strstr(error.sentence, wrong[n].sentence);
+        if (!tail || strlen(tail) != strlen(wrong[n].sentence))
+            fail_msg("'%s', expected '%s'", error.sentence, wrong[n].sentence);
+        assert_null(found.place);
+    }
+}
+
+static int make(void **state)
+{
+    (void)state;
+    make_folder(folder, sizeof folder);
+    return 0;
+}
+
+static int clear(void **state)
+{
+    (void)state;
+    remove_folder(folder);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(columns_of_extended_xyz_are_found_by_their_names),
+        cmocka_unit_test(the_last_frame_of_plain_xyz_counts),
+        cmocka_unit_test(atoms_of_lammps_are_found_in_each_style),
+        cmocka_unit_test(each_fault_of_a_file_has_its_sentence),
+    };
+    return cmocka_run_group_tests(tests, make, clear);
+}
