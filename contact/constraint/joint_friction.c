@@ -10,6 +10,8 @@
 /* A slip below this part of how far the ends go does not let a particle break loose that has come
  * to its limit. */
 #define SLIPS 1e-9
+/* What is left of a slip, as a part of how far the ends go, means nothing below this. */
+#define ROUNDING 1e-13
 
 bool joint_rubs(const fw_joint_row *rows, const int *list, int count)
 {
@@ -84,7 +86,8 @@ static void solve_for(fw_joint *joint, joint_system *system, int bandwidth, doub
 {
     for (int n = 0; n < system->line_count; ++n)
         system->lines[n].wanted = part * joint->target[n] - joint->slip[n];
-    joint->settled = joint_solve_box(system, joint->limit, bandwidth, joint->room);
+    (void)joint_solve_box(system, joint->limit, bandwidth, joint->room);
+    joint->part = part;
 }
 
 static double power_of(const fw_joint *joint, const joint_system *system)
@@ -194,7 +197,7 @@ fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, con
                            .first_wide = normal->first_wide,
                            .wide_count = normal->wide_count};
     system.line_count = make_tangents(joint, ends, rows, list, count, normal->z);
-    joint->settled = true;
+    joint->part = 1;
     if (system.line_count == 0) {
         joint_share_out(joint, ends, rows, list, count, moving);
         return FW_OK;
@@ -207,15 +210,19 @@ fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, con
     return FW_OK;
 }
 
+static double slip_of(const fw_joint_row *row, const fw_joint_end *ends)
+{
+    fw_vec2 displacement[3];
+    for (int k = 0; k < fw_joint_end_count(row); ++k)
+        displacement[k] = ends[row->end[k]].displacement;
+    return along(row, displacement);
+}
+
 void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
 {
     for (int n = 0; n < count; ++n) {
         fw_joint_row *row = &rows[list[n]];
-        fw_vec2 displacement[3];
-        if (!(row->rub.coefficient > 0)) continue;
-        for (int k = 0; k < fw_joint_end_count(row); ++k)
-            displacement[k] = ends[row->end[k]].displacement;
-        row->rub.slip = along(row, displacement);
+        if (row->rub.coefficient > 0) row->rub.slip = slip_of(row, ends);
     }
 }
 
@@ -228,6 +235,40 @@ static double size_of(const fw_joint_end *ends, const fw_joint_row *row)
         size += fabs(w.x) + fabs(w.y);
     }
     return size;
+}
+
+/* The same with where they would go without forces, which rounding of what forces do is a part of.
+ */
+static double span_of(const fw_joint_end *ends, const fw_joint_row *row)
+{
+    double size = size_of(ends, row);
+    for (int k = 0; k < fw_joint_end_count(row); ++k) {
+        const fw_vec2 free = ends[row->end[k]].free;
+        size += fabs(free.x) + fabs(free.y);
+    }
+    return size;
+}
+
+double joint_friction_misfit(const fw_joint *joint, const fw_joint_end *ends,
+                             const fw_joint_row *rows, const int *list, int count, double forces)
+{
+    double widest = 0, furthest = 0, force = 0, slip = 0;
+    for (int n = 0; n < count; ++n) {
+        const fw_joint_row *row = &rows[list[n]];
+        if (!(row->rub.coefficient > 0)) continue;
+        widest = fmax(widest, fw_joint_cone(row));
+        furthest = fmax(furthest, span_of(ends, row));
+    }
+    for (int n = 0; n < count; ++n) {
+        const fw_joint_row *row = &rows[list[n]];
+        const fw_joint_rub *rub = &row->rub;
+        if (!(rub->coefficient > 0) || rub->barred || joint->tangent_of[n] < 0) continue;
+        const double cone = fw_joint_cone(row), traction = rub->traction;
+        const double off = slip_of(row, ends) - joint->part * joint->target[joint->tangent_of[n]];
+        force = fmax(force, rub->stuck ? fabs(traction) - cone : fabs(fabs(traction) - cone));
+        if (rub->stuck || traction * off > 0) slip = fmax(slip, fabs(off));
+    }
+    return fmax(widest > 0 ? forces * force / widest : 0, furthest > 0 ? slip / furthest : 0);
 }
 
 bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
@@ -266,19 +307,40 @@ bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *
     return any;
 }
 
-bool joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
+/* Traction times slip. */
+static double power_of_row(const fw_joint_end *ends, const fw_joint_row *row)
+{
+    return row->rub.coefficient > 0 ? row->rub.traction * slip_of(row, ends) : 0;
+}
+
+/* What that may be by rounding alone. */
+static double rounding_of_row(const fw_joint_end *ends, const fw_joint_row *row)
+{
+    return ROUNDING * fabs(row->rub.traction) * span_of(ends, row);
+}
+
+bool joint_feeds(const fw_joint_end *ends, const fw_joint_row *rows, const int *list, int count)
+{
+    double power = 0, rounding = 0;
+    for (int n = 0; n < count; ++n) {
+        power += power_of_row(ends, &rows[list[n]]);
+        rounding += rounding_of_row(ends, &rows[list[n]]);
+    }
+    return power > rounding;
+}
+
+void joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
                              int count)
 {
-    double power = 0, size = 0;
-    joint_find_slips(ends, rows, list, count);
     for (int n = 0; n < count; ++n) {
-        const fw_joint_rub *rub = &rows[list[n]].rub;
-        power += rub->traction * rub->slip;
-        if (rub->traction == 0) continue;
-        for (int k = 0; k < fw_joint_end_count(&rows[list[n]]); ++k)
-            size += rub->traction * rub->traction * ends[rows[list[n]].end[k]].mobility.xx;
+        fw_joint_row *row = &rows[list[n]];
+        row->rub.barred |= power_of_row(ends, row) > rounding_of_row(ends, row);
     }
-    if (power <= 1e-12 * size) return false; /* rounding */
-    for (int n = 0; n < count; ++n) rows[list[n]].rub.barred = true;
-    return true;
+}
+
+bool joint_any_barred(const fw_joint_row *rows, const int *list, int count)
+{
+    for (int n = 0; n < count; ++n)
+        if (rows[list[n]].rub.barred) return true;
+    return false;
 }

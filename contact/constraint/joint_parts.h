@@ -22,7 +22,8 @@ struct fw_joint {
     joint_line *tangents; /* of friction, and per line of it ... */
     double *limit, *traction, *target, *slip;
     int *tangent_of; /* per row of the island, or -1 */
-    bool settled;    /* tractions of the island were found */
+    double part;     /* of what sticking lets through, that it does */
+    bool coupled;    /* the last forces were found at once */
     double *room;
     size_t room_size;
     const fw_joint_springs *springs; /* of this call; or NULL */
@@ -77,10 +78,20 @@ void joint_weigh_tangents(const fw_joint *joint, const fw_joint_end *ends, fw_jo
  * system, in which so many ends move. */
 fw_status joint_rub(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
                     int count, const joint_system *normal, int moving, fw_error *error);
-/* The same at once, with the normal forces, where that can be done: then `found`. */
+/* The same at once with the normal forces and what follows, where that can be done: then `found`,
+ * and normal forces are those of `normal`. */
 fw_status joint_couple(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
-                       int count, const joint_system *normal, int moving, bool *found,
-                       fw_error *error);
+                       int count, joint_system *normal, int moving, bool *found, fw_error *error);
+/* Are all forces of the island few enough for that? */
+bool joint_is_few(const fw_joint_row *rows, const int *list, int count);
+/* By how much friction of the island misses its law, on the present displacements and forces: what
+ * goes beyond the cone or, sliding, stays below it, as a part of the widest and times `forces`;
+ * what sticks and yet slips, or slides the wrong way, as a part of how far the ends go. */
+double joint_friction_misfit(const fw_joint *joint, const fw_joint_end *ends,
+                             const fw_joint_row *rows, const int *list, int count, double forces);
+/* What lines want, with the friction that there is. */
+void joint_want(fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *rows,
+                const int *list, int count);
 /* Of all rows that rub and are not barred, without normal forces. Returns how many. */
 int joint_make_all_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
                             const int *list, int count);
@@ -91,9 +102,11 @@ void joint_share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *ro
 void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
 /* Rows that slip at their static limit slide from now on. Returns whether there are any. */
 bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
-/* Bars all rows of the island if their friction together gives energy. Returns whether it did. */
-bool joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
+/* Does friction of the island give energy, as a whole? And bars those rows that do. */
+bool joint_feeds(const fw_joint_end *ends, const fw_joint_row *rows, const int *list, int count);
+void joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
                              int count);
+bool joint_any_barred(const fw_joint_row *rows, const int *list, int count);
 /* Bars rows whose friction pushes along with the slip. Returns whether there are any. */
 bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
 

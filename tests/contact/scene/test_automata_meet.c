@@ -4,6 +4,7 @@
 #include "tests/support/scenes.h"
 
 #include "core/automaton/elastic_automaton.h"
+#include "core/noise.h"
 
 #include <omp.h>
 
@@ -211,6 +212,47 @@ static void friction_only_takes_energy(void **state)
     fw_scene_destroy(scene);
 }
 
+/* At any angle, and with any coefficient: energy never rises, and the law holds. */
+static void friction_of_random_collisions_settles(void **state)
+{
+    (void)state;
+    const fw_friction laws[] = {{0.3, 0.3}, {1, 1}, {0.3, 0.6}};
+    double ticks = 0, unconverged = 0;
+    for (uint32_t n = 0; n < 60; ++n) {
+        const fw_vec2 a = fw_noise_uniform(7, n, 0, 0), b = fw_noise_uniform(7, n, 1, 0);
+        const fw_friction pairs[4] = {{0, 0}, laws[n % 3], laws[n % 3], {0, 0}};
+        const bool turned = n % 2;
+        fw_scene *scene = empty_scene(1e4);
+        add_cells(scene, (cells){.columns = 6 + (int)n % 4,
+                                 .rows = 5,
+                                 .origin = {0, 0},
+                                 .velocity = {0.2 + 0.1 * b.y, 0.1 * a.x},
+                                 .angle = turned ? 0.2 * b.x : 0});
+        add_cells(scene, (cells){.columns = 7,
+                                 .rows = 7,
+                                 .origin = {13, -4 + 3 * a.y},
+                                 .velocity = {0, 0},
+                                 .angle = turned ? a.x : 0});
+        must(fw_scene_set_surfaces(scene, 2, pairs, (int[]){0, 1}, &error));
+        begin(scene);
+        double before = energy_of(scene);
+        for (int t = 0; t < 120; ++t) {
+            run(scene, 1);
+            assert_true(energy_of(scene) <= before + 1e-13 * fw_scene_energy_scale(scene));
+            before = energy_of(scene);
+        }
+        assert_ledger_closes(scene, 1e-12);
+        assert_true(fw_scene_body_penetration(scene) == 0);
+        assert_true(fw_scene_contact_ledger(scene)->overstep < 0.04);
+        ticks += (double)fw_scene_contact_ledger(scene)->ticks;
+        unconverged += (double)fw_scene_contact_ledger(scene)->unconverged;
+        fw_scene_destroy(scene);
+    }
+    print_message("%g of %g steps not converged\n", unconverged, ticks);
+    assert_true(ticks > 200);
+    assert_true(unconverged < 0.01 * ticks);
+}
+
 static fw_scene *room_at_rest(void)
 {
     return crowded_room((fw_surface){.law = FW_FRICTIONLESS}, fw_wall_def_default().path);
@@ -266,6 +308,7 @@ int main(void)
         cmocka_unit_test(bodies_that_break_each_other_keep_the_ledger),
         cmocka_unit_test(damped_bodies_keep_the_ledger),
         cmocka_unit_test(friction_only_takes_energy),
+        cmocka_unit_test(friction_of_random_collisions_settles),
         cmocka_unit_test(run_that_goes_on_elsewhere_has_the_same_bytes),
         cmocka_unit_test(threads_do_not_change_a_bit),
         cmocka_unit_test(bodies_that_start_in_each_other_are_refused),

@@ -1,0 +1,263 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Friction of many particles as one problem with what pushes them: Coulomb's law row by row, with
+ * nothing of what finds the solution. */
+#include "contact/constraint/joint.h"
+
+#include "core/noise.h"
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { MOST = 24 };
+
+typedef struct problem {
+    int end_count, row_count;
+    fw_joint_end ends[MOST];
+    fw_joint_row rows[MOST];
+    fw_joint_outcome outcome;
+} problem;
+
+/* Between -1 and 1. */
+static double random_of(uint64_t seed, int n)
+{
+    return fw_noise_uniform(seed, (uint32_t)n, 0, FW_NOISE_PLACEMENT).x;
+}
+
+static void add_end(problem *p, fw_vec2 position, fw_vec2 free, uint64_t seed)
+{
+    const int n = p->end_count++;
+    const double a = 0.6 + 0.5 * random_of(seed, 200 + n), c = 0.6 + 0.5 * random_of(seed, 300 + n);
+    p->ends[n] =
+        (fw_joint_end){.position = position,
+                       .free = free,
+                       .unled = free,
+                       .displacement = free,
+                       .inertial = {free.x + 0.03 * random_of(seed, 500 + n), free.y},
+                       .mobility = (fw_sym2){a, 0.5 * sqrt(a * c) * random_of(seed, 400 + n), c}};
+}
+
+/* What `leader` does beside its free way, in part, is added to that of `follower`. */
+static void lead(problem *p, int leader, int follower, uint64_t seed)
+{
+    fw_joint_end *leads = &p->ends[leader], *led = &p->ends[follower];
+    led->lead[led->lead_count++] = (fw_joint_lead){
+        .end = leader,
+        .x = {0.4 * random_of(seed, 600 + leader), 0.2 * random_of(seed, 620 + leader)},
+        .y = {0.2 * random_of(seed, 640 + leader), 0.4 * random_of(seed, 660 + leader)},
+        .expected = leads->free};
+    leads->follower[leads->follower_count++] = follower;
+}
+
+/* Points come down on a chain of segments, and slide along it; where `leads`, each end of the chain
+ * leads the point above it. */
+static problem rubbing_points(uint64_t seed, double coefficient, double at_rest, bool leads)
+{
+    problem p = {0};
+    const int count = 2 + (int)(seed % 6);
+    for (int n = 0; n < 2 * count; ++n) {
+        const bool below = n < count;
+        const fw_vec2 at = {below ? 1.7 * n : 1.7 * (n - count) + 0.85 + 0.6 * random_of(seed, n),
+                            0.1 * random_of(seed, 40 + n) + (below ? 0 : 0.25)};
+        add_end(&p, at,
+                (fw_vec2){0.15 * random_of(seed, 80 + n),
+                          (below ? 0.1 : -0.2) * (1 + 0.5 * random_of(seed, 120 + n))},
+                seed);
+    }
+    for (int n = 0; leads && n + 1 < count; ++n) lead(&p, n, count + n, seed);
+    for (int n = 0; n + 1 < count; ++n)
+        p.rows[p.row_count++] =
+            (fw_joint_row){.kind = FW_JOINT_SEGMENT,
+                           .end = {count + n, n, n + 1},
+                           .fresh = true,
+                           .rub = {.coefficient = coefficient,
+                                   .at_rest = at_rest,
+                                   .before = fmax(0, 0.2 * random_of(seed, 700 + n)),
+                                   .stuck_before = random_of(seed, 730 + n) > 0,
+                                   .slides = random_of(seed, 790 + n) > 0.5,
+                                   .inertial_before = 0.1 * random_of(seed, 760 + n)}};
+    return p;
+}
+
+static void solve(problem *p)
+{
+    fw_error error;
+    fw_joint *joint = fw_joint_create();
+    assert_int_equal(fw_joint_solve(joint, p->ends, p->end_count, p->rows, p->row_count, NULL,
+                                    &p->outcome, &error),
+                     FW_OK);
+    fw_joint_destroy(joint);
+}
+
+/* w = free + A F, where `free` follows what leads. */
+static void assert_moves_by_its_forces(const problem *p)
+{
+    for (int e = 0; e < p->end_count; ++e) {
+        const fw_joint_end *end = &p->ends[e];
+        fw_vec2 w = fw_vec2_add(end->lead_count > 0 ? end->unled : end->free,
+                                fw_sym2_apply(end->mobility, end->force));
+        for (int m = 0; m < end->lead_count; ++m) {
+            const fw_joint_lead *by = &end->lead[m];
+            const fw_vec2 more = fw_vec2_subtract(p->ends[by->end].displacement, by->expected);
+            w = fw_vec2_add(w, (fw_vec2){fw_vec2_dot(by->x, more), fw_vec2_dot(by->y, more)});
+        }
+        assert_true(fabs(w.x - end->displacement.x) < 1e-14);
+        assert_true(fabs(w.y - end->displacement.y) < 1e-14);
+    }
+}
+
+static void assert_pushes_and_never_pulls(const problem *p)
+{
+    for (int n = 0; n < p->row_count; ++n) {
+        const double gap = fw_joint_motion(&p->rows[n], p->ends) - p->rows[n].bound;
+        assert_true(p->rows[n].lambda >= 0);
+        assert_true(gap >= -1e-12);
+        assert_true(p->rows[n].lambda * gap < 1e-13);
+    }
+}
+
+/* Within the cone, at it where it slides, and against the slip; energy is never given, by all
+ * together or by one that slides. */
+static void assert_obeys_coulombs_law(const problem *p)
+{
+    double power = 0;
+    for (int n = 0; n < p->row_count; ++n) {
+        const fw_joint_rub *rub = &p->rows[n].rub;
+        const double cone = fw_joint_cone(&p->rows[n]);
+        double slip = 0;
+        for (int k = 0; k < 3; ++k)
+            slip += fw_vec2_dot(rub->weight[k], p->ends[p->rows[n].end[k]].displacement);
+        assert_true(fabs(slip - rub->slip) < 1e-14);
+        assert_false(rub->barred);
+        assert_true(fabs(rub->traction) <= cone * (1 + 1e-9));
+        if (!rub->stuck) {
+            assert_true(fabs(rub->traction) >= cone * (1 - 1e-8));
+            assert_true(rub->traction * slip <= 1e-13);
+        }
+        power += rub->traction * slip;
+    }
+    assert_true(power <= 1e-14);
+}
+
+/* Forces do no work but that of friction, whatever follows what. */
+static void assert_books_close(const problem *p)
+{
+    double work = 0;
+    fw_vec2 sum = {0, 0};
+    for (int e = 0; e < p->end_count; ++e) {
+        work += fw_vec2_dot(p->ends[e].force, p->ends[e].displacement);
+        sum = fw_vec2_add(sum, p->ends[e].force);
+    }
+    for (int n = 0; n < p->row_count; ++n) work -= p->rows[n].rub.traction * p->rows[n].rub.slip;
+    assert_true(fabs(work) < 1e-13);
+    assert_true(fabs(sum.x) + fabs(sum.y) < 1e-14);
+}
+
+static void assert_all_is_well(const problem *p)
+{
+    assert_moves_by_its_forces(p);
+    assert_books_close(p);
+    assert_pushes_and_never_pulls(p);
+    assert_obeys_coulombs_law(p);
+}
+
+/* Books close whatever happens; the law holds in all islands but few. */
+static void small_islands_obey_the_law(bool leads)
+{
+    static const double laws[][2] = {{0.3, 0.3}, {1, 1}, {0.3, 0.6}, {2, 2}};
+    for (int law = 0; law < 4; ++law) {
+        int unconverged = 0;
+        for (uint64_t seed = 0; seed < 500; ++seed) {
+            problem p = rubbing_points(seed, laws[law][0], laws[law][1], leads);
+            solve(&p);
+            unconverged += p.outcome.unconverged;
+            if (p.outcome.unconverged == 0)
+                assert_all_is_well(&p);
+            else
+                assert_books_close(&p);
+        }
+        print_message("%g, %g: %d of 500 not converged\n", laws[law][1], laws[law][0], unconverged);
+        assert_true(unconverged <= 5);
+    }
+}
+
+static void small_islands_obey_coulombs_law(void **state)
+{
+    (void)state;
+    small_islands_obey_the_law(false);
+}
+
+static void islands_that_follow_obey_coulombs_law(void **state)
+{
+    (void)state;
+    small_islands_obey_the_law(true);
+}
+
+/* With a coefficient that holds everything, and nothing to let through, all stick. No power is left
+ * but rounding, and that takes nothing away. */
+static void friction_that_only_holds_is_kept(void **state)
+{
+    (void)state;
+    int held = 0;
+    for (uint64_t seed = 0; seed < 500; ++seed) {
+        problem p = rubbing_points(seed, 1, 1, false);
+        for (int n = 0; n < p.row_count; ++n) p.rows[n].rub.before = 1e3;
+        for (int e = 0; e < p.end_count; ++e) p.ends[e].inertial = (fw_vec2){0, 0};
+        for (int n = 0; n < p.row_count; ++n) p.rows[n].rub.inertial_before = 0;
+        solve(&p);
+        assert_int_equal(p.outcome.unconverged, 0);
+        for (int n = 0; n < p.row_count; ++n) {
+            assert_true(p.rows[n].rub.stuck && p.rows[n].rub.traction != 0);
+            assert_true(fabs(p.rows[n].rub.slip) < 1e-9);
+            held += 1;
+        }
+    }
+    assert_true(held > 1000);
+}
+
+/* Two points on one piston, each of which is carried along it its own way, whatever the force: they
+ * cannot both stick, and bear their cones. */
+static void what_cannot_all_stick_slides(void **state)
+{
+    (void)state;
+    problem p = {0};
+    for (int n = 0; n < 2; ++n) add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, -0.2}, 3);
+    p.ends[0].mobility = (fw_sym2){0, 0, 1}; /* held along the plane */
+    p.ends[1].mobility = (fw_sym2){0, 0, 1};
+    p.ends[0].free = p.ends[0].displacement = (fw_vec2){0.1, -0.2};
+    p.ends[1].free = p.ends[1].displacement = (fw_vec2){-0.1, -0.2};
+    p.ends[2] = (fw_joint_end){.mobility = fw_sym2_scalar(1), .wide = true};
+    p.end_count = 3;
+    for (int n = 0; n < 2; ++n)
+        p.rows[p.row_count++] = (fw_joint_row){.kind = FW_JOINT_PLANE,
+                                               .end = {n, 2},
+                                               .normal = {0, 1},
+                                               .borne = true,
+                                               .rub = {.coefficient = 0.3, .before = 0.4},
+                                               .fresh = true};
+    solve(&p);
+    assert_int_equal(p.outcome.unconverged, 0);
+    for (int n = 0; n < 2; ++n) {
+        const fw_joint_rub *rub = &p.rows[n].rub;
+        assert_true(fabs(fabs(rub->traction) - fw_joint_cone(&p.rows[n])) < 1e-12);
+        assert_true(rub->traction * rub->slip < 0);
+    }
+    assert_true(fabs(p.ends[2].displacement.x) < 1e-14);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(small_islands_obey_coulombs_law),
+        cmocka_unit_test(islands_that_follow_obey_coulombs_law),
+        cmocka_unit_test(friction_that_only_holds_is_kept),
+        cmocka_unit_test(what_cannot_all_stick_slides),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
