@@ -118,5 +118,5 @@ int main(void)
     }
     if (status != FW_OK) fprintf(stderr, "%s\n", error.sentence);
     fw_sites_clear(&sites);
-    return status;
+    return (int)status;
 }

@@ -41,5 +41,5 @@ int main(void)
     else
         fprintf(stderr, "%s\n", error.sentence);
     fw_simulation_destroy(simulation);
-    return status;
+    return (int)status;
 }
