@@ -25,7 +25,8 @@
  * solids run on as many threads as OpenMP is told (omp_set_num_threads); a simulation sets that
  * number for its own steps alone. With OMP_WAIT_POLICY=passive in the environment threads that wait
  * sleep, which is quicker where cores are shared. Files are written one at a time; a program that
- * uses HDF5 itself, in another thread, must not do so while a simulation with a directory advances.
+ * uses HDF5 itself must not do so in another thread while a simulation with a directory advances,
+ * and closes its files before it ends: HDF5 no longer does that for it.
  *
  * Units are reduced, as everywhere in Fretwork; the manual says how for each solid. */
 #ifndef FW_FRETWORK_H
