@@ -150,7 +150,7 @@ FW_INLINE fw_vector half_square(fw_vector_pair f)
 }
 
 FW_INLINE void terms_of_part(const lb_grid_arrays *a, int place, int part, const int distance[],
-                             int at, lb_field_terms *terms)
+                             int at, bool energies, lb_field_terms *terms)
 {
     const fw_vector_pair ahead = fw_load_pair(a->ahead_x, a->ahead_y, place);
     const fw_vector_pair behind = fw_load_pair(a->behind_x, a->behind_y, place);
@@ -161,7 +161,7 @@ FW_INLINE void terms_of_part(const lb_grid_arrays *a, int place, int part, const
         const fw_vector_pair here =
             half_difference(fw_load_pair(a->ahead_x, a->ahead_y, beside), behind);
         field[d] = (fw_vector_pair){fw_keep(linked, here.x), fw_keep(linked, here.y)};
-        if (d > FW_NORTH) continue;
+        if (d > FW_NORTH || !energies) continue;
         /* Both fields of the link: their difference is its stretch. */
         const fw_vector_pair there =
             half_difference(ahead, fw_load_pair(a->behind_x, a->behind_y, beside));
@@ -174,8 +174,8 @@ FW_INLINE void terms_of_part(const lb_grid_arrays *a, int place, int part, const
     fw_store(terms->psi_y + at, psi.y);
 }
 
-static void terms(const lb_grid_arrays *arrays, int place, int count, int north, int south,
-                  lb_field_terms *out)
+FW_INLINE void all_terms(const lb_grid_arrays *arrays, int place, int count, int north, int south,
+                         bool energies, lb_field_terms *out)
 {
     const lb_grid_arrays a = *arrays;
     const int distance[FW_DIRECTIONS] = {1, north, -1, south};
@@ -183,8 +183,20 @@ static void terms(const lb_grid_arrays *arrays, int place, int count, int north,
     for (int k = 0; k < count; k += FW_BLOCK)
         for (int part = 0; part < FW_PARTS; ++part) {
             const int at = k + part * FW_WIDTH;
-            terms_of_part(&a, place + at, part, distance, at, out);
+            terms_of_part(&a, place + at, part, distance, at, energies, out);
         }
+}
+
+static void terms(const lb_grid_arrays *arrays, int place, int count, int north, int south,
+                  lb_field_terms *out)
+{
+    all_terms(arrays, place, count, north, south, true, out);
+}
+
+static void momenta(const lb_grid_arrays *arrays, int place, int count, int north, int south,
+                    lb_field_terms *out)
+{
+    all_terms(arrays, place, count, north, south, false, out);
 }
 
 FW_INLINE fw_vector square(fw_vector_pair v)
@@ -213,4 +225,4 @@ static void add_squares(const lb_grid_arrays *arrays, int place, int count, int 
 }
 
 const lb_displacement_kernels FW_KERNELS_HERE(lb_displacements) = {
-    .advance = advance, .terms = terms, .add_squares = add_squares};
+    .advance = advance, .terms = terms, .momenta = momenta, .add_squares = add_squares};

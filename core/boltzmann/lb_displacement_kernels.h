@@ -47,6 +47,9 @@ typedef struct lb_displacement_kernels {
     /* Of at least `count` places from one on that is a multiple of LB_BLOCK. */
     void (*terms)(const lb_grid_arrays *arrays, int place, int count, int north, int south,
                   lb_field_terms *terms);
+    /* Only sum f of them. */
+    void (*momenta)(const lb_grid_arrays *arrays, int place, int count, int north, int south,
+                    lb_field_terms *terms);
     /* Adds to sums[k], for each of `count` places from one on that is a multiple of LB_BLOCK,
      *     sum_links |2 f - V|^2 + weight |2 f_0/M0 - V|^2,
      * which is four times the sum of squares of what a body has beyond a motion with velocity V. */

@@ -193,8 +193,11 @@ static void velocities_of(const lb_solid *lb, int row, int place, int particle, 
 {
     const int from = place % LB_BLOCK;
     const double *restrict inverse = lb->inverse.xx + particle;
+    const lb_grid_arrays arrays = arrays_of(lb, lb->parity, false);
+    const lb_row *here = &lb->form.grid.rows[row];
     lb_field_terms terms;
-    lb_displacements_terms(lb, row, place - from, from + count, &terms);
+    FW_KERNELS_CHOSEN(lb_displacements)
+        ->momenta(&arrays, place - from, from + count, here->north, here->south, &terms);
     for (int k = 0; k < count; ++k) {
         const fw_vec2 psi = {terms.psi_x[from + k], terms.psi_y[from + k]};
         const fw_vec2 v = fw_sym2_apply(fw_sym2_scalar(inverse[k]), psi);
