@@ -403,6 +403,7 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
                             &change, error));
     }
     joint_find_slips(ends, rows, list, count);
+    joint_rub_driven(joint, ends, rows, list, count);
     outcome->islands += 1;
     outcome->unconverged += !arrived || !solved || joint_any_barred(rows, list, count);
     if (iterates) outcome->change = fmax(outcome->change, change);

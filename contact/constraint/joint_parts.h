@@ -69,6 +69,10 @@ fw_vec2 joint_led_by(const fw_joint *joint, const fw_joint_end *ends, const fw_j
 void joint_move_followers(fw_joint *joint, fw_joint_end *ends, int end_count,
                           const fw_joint_row *rows, int row_count);
 
+/* Friction of rows along whose tangents no end gives way, once all else is solved. */
+void joint_rub_driven(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
+                      const int *list, int count);
+
 /* Does any row of the island rub? */
 bool joint_rubs(const fw_joint_row *rows, const int *list, int count);
 /* Tangents at the middle of the step. */

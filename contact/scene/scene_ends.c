@@ -74,7 +74,7 @@ static fw_status add_known_walls(fw_scene *scene, int end, fw_error *error)
         for (int k = 0; k < rows->count; ++k)
             FW_TRY(scene_add_facet(scene, end, rows->facet[k], false, error));
     }
-    if (!body->memory_before) return FW_OK;
+    if (!scene_walls_rub(scene, &e)) return FW_OK;
     const fw_contact_memory *before = &body->memory_before[e.particle];
     if (before->facet == 0 || !(before->reaction > 0)) return FW_OK;
     return scene_add_facet(scene, end, before->facet - 1, true, error);

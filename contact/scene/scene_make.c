@@ -240,7 +240,7 @@ static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error
         if (!body->entry_end) return fw_fail_memory(error, "the contacts of a body");
         for (size_t n = 0; n < count; ++n) body->entry_end[n] = -1;
     }
-    if (scene->piston_count == 0 || !body->memory) return FW_OK;
+    if ((scene->piston_count == 0 && !body->gripped) || !body->memory) return FW_OK;
     body->memory_before = calloc(count, sizeof *body->memory);
     return body->memory_before ? FW_OK : fw_fail_memory(error, "the contacts of a body");
 }

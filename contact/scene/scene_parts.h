@@ -142,7 +142,7 @@ typedef struct scene_body {
     int *entry_end; /* per entry of the boundary: the end of what is no point, or -1; NULL without
                        pistons and grips */
     fw_contact_memory *memory_before; /* at the beginning of the tick, per particle; NULL without
-                                         pistons */
+                                         pistons and grips */
     uint8_t *gripped; /* per particle: 1 + the grip that holds it; NULL where none holds any */
     fw_constraint *constraints; /* of contacts and grips, ascending; room for all particles */
     int constraint_count;
@@ -333,6 +333,9 @@ bool scene_bodies_rub(const fw_scene *scene);
 void scene_take_surface(const fw_scene *scene, int body, fw_surface *surface);
 /* What particles remember for the next tick, and the heat. */
 void scene_remember_rubbing(fw_scene *scene);
+/* Where pistons take part, and of what grips hold. (Elsewhere a wall does not rub a particle that
+ * touches another body in the same tick.) */
+bool scene_walls_rub(const fw_scene *scene, const scene_end *end);
 /* Friction of a wall's row, and what of an end's rows a particle remembers. */
 fw_joint_rub scene_take_wall_rub(const fw_scene *scene, int end, int facet);
 void scene_remember_wall(fw_scene *scene, int end);

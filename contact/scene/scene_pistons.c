@@ -27,13 +27,15 @@ static fw_status check_motion(const fw_scene *scene, const scene_wall *wall, fw_
         (long long)scene->clock.step, fw_wall_name(wall->wall), wall->motion.x, wall->motion.y);
 }
 
-/* A particle that rubbed on a piston meets other walls as if it had touched nothing. */
+/* A particle that rubbed on a piston meets other walls as if it had touched nothing. (What a grip
+ * holds is no business of walls alone.) */
 static void set_memory_apart(fw_scene *scene, scene_body *body)
 {
     for (int i = 0; body->memory_before && i < body->solid->count; ++i) {
         const int facet = body->memory[i].facet;
         body->memory_before[i] = body->memory[i];
-        if (facet > 0 && scene->walls[scene->candidates[facet - 1].facet->wall].yields)
+        if (facet > 0 && ((body->gripped && body->gripped[i]) ||
+                          scene->walls[scene->candidates[facet - 1].facet->wall].yields))
             body->memory[i] = (fw_contact_memory){0};
     }
 }
@@ -226,7 +228,8 @@ fw_status scene_add_rubbed_by_pistons(fw_scene *scene, fw_error *error)
             if (before->facet == 0 || !(before->reaction > 0)) continue;
             const scene_reach reach = {
                 .body = b, .entry = e, .particle = particle, .facet = before->facet - 1};
-            if (scene->walls[scene->candidates[reach.facet].facet->wall].yields)
+            if ((body->gripped && body->gripped[particle]) ||
+                scene->walls[scene->candidates[reach.facet].facet->wall].yields)
                 FW_TRY(note(joint, &reach, error));
         }
     }

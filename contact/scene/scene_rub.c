@@ -204,15 +204,18 @@ void scene_remember_rubbing(fw_scene *scene)
 
 /* --- on walls --- */
 
-/* Where pistons take part. (Elsewhere a wall does not rub a particle that touches another body in
- * the same tick.) */
+bool scene_walls_rub(const fw_scene *scene, const scene_end *end)
+{
+    return scene->bodies[end->body].memory_before && (scene->piston_count > 0 || end->grip >= 0);
+}
+
 fw_joint_rub scene_take_wall_rub(const fw_scene *scene, int number, int facet)
 {
     const scene_end *end = &scene->joint->ends[number];
     const scene_body *body = &scene->bodies[end->body];
     const int wall = scene->candidates[facet].facet->wall;
     fw_surface surface = scene->candidates[facet].surface;
-    if (surface.law != FW_COULOMB || !body->memory_before) return (fw_joint_rub){0};
+    if (surface.law != FW_COULOMB || !scene_walls_rub(scene, end)) return (fw_joint_rub){0};
     scene_take_surface(scene, end->body, &surface);
     const fw_contact_memory *before = &body->memory_before[end->particle];
     fw_joint_rub rub = {.coefficient = surface.friction, .at_rest = surface.static_friction};

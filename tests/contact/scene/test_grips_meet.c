@@ -224,6 +224,69 @@ static void two_pressed_grips_bear_each_other(void **state)
     fw_scene_destroy(scene);
 }
 
+/* A block that a grip presses on what is rough, and carries along it. What is rough is a floor, or
+ * a body that a grip holds. */
+static fw_scene *dragged(bool floor, double friction, fw_drive drive, fw_vec2 velocity)
+{
+    fw_scene *scene = empty_scene(1e4);
+    add_body(scene,
+             (body_options){.columns = 6, .rows = 3, .origin = {0, .001}, .velocity = velocity});
+    grip_rows(scene, 0, "hand", 6, 0, 3, drive);
+    if (floor) {
+        add_block(scene, "floor", (fw_vec2){-90, -4}, (fw_vec2){190, 0},
+                  (fw_surface){.law = FW_COULOMB, .friction = friction}, NULL);
+    } else {
+        add_body(scene, (body_options){.columns = 60, .rows = 2, .origin = {-20.3, -1}});
+        grip_rows(scene, 1, "held", 60, 0, 2, carried(0, 0));
+        fw_scene_set_friction(scene, friction);
+    }
+    begin(scene);
+    return scene;
+}
+
+static void a_carried_grip_rubs_what_it_is_pressed_on(void **state)
+{
+    (void)state;
+    for (int floor = 0; floor < 2; ++floor) {
+        fw_drive drive = pressed(0, -.2);
+        drive.prescribed_x = true;
+        drive.path = (fw_path){.velocity = {.004, 0}, .until = INFINITY};
+        fw_scene *scene = dragged(floor, .3, drive, (fw_vec2){0, 0});
+        run(scene, 1000);
+        const double before = grip_ledger(scene, 0)->impulse.x;
+        const double heat =
+            fw_scene_ledger(scene).friction_heat + fw_scene_ledger(scene).dissipated;
+        run(scene, 1000);
+        /* mu N against it, and mu N v of heat. A point that passes from one segment to the next
+         * lies on both, and rubs on one. */
+        const double part = floor ? 1e-11 : 3e-3;
+        const double after =
+            fw_scene_ledger(scene).friction_heat + fw_scene_ledger(scene).dissipated;
+        assert_close(grip_ledger(scene, 0)->impulse.x - before, 60, 60 * part);
+        assert_close(after - heat, .24, .24 * part);
+        assert_ledger_closes(scene, 1e-12);
+        fw_scene_destroy(scene);
+    }
+}
+
+/* Thrown, and pressed by M g: it stops after v^2/(2 mu g). */
+static void a_thrown_grip_stops_after_its_way(void **state)
+{
+    (void)state;
+    for (int floor = 0; floor < 2; ++floor) {
+        fw_scene *scene = dragged(floor, .3, pressed(0, -.2), (fw_vec2){.02, 0});
+        const fw_solid *solid = fw_scene_observe_body(scene, 0);
+        const double mass = solid->model->mass(solid).xx;
+        run(scene, 4000);
+        const double way = grip_ledger(scene, 0)->displacement.x;
+        assert_close(way, .02 * .02 * mass / (2 * .3 * .2), .03);
+        run(scene, 1000);
+        assert_close(grip_ledger(scene, 0)->displacement.x, way, 1e-12);
+        assert_ledger_closes(scene, 1e-12);
+        fw_scene_destroy(scene);
+    }
+}
+
 static void assert_stops_before(fw_scene *scene, const char *sentence)
 {
     begin(scene);
@@ -308,6 +371,8 @@ int main(void)
         cmocka_unit_test(a_wall_bears_what_presses_a_grip),
         cmocka_unit_test(a_grip_holds_a_piston),
         cmocka_unit_test(two_pressed_grips_bear_each_other),
+        cmocka_unit_test(a_carried_grip_rubs_what_it_is_pressed_on),
+        cmocka_unit_test(a_thrown_grip_stops_after_its_way),
         cmocka_unit_test(what_cannot_give_way_stops_the_run_before_it_passes),
         cmocka_unit_test(it_goes_on_elsewhere),
     };
