@@ -5,6 +5,7 @@
 #include "tests/support/laws.h"
 
 #include "contact/constraint/constrain.h"
+#include "contact/constraint/friction_law.h"
 
 #include <stdbool.h>
 
@@ -183,12 +184,95 @@ static void what_sticks_to_a_large_circle_sticks_on(void **state)
     }
 }
 
+/* Floors 0 and 1 are facets of one wall, and floor 2 is another wall. A particle at the origin
+ * rests on floor 0; it would sink by .2, so that with a mobility of .5 the reaction is .4. */
+static fw_contact_solution rub_on_floor(double slip, double inertial, fw_contact_memory *memory)
+{
+    const fw_facet facets[] = {fw_facet_straight(0, (fw_vec2){-3, 0}, (fw_vec2){3, 0}, 0),
+                               fw_facet_straight(0, (fw_vec2){-9, 0}, (fw_vec2){-3, 0}, 0),
+                               fw_facet_straight(1, (fw_vec2){3, 0}, (fw_vec2){9, 0}, 0)};
+    fw_candidate floors[3];
+    for (int n = 0; n < 3; ++n)
+        floors[n] = (fw_candidate){
+            .facet = &facets[n], .number = n, .surface = {.law = FW_COULOMB, .friction = 0.25}};
+    const fw_prediction free = {
+        .displacement = {slip, -0.2}, .inertial = {inertial, 0}, .mobility = fw_sym2_scalar(0.5)};
+    const fw_contact_solution c = fw_constrain((fw_vec2){0, 0}, &free, floors, 1, floors, memory);
+    assert_int_equal(c.wall_contact_count, 1);
+    assert_close(c.force.y, 0.4, 1e-15);
+    assert_close(memory->reaction, 0.4, 1e-15);
+    return c;
+}
+
+/* Friction is bound by its coefficient times the mean of the reactions of two steps, of the wall
+ * that it rubs on and no other. It slips to the left; a force of .6 would
+ * stop it. */
+static void the_cone_is_of_the_same_wall_and_of_two_steps(void **state)
+{
+    (void)state;
+    static const struct {
+        int floor; /* on which it was, with a reaction of .8 */
+        double cone;
+    } cases[] = {{0, 0.25 * (0.4 + 0.8) / 2}, {1, 0.25 * (0.4 + 0.8) / 2}, {2, 0.25 * 0.4 / 2}};
+    for (int n = 0; n < 3; ++n) {
+        fw_contact_memory memory = {.reaction = 0.8, .facet = 1 + cases[n].floor};
+        const fw_contact_solution c = rub_on_floor(-0.3, 0, &memory);
+        assert_close(c.force.x, cases[n].cone, 1e-15);
+        assert_close(c.displacement.x, -0.3 + 0.5 * cases[n].cone, 1e-15);
+        assert_close(c.wall_contact[0].cone, cases[n].cone, 1e-15);
+        assert_close(c.wall_contact[0].beyond, 0, 0);
+        assert_close(c.wall_contact[0].dissipated, -c.force.x * c.displacement.x, 1e-15);
+        assert_false(memory.stuck);
+        assert_close(memory.crept, 0, 0);
+    }
+}
+
+/* In the step after it left, its wall rubs it with half of the reaction that it had. */
+static void what_leaves_is_rubbed_once_more(void **state)
+{
+    (void)state;
+    const fw_facet facet = fw_facet_straight(0, (fw_vec2){-3, 0}, (fw_vec2){3, 0}, 0);
+    const fw_candidate floor = {.facet = &facet, .surface = {.law = FW_COULOMB, .friction = 0.25}};
+    const fw_prediction free = {.displacement = {-0.3, 0.2}, .mobility = fw_sym2_scalar(0.5)};
+    fw_contact_memory memory = {.reaction = 0.8, .facet = 1};
+    fw_contact_solution c = fw_constrain((fw_vec2){0, 0}, &free, &floor, 1, &floor, &memory);
+    assert_true(c.held);
+    assert_close(c.force.x, 0.25 * 0.8 / 2, 1e-15);
+    assert_close(c.force.y, 0, 0);
+    assert_close(c.wall_contact[0].beyond, 0, 0);
+    assert_close(memory.reaction, 0, 0);
+    c = fw_constrain((fw_vec2){0, 0}, &free, &floor, 1, &floor, &memory);
+    assert_false(c.held);
+    assert_int_equal(memory.facet, 0);
+}
+
+/* Of a particle that stays stuck: what it is let through along the tangent, (-1, 0), added up. */
+static void creep_is_summed_while_it_sticks(void **state)
+{
+    (void)state;
+    fw_contact_memory memory = {.reaction = 0.8, .inertial = -0.01, .facet = 1, .stuck = true};
+    const double step = FW_STICK_FILTER / 4 * 0.02;
+    for (int n = 1; n <= 3; ++n) {
+        const fw_contact_solution c = rub_on_floor(0.03, 0.01 + 0.02 * n, &memory);
+        assert_true(memory.stuck);
+        assert_close(c.displacement.x, step, 1e-15);
+        assert_close(memory.crept, -n * step, 1e-15);
+    }
+    memory.stuck = false;
+    rub_on_floor(0.03, 0.02, &memory);
+    assert_true(memory.stuck);
+    assert_close(memory.crept, 0, 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_particle_obeys_the_laws_between_any_walls),
         cmocka_unit_test(what_needs_no_traction_sticks),
         cmocka_unit_test(what_sticks_to_a_large_circle_sticks_on),
+        cmocka_unit_test(the_cone_is_of_the_same_wall_and_of_two_steps),
+        cmocka_unit_test(what_leaves_is_rubbed_once_more),
+        cmocka_unit_test(creep_is_summed_while_it_sticks),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
