@@ -160,11 +160,12 @@ fw_status fw_command_list_result(const char *directory, bool json, fw_error *err
     fw_certificate certificate;
     FW_TRY(fw_sweep_refuse(directory, error));
     FW_TRY(fw_playback_open(&playback, directory, error));
-    const fw_status status = fw_certificate_read(&certificate, playback, error);
+    fw_status status = fw_certificate_read(&certificate, playback, error);
     if (status == FW_OK && json)
         write_json(playback, &certificate);
     else if (status == FW_OK)
         print(playback, &certificate);
+    if (status == FW_OK) status = fw_playback_check(playback, error);
     fw_playback_close(playback);
     return status;
 }

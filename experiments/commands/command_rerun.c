@@ -22,7 +22,9 @@ static fw_status compare(fw_playback *then, const char *before, const char *dire
         if (fw_compare_provenance(then, now, stdout) == 0)
             printf("  nothing that the results know of: program, compiler, flags, instructions "
                    "and libraries are the same\n");
-        status = FW_EXPECTATION_FAILED;
+        status = fw_playback_check(then, error);
+        if (status == FW_OK) status = fw_playback_check(now, error);
+        if (status == FW_OK) status = FW_EXPECTATION_FAILED;
     }
     fw_playback_close(now);
     return status;

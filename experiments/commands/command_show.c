@@ -38,12 +38,13 @@ static fw_status print_file(const fw_scenario *scenario, const char *path, fw_er
     size_t room = 0;
     FILE *file = fopen(path, "r");
     const ssize_t length = file ? getdelim(&text, &room, '\0', file) : -1;
+    const int reason = errno;
     if (length > 0) print_text(scenario, text, (size_t)length);
     free(text);
     if (file) fclose(file);
-    return length > 0
-               ? FW_OK
-               : fw_fail(error, FW_BAD_INPUT, "%s cannot be read: %s", path, strerror(errno));
+    if (length > 0) return FW_OK;
+    /* It was there a moment ago. */
+    return fw_fail(error, FW_SYSTEM_FAILED, "%s: cannot be read: %s", path, strerror(reason));
 }
 
 static fw_status print_as_run(const fw_scenario *scenario, fw_error *error)

@@ -169,7 +169,7 @@ fw_status fw_certificate_read(fw_certificate *certificate, fw_playback *playback
         if (fw_playback_array_rows(playback, array.name, 1) != 1) continue;
         FW_TRY(fw_playback_read_array(playback, array.name, 1, 1, &certificate->worst[n], error));
     }
-    return FW_OK;
+    return fw_playback_check(playback, error);
 }
 
 /* --- in words --- */

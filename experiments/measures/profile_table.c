@@ -95,6 +95,7 @@ fw_status fw_profile_table_read(fw_profile_table **table, fw_playback *playback,
 {
     int rows = fw_playback_array_rows(playback, "profile/edges", 1);
     *table = NULL;
+    FW_TRY(fw_playback_check(playback, error));
     if (rows < 2)
         return fw_fail(error, FW_BAD_INPUT,
                        "the results hold no profile, expected those of a scenario with the key "

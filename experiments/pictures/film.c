@@ -11,6 +11,7 @@
 #include "plot_choice.h"
 #include "plot_extent.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -96,7 +97,8 @@ static fw_status prepare(film *f, const char *directory, const fw_film_wish *wis
     strcpy(f->folder, "/tmp/fretwork-film-XXXXXX");
     if (!mkdtemp(f->folder)) {
         f->folder[0] = '\0';
-        return fw_fail(error, FW_SYSTEM_FAILED, "cannot make a folder for the film's pictures");
+        return fw_fail(error, FW_SYSTEM_FAILED, "cannot make a folder for the film's pictures: %s",
+                       strerror(errno));
     }
     snprintf(f->picture, sizeof f->picture, "%s/frame.png", f->folder);
     f->wish = (fw_plot_wish){.file = f->picture,

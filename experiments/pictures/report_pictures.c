@@ -8,6 +8,7 @@
 #include "plot_choice.h"
 #include "report_parts.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -88,9 +89,11 @@ fw_status fw_report_pictures(fw_json *json, const char *directory, const fw_scen
     const bool sweep = fw_scenario_is_sweep(scenario);
     fw_status status = FW_OK;
     if (!mkdtemp(folder))
-        return fw_fail(error, FW_SYSTEM_FAILED, "cannot make a folder for the report's pictures");
+        return fw_fail(error, FW_SYSTEM_FAILED,
+                       "cannot make a folder for the report's pictures: %s", strerror(errno));
     FILE *nowhere = fopen("/dev/null", "w");
-    if (!nowhere) status = fw_fail(error, FW_SYSTEM_FAILED, "cannot open /dev/null");
+    if (!nowhere)
+        status = fw_fail(error, FW_SYSTEM_FAILED, "cannot open /dev/null: %s", strerror(errno));
     fw_json_begin(json, "pictures", '[');
     for (int n = 0; n < scenario->picture_count && status == FW_OK; ++n)
         if (fw_plot_is_of_case(&scenario->pictures[n]) != sweep)

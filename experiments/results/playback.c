@@ -279,6 +279,11 @@ fw_status fw_playback_open(fw_playback **playback, const char *path, fw_error *e
     return FW_OK;
 }
 
+fw_status fw_playback_check(const fw_playback *playback, fw_error *error)
+{
+    return fw_hdf5_check(playback->file->hdf5, error);
+}
+
 char *fw_playback_fact(fw_playback *playback, const char *name)
 {
     char path[FW_NAME_SIZE + 64];

@@ -57,8 +57,11 @@ typedef struct fw_playback {
 /* `path` is a results folder or a results file. FW_BAD_INPUT: there is none, or it is not one;
  * FW_SYSTEM_FAILED: it cannot be read. */
 fw_status fw_playback_open(fw_playback **playback, const char *path, fw_error *error);
+/* The first failure in reading it. What the functions without an error say is only so without one.
+ */
+fw_status fw_playback_check(const fw_playback *playback, fw_error *error);
 /* A text of the run's provenance, such as "instructions" (results-format.md), malloc'ed. NULL: the
- * file has none of that name, or there is no memory. */
+ * file has none of that name, or cannot be read (fw_playback_check). */
 char *fw_playback_fact(fw_playback *playback, const char *name);
 /* NULL is legal. */
 void fw_playback_close(fw_playback *playback);
@@ -82,7 +85,7 @@ fw_status fw_playback_read_field(fw_playback *playback, int64_t frame, const cha
 fw_status fw_playback_read_masses(fw_playback *playback, double *masses, fw_error *error);
 
 /* Arrays of the run as a whole (fw_trajectory_array), by name. Rows of an array of so many columns,
- * 0 if there is none. */
+ * 0 if there is none, or it cannot be read (fw_playback_check). */
 int fw_playback_array_rows(fw_playback *playback, const char *name, int columns);
 fw_status fw_playback_read_array(fw_playback *playback, const char *name, int rows, int columns,
                                  double *values, fw_error *error);

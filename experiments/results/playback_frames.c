@@ -120,6 +120,7 @@ fw_status fw_playback_read_masses(fw_playback *playback, double *masses, fw_erro
 {
     fw_dataset dataset = fw_playback_find_rows(playback, FW_PARTICLES "/mass", FW_F64,
                                                playback->particle_count, 0, NULL);
+    FW_TRY(fw_playback_check(playback, error));
     if (dataset < 0) return fw_fail(error, FW_BAD_INPUT, "the results hold no masses");
     fw_hdf5_read(playback->file->hdf5, dataset, FW_F64, 0, (uint64_t)playback->particle_count,
                  masses);
@@ -136,6 +137,7 @@ fw_status fw_playback_read_table(fw_playback *playback, const char *group, const
     snprintf(path, sizeof path, "parameters/analysis/%.*s/%.*s", FW_NAME_SIZE - 1, group,
              FW_NAME_SIZE - 1, name);
     fw_dataset dataset = fw_hdf5_find(hdf5, path);
+    FW_TRY(fw_playback_check(playback, error));
     if (dataset < 0)
         return fw_fail(error, FW_BAD_INPUT, "the results hold no %s of an analysis %s", name,
                        group);

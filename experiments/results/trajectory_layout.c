@@ -315,6 +315,7 @@ fw_status fw_layout_compare(fw_hdf5 *file, const fw_trajectory_def *def, fw_erro
     if (finished) return fw_fail(error, FW_BAD_INPUT, "the run in %s is finished", def->directory);
     fw_shape shape;
     fw_dataset species = fw_hdf5_find(file, "particles/trajectory/species");
+    FW_TRY(fw_hdf5_check(file, error));
     if (!fw_hdf5_shape(file, species, &shape) || shape.element != FW_I32 || shape.rank != 1 ||
         shape.extent[0] != count)
         return fw_fail(error, FW_BAD_INPUT, "the results in %s are not of %llu particles",
@@ -326,7 +327,8 @@ fw_status fw_layout_compare(fw_hdf5 *file, const fw_trajectory_def *def, fw_erro
         fw_hdf5_read(file, species, FW_I32, 0, count, numbers);
         fw_hdf5_read_attributes(file, "particles/trajectory/species", "bodies", names, FW_NAME_SIZE,
                                 def->body_count);
-        status = compare_bodies(file, def, numbers, names, error);
+        status = fw_hdf5_check(file, error);
+        if (status == FW_OK) status = compare_bodies(file, def, numbers, names, error);
     } else {
         status = fw_fail_memory(error, "the bodies of the results");
     }

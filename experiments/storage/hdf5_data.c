@@ -11,7 +11,7 @@ fw_dataset fw_hdf5_find(fw_hdf5 *file, const char *path)
     FW_HDF5_ALONE;
     if (fw_hdf5_failed(file)) return -1;
     hid_t dataset = H5Dopen2(file->id, path, H5P_DEFAULT);
-    H5Eclear2(H5E_DEFAULT);
+    if (dataset < 0) fw_hdf5_miss(file);
     return dataset;
 }
 
@@ -76,14 +76,17 @@ int fw_hdf5_list(fw_hdf5 *file, const char *path, char *names, int size, int cap
     if (fw_hdf5_failed(file)) return 0;
     int count = 0;
     H5G_info_t members = {0};
-    if (H5Gget_info_by_name(file->id, path, &members, H5P_DEFAULT) < 0) members.nlinks = 0;
+    if (H5Gget_info_by_name(file->id, path, &members, H5P_DEFAULT) < 0) {
+        fw_hdf5_miss(file);
+        members.nlinks = 0;
+    }
     for (hsize_t i = 0; i < members.nlinks; ++i) {
         char *name = count < capacity ? names + (size_t)count * (size_t)size : NULL;
         ssize_t length = H5Lget_name_by_idx(file->id, path, H5_INDEX_CRT_ORDER, H5_ITER_INC, i,
                                             name, name ? (size_t)size : 0, H5P_DEFAULT);
+        if (length < 0) fw_hdf5_miss(file);
         if (length >= 0 && length < size) ++count;
     }
-    H5Eclear2(H5E_DEFAULT);
     return count;
 }
 
@@ -95,7 +98,9 @@ bool fw_hdf5_read_attributes(fw_hdf5 *file, const char *path, const char *name, 
     if (fw_hdf5_failed(file)) return false;
     hid_t attribute = H5Aopen_by_name(file->id, path, name, H5P_DEFAULT, H5P_DEFAULT);
     bool read = false;
-    if (attribute >= 0) {
+    if (attribute < 0) {
+        fw_hdf5_miss(file);
+    } else {
         hid_t type = H5Aget_type(attribute), space = H5Aget_space(attribute);
         /* HDF5 converts between strings of different fixed lengths; the last byte stays 0. */
         hid_t wanted = fw_hdf5_text_type(size);
@@ -104,12 +109,12 @@ bool fw_hdf5_read_attributes(fw_hdf5 *file, const char *path, const char *name, 
         read = H5Tget_class(type) == H5T_STRING && H5Tis_variable_str(type) == 0 &&
                H5Sget_simple_extent_npoints(space) == count &&
                H5Aread(attribute, wanted, texts) >= 0;
+        if (!read) fw_hdf5_miss(file);
         H5Tclose(wanted);
         H5Sclose(space);
         H5Tclose(type);
         H5Aclose(attribute);
     }
-    H5Eclear2(H5E_DEFAULT);
     return read;
 }
 
@@ -214,7 +219,7 @@ char *fw_hdf5_read_text(fw_hdf5 *file, fw_dataset dataset)
     hid_t type = fw_hdf5_text_type(shape.width);
     H5Tset_cset(type, H5T_CSET_UTF8);
     if (H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text) < 0) {
-        H5Eclear2(H5E_DEFAULT);
+        fw_hdf5_miss(file);
         free(text);
         text = NULL;
     }

@@ -49,13 +49,21 @@ static herr_t find_errno(unsigned depth, const H5E_error2_t *entry, void *number
     return 0;
 }
 
-/* The sentence with the system's reason, or `otherwise` when the system had none. */
-static fw_status explain(fw_error *error, const char *path, const char *attempt,
-                         fw_status otherwise, const char *reason)
+/* The system's error number in what HDF5 says of its last call, or 0; forgets what it said. The
+ * next call to HDF5 would forget it too. */
+static int take_errno(void)
 {
     int number = 0;
     H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, find_errno, &number);
     H5Eclear2(H5E_DEFAULT);
+    return number;
+}
+
+/* The sentence with the system's reason, or `otherwise` when the system had none. */
+static fw_status explain(fw_error *error, const char *path, const char *attempt,
+                         fw_status otherwise, const char *reason)
+{
+    const int number = take_errno();
     if (number != 0) otherwise = FW_SYSTEM_FAILED;
     return fw_fail(error, otherwise, "cannot %s %s: %s", attempt, path,
                    number != 0 ? strerror(number) : reason);
@@ -74,6 +82,14 @@ void fw_hdf5_fail_reading(fw_hdf5 *file)
 {
     if (file->failure.status == FW_OK)
         explain(&file->failure, file->path, "read", FW_BAD_INPUT, "it is damaged or foreign");
+}
+
+void fw_hdf5_miss(fw_hdf5 *file)
+{
+    const int number = take_errno();
+    if (number != 0 && file->failure.status == FW_OK)
+        fw_fail(&file->failure, FW_SYSTEM_FAILED, "cannot read %s: %s", file->path,
+                strerror(number));
 }
 
 bool fw_hdf5_failed(const fw_hdf5 *file)
@@ -155,10 +171,12 @@ fw_status fw_hdf5_open(fw_hdf5 **file, const char *path, bool writable, fw_error
     if (!opened) return fw_fail_memory(error, path);
     hid_t access = access_properties(0);
     opened->id = H5Fopen(path, writable ? H5F_ACC_RDWR : H5F_ACC_RDONLY, access);
+    const int reason = opened->id < 0 ? take_errno() : 0;
     H5Pclose(access);
     if (opened->id < 0) {
-        H5Eclear2(H5E_DEFAULT);
         free(opened);
+        if (reason != 0)
+            return fw_fail(error, FW_SYSTEM_FAILED, "cannot read %s: %s", path, strerror(reason));
         return fw_fail(error, FW_BAD_INPUT, "%s is not a whole HDF5 file", path);
     }
     opened->writable = writable;

@@ -29,6 +29,9 @@ bool fw_hdf5_failed(const fw_hdf5 *file);
 /* The first failure, with the system's reason where there is one; `object` is what HDF5 refuses. */
 void fw_hdf5_fail_writing(fw_hdf5 *file, const char *object);
 void fw_hdf5_fail_reading(fw_hdf5 *file);
+/* After a call that did not find what it looked for: it may not be there, which is no failure; but
+ * where the system could not read, the file fails. At once, before another call to HDF5. */
+void fw_hdf5_miss(fw_hdf5 *file);
 
 hid_t fw_hdf5_number_type(fw_element element);
 /* A string of fixed length, to be closed by the caller. */

@@ -116,7 +116,10 @@ static fw_status read_stream(FILE *stream, const char *path, const char *kind,
     if (fstat(fileno(stream), &facts) < 0)
         return fw_fail(error, FW_SYSTEM_FAILED, "cannot read %s: %s", path, strerror(errno));
     uint64_t length = (uint64_t)facts.st_size;
-    if (length < frame || fread(&start, sizeof start, 1, stream) != 1)
+    const bool begun = length >= frame && fread(&start, sizeof start, 1, stream) == 1;
+    if (ferror(stream))
+        return fw_fail(error, FW_SYSTEM_FAILED, "cannot read %s: %s", path, strerror(errno));
+    if (!begun)
         return fw_fail(error, FW_BAD_INPUT, "%s is cut short: it has %llu bytes", path,
                        (unsigned long long)length);
     if (memcmp(start.kind, wanted.kind, sizeof wanted.kind) != 0)

@@ -322,11 +322,19 @@ fw_status fw_document_parse(fw_document **document, const char *file, const char
     return status;
 }
 
+/* A name that leads nowhere, or to what is no file, is the user's. */
+static fw_status blame(int reason)
+{
+    const bool name_is_wrong = reason == ENOENT || reason == ENOTDIR || reason == EISDIR ||
+                               reason == ELOOP || reason == ENAMETOOLONG || reason == EACCES;
+    return name_is_wrong ? FW_BAD_INPUT : FW_SYSTEM_FAILED;
+}
+
 fw_status fw_document_load(fw_document **document, const char *path, fw_error *error)
 {
     *document = NULL;
     FILE *in = fopen(path, "rb");
-    if (!in) return fw_fail(error, FW_BAD_INPUT, "%s: cannot be opened: %s", path, strerror(errno));
+    if (!in) return fw_fail(error, blame(errno), "%s: cannot be opened: %s", path, strerror(errno));
     /* One byte more than allowed: enough to see that it is too long, whatever kind of file. */
     size_t room = (size_t)FW_DOCUMENT_BYTES + 4;
     char *text = malloc(room);
@@ -334,7 +342,7 @@ fw_status fw_document_load(fw_document **document, const char *path, fw_error *e
     if (!text) status = fw_fail(error, FW_SYSTEM_FAILED, "not enough memory to read %s", path);
     size_t length = text ? fread(text, 1, room, in) : 0;
     if (text && ferror(in))
-        status = fw_fail(error, FW_BAD_INPUT, "%s: cannot be read: %s", path, strerror(errno));
+        status = fw_fail(error, blame(errno), "%s: cannot be read: %s", path, strerror(errno));
     fclose(in);
     if (status == FW_OK && length == room)
         status = fw_fail(error, FW_BAD_INPUT, "%s: longer than %d bytes, expected a scenario", path,
