@@ -18,7 +18,8 @@
 #endif
 
 #if defined(FW_COVERAGE)
-#define FW_INLINE static inline /* whose branches are counted once, not in each copy */
+/* Branches are counted once, not in each copy. */
+#define FW_INLINE static __attribute__((noinline, unused))
 #else
 #define FW_INLINE static inline __attribute__((always_inline))
 #endif
