@@ -10,8 +10,8 @@
  * ends with exit code 0, the last one of a block ```console exit=N with N. All this happens in a
  * scratch folder that knows the program as `fretwork` and as `build/fretwork`.
  *
- * Python that cannot import what it asks for is not run; the exit code is then 77, which ctest
- * reports as skipped. Start reading at run_page(). */
+ * Python that cannot import what it asks for, and films without ffmpeg, are not run; the exit code
+ * is then 77, which ctest reports as skipped. Start reading at run_page(). */
 #include <ctype.h>
 #include <limits.h>
 #include <stdarg.h>
@@ -140,6 +140,14 @@ static bool can_import(const char *file)
     return system(command) == 0;
 }
 
+/* Films want a program that a machine need not have; where it is said to be there, they must be
+ * made. */
+static bool lacks_encoder(const char *command)
+{
+    return strstr(command, "fretwork film ") && !getenv("FW_FFMPEG_EXPECTED") &&
+           system("command -v ffmpeg > /dev/null 2>&1") != 0;
+}
+
 /* Runs one command and holds what it prints against the lines that follow it. */
 static void run_command(manual_page *page, int line, const char *command, char *const *expected,
                         int expected_count, int code)
@@ -149,6 +157,11 @@ static void run_command(manual_page *page, int line, const char *command, char *
         !can_import(file)) {
         printf("%s:%d: not run, python3 cannot import what it needs: %s\n", page->name, line + 1,
                command);
+        page->skipped = true;
+        return;
+    }
+    if (lacks_encoder(command)) {
+        printf("%s:%d: not run, there is no ffmpeg: %s\n", page->name, line + 1, command);
         page->skipped = true;
         return;
     }
