@@ -40,6 +40,7 @@ fw_status fw_langevin_create(fw_langevin *solid, const fw_solid_model *model, in
         fw_arena_add(arena, arrays[a], size, sizeof(double));
     FW_ARENA_ADD(arena, solid->held_at, size);
     FW_ARENA_ADD(arena, solid->sums, (size_t)block_count(solid));
+    FW_ARENA_ADD(arena, solid->known, 1);
     fw_status status = fw_solid_allocate(&solid->head, error);
     if (status != FW_OK) fw_langevin_release(solid);
     return status;
@@ -120,6 +121,7 @@ fw_vec2 fw_langevin_velocity(const fw_solid *head, int particle)
 void fw_langevin_set_velocity(fw_solid *head, int particle, fw_vec2 velocity)
 {
     fw_langevin *solid = langevin_of(head);
+    fw_langevin_forget(solid);
     solid->velocity_x[particle] = velocity.x;
     solid->velocity_y[particle] = velocity.y;
 }
@@ -141,6 +143,7 @@ void fw_langevin_draw_velocities(fw_solid *head, int first, int count, double te
     fw_langevin *solid = langevin_of(head);
     double mass = 0;
     fw_vec2 momentum = {0, 0};
+    fw_langevin_forget(solid);
     for (int i = first; i < first + count; ++i) {
         const double scale = sqrt(temperature) * solid->root_inverse_mass[i];
         const fw_vec2 drawn =
@@ -160,6 +163,7 @@ void fw_langevin_draw_velocities(fw_solid *head, int first, int count, double te
 void fw_langevin_reverse(fw_solid *head)
 {
     fw_langevin *solid = (fw_langevin *)head;
+    fw_langevin_forget(solid);
     for (int i = 0; i < solid->head.count; ++i) {
         solid->velocity_x[i] = -solid->velocity_x[i];
         solid->velocity_y[i] = -solid->velocity_y[i];
@@ -306,6 +310,7 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
     const int blocks = block_count(solid), count = head->count;
     const fw_move_task task = task_of(solid, constraint_count > 0);
     const fw_langevin_kernels *kernels = FW_KERNELS_CHOSEN(fw_langevin_loops);
+    fw_langevin_forget(solid);
     for (int k = 0; k < constraint_count; ++k) {
         const int i = constraints[k].particle;
         solid->constraint_x[i] = constraints[k].force.x;
@@ -336,6 +341,7 @@ fw_status fw_langevin_advance(fw_solid *head, const fw_constraint *constraints,
 void fw_langevin_carry(fw_solid *head, fw_carry *carries, int count)
 {
     fw_langevin *solid = (fw_langevin *)head;
+    fw_langevin_forget(solid);
     for (int n = 0; n < count; ++n) {
         fw_carry *carry = &carries[n];
         const int i = carry->particle;
@@ -378,6 +384,7 @@ fw_status fw_langevin_restored(fw_solid *head, fw_error *error)
 fw_status fw_langevin_refresh(fw_solid *head, fw_error *error)
 {
     fw_langevin *solid = (fw_langevin *)head;
+    fw_langevin_forget(solid);
     head->tick = solid->controls.time_step;
     return solid->find_forces(solid, INFINITY, NULL, error);
 }

@@ -30,6 +30,14 @@ typedef struct fw_langevin_controls {
     double temperature; /* kB T in units of energy */
 } fw_langevin_controls;
 
+/* Sums over all particles as they are now, once somebody has asked for them. */
+typedef struct fw_langevin_known {
+    bool has_energies, has_momentum, has_mass;
+    fw_energies energies;
+    fw_vec2 momentum;
+    double mass;
+} fw_langevin_known;
+
 struct fw_langevin {
     fw_solid head;
     fw_langevin_controls controls;
@@ -51,6 +59,7 @@ struct fw_langevin {
     double *constraint_x, *constraint_y; /* constraint forces; zero between steps */
     fw_vec2 *held_at;                    /* where held particles were; as many as particles */
     double *scratch;                     /* one number per particle, for whoever sums */
+    fw_langevin_known *known;            /* nobody else's, so that sums can be observed */
     struct fw_move_sums *sums;           /* of each block of particles */
     fw_vec2 common;                      /* mean path of the last step; only `travel` hangs on it */
 };
@@ -67,6 +76,9 @@ fw_status fw_langevin_check(const fw_langevin_controls *controls, fw_error *erro
 fw_status fw_langevin_start(fw_langevin *solid, fw_error *error);
 void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *controls);
 
+/* To be called where positions or velocities are about to change: what is known is of no use then.
+ */
+void fw_langevin_forget(fw_langevin *solid);
 /* The second kick of particles first to first + count - 1; for models. kick NULL: nothing. */
 void fw_langevin_kick(const struct fw_move_task *kick, int first, int count);
 

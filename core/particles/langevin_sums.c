@@ -5,6 +5,11 @@
 #include <assert.h>
 #include <string.h>
 
+void fw_langevin_forget(fw_langevin *solid)
+{
+    *solid->known = (fw_langevin_known){0};
+}
+
 double fw_langevin_kinetic_energy(const fw_langevin *solid)
 {
     for (int i = 0; i < solid->head.count; ++i)
@@ -23,8 +28,21 @@ static double weighted_sum(const fw_langevin *solid, const double *values)
 fw_vec2 fw_langevin_momentum(const fw_solid *head)
 {
     const fw_langevin *solid = (const fw_langevin *)head;
-    const double x = weighted_sum(solid, solid->velocity_x);
-    return (fw_vec2){x, weighted_sum(solid, solid->velocity_y)};
+    fw_langevin_known *known = solid->known;
+    if (!known->has_momentum) {
+        known->momentum.x = weighted_sum(solid, solid->velocity_x);
+        known->momentum.y = weighted_sum(solid, solid->velocity_y);
+    }
+    known->has_momentum = true;
+    return known->momentum;
+}
+
+static double total_mass(const fw_langevin *solid)
+{
+    fw_langevin_known *known = solid->known;
+    if (!known->has_mass) known->mass = fw_array_sum(solid->mass, (size_t)solid->head.count);
+    known->has_mass = true;
+    return known->mass;
 }
 
 double fw_langevin_angular_momentum(const fw_solid *head, int first, int count)
@@ -41,15 +59,14 @@ double fw_langevin_angular_momentum(const fw_solid *head, int first, int count)
 fw_vec2 fw_langevin_centre_of_mass(const fw_solid *head)
 {
     const fw_langevin *solid = (const fw_langevin *)head;
-    const double mass = fw_array_sum(solid->mass, (size_t)head->count);
+    const double mass = total_mass(solid);
     const double x = weighted_sum(solid, head->x);
     return (fw_vec2){x / mass, weighted_sum(solid, head->y) / mass};
 }
 
 fw_sym2 fw_langevin_mass(const fw_solid *head)
 {
-    const fw_langevin *solid = (const fw_langevin *)head;
-    return fw_sym2_scalar(fw_array_sum(solid->mass, (size_t)head->count));
+    return fw_sym2_scalar(total_mass((const fw_langevin *)head));
 }
 
 void fw_langevin_velocities(const fw_solid *head, double *x, double *y)

@@ -126,9 +126,14 @@ static void destroy(fw_solid *solid)
 static fw_energies energies(const fw_solid *solid)
 {
     const fw_langevin *langevin = (const fw_langevin *)solid;
-    const double kinetic = fw_langevin_kinetic_energy(langevin);
-    fill_potential_energy(solid, langevin->scratch);
-    return (fw_energies){kinetic, fw_array_sum(langevin->scratch, (size_t)solid->count)};
+    fw_langevin_known *known = langevin->known;
+    if (!known->has_energies) {
+        known->energies.kinetic = fw_langevin_kinetic_energy(langevin);
+        fill_potential_energy(solid, langevin->scratch);
+        known->energies.elastic = fw_array_sum(langevin->scratch, (size_t)solid->count);
+    }
+    known->has_energies = true;
+    return known->energies;
 }
 
 static void fill_displacement_x(const fw_solid *solid, double *values)

@@ -58,9 +58,14 @@ static void destroy(fw_solid *solid)
 static fw_energies energies(const fw_solid *solid)
 {
     const fw_langevin *langevin = (const fw_langevin *)solid;
-    const double kinetic = fw_langevin_kinetic_energy(langevin);
-    const double *own = fw_particles_own_energies((const fw_particles *)solid);
-    return (fw_energies){kinetic, fw_array_sum(own, (size_t)solid->count)};
+    fw_langevin_known *known = langevin->known;
+    if (!known->has_energies) {
+        const double *own = fw_particles_own_energies((const fw_particles *)solid);
+        known->energies.kinetic = fw_langevin_kinetic_energy(langevin);
+        known->energies.elastic = fw_array_sum(own, (size_t)solid->count);
+    }
+    known->has_energies = true;
+    return known->energies;
 }
 
 static void state(fw_solid *solid, fw_state_list *list)

@@ -84,9 +84,8 @@ static void errors_of_energy_have_the_scale_of_what_went_through(void **state)
 
 static void set_velocity(int particle, double x, double y)
 {
-    fw_langevin *motion = (fw_langevin *)fw_experiment_particles(observer->experiment);
-    motion->velocity_x[particle] = x;
-    motion->velocity_y[particle] = y;
+    fw_solid *solid = (fw_solid *)fw_experiment_particles(observer->experiment);
+    fw_langevin_set_velocity(solid, particle, (fw_vec2){x, y});
 }
 
 /* Two rows of three, of which the lower one is a grip. */
