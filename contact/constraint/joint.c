@@ -15,6 +15,8 @@ enum { FEW = 30, FEW_ON_PISTONS = 6 };
 enum { ROUNDS = 100, TURNS = 3 };
 /* Rounds of turns before both are found at once; and how often that may fail. */
 enum { PATIENCE = 12, FAILURES = 2 };
+/* Rounds of exact normal forces where ends follow others. */
+enum { SETTLINGS = 20 };
 /* Where the furthest end moves no further than by this, in units of length, the fixed point is
  * there: rounding of displacements of a spacing. Or no further than NEARLY, if gaps are kept. */
 #define ARRIVED 1e-13
@@ -31,34 +33,6 @@ enum { POLISHINGS = 3, BARRINGS = 8 };
 /* Between these lies the part of a change that is taken. */
 #define PART_MIN 0.1
 #define PART_MAX 1.5
-
-fw_joint *fw_joint_create(void)
-{
-    return calloc(1, sizeof(fw_joint));
-}
-
-void fw_joint_destroy(fw_joint *joint)
-{
-    if (!joint) return;
-    joint_islands_release(&joint->islands);
-    free(joint->local);
-    free(joint->global);
-    free(joint->first);
-    free(joint->w);
-    free(joint->change);
-    free(joint->z);
-    free(joint->line_of);
-    free(joint->lines);
-    free(joint->lambda);
-    free(joint->limit);
-    free(joint->traction);
-    free(joint->target);
-    free(joint->slip);
-    free(joint->tangents);
-    free(joint->tangent_of);
-    free(joint->room);
-    free(joint);
-}
 
 int fw_joint_end_count(const fw_joint_row *row)
 {
@@ -82,52 +56,6 @@ double fw_joint_motion(const fw_joint_row *row, const fw_joint_end *ends)
     for (int k = 0; k < fw_joint_end_count(row); ++k)
         sum += fw_vec2_dot(row->weight[k], ends[row->end[k]].displacement);
     return sum;
-}
-
-static void *enlarge(void *list, size_t count, size_t size, bool *failed)
-{
-    void *larger = realloc(list, (count + 1) * size);
-    *failed |= !larger;
-    return larger ? larger : list;
-}
-
-static fw_status reserve(fw_joint *joint, int end_count, int row_count, fw_error *error)
-{
-    bool failed = false;
-    if (end_count + row_count > joint->end_capacity) { /* a spring needs an end of its own */
-        const size_t size = 2 * ((size_t)end_count + (size_t)row_count) + 64;
-        joint->local = enlarge(joint->local, size, sizeof *joint->local, &failed);
-        joint->global = enlarge(joint->global, size, sizeof *joint->global, &failed);
-        joint->first = enlarge(joint->first, size, sizeof *joint->first, &failed);
-        joint->w = enlarge(joint->w, size, sizeof *joint->w, &failed);
-        joint->change = enlarge(joint->change, size, sizeof *joint->change, &failed);
-        joint->z = enlarge(joint->z, size, sizeof *joint->z, &failed);
-        if (!failed) joint->end_capacity = (int)size;
-    }
-    if (row_count > joint->row_capacity) {
-        const size_t size = 2 * (size_t)row_count + 64;
-        joint->line_of = enlarge(joint->line_of, size, sizeof *joint->line_of, &failed);
-        joint->lines = enlarge(joint->lines, size, sizeof *joint->lines, &failed);
-        joint->limit = enlarge(joint->limit, size, sizeof *joint->limit, &failed);
-        joint->target = enlarge(joint->target, size, sizeof *joint->target, &failed);
-        joint->slip = enlarge(joint->slip, size, sizeof *joint->slip, &failed);
-        joint->traction = enlarge(joint->traction, size, sizeof *joint->traction, &failed);
-        joint->tangents = enlarge(joint->tangents, size, sizeof *joint->tangents, &failed);
-        joint->tangent_of = enlarge(joint->tangent_of, size, sizeof *joint->tangent_of, &failed);
-        joint->lambda = enlarge(joint->lambda, size, sizeof *joint->lambda, &failed);
-        if (!failed) joint->row_capacity = (int)size;
-    }
-    return failed ? fw_fail_memory(error, "the contact of bodies") : FW_OK;
-}
-
-fw_status joint_reserve_room(fw_joint *joint, size_t size, fw_error *error)
-{
-    if (size <= joint->room_size) return FW_OK;
-    bool failed = false;
-    joint->room = enlarge(joint->room, 2 * size, sizeof *joint->room, &failed);
-    if (failed) return fw_fail_memory(error, "the contact of bodies");
-    joint->room_size = 2 * size;
-    return FW_OK;
 }
 
 /* bound - G (w_p + what friction adds to it) */
@@ -348,6 +276,30 @@ static fw_status solve_forces(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
     return FW_OK;
 }
 
+/* Where ends follow others and turns did not lead to a fixed point: exact normal forces for weights
+ * that follow. What does not settle costs gaps and cones; change is 0 then. */
+static fw_status settle_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
+                               const int *list, int count, int moving, joint_system *system,
+                               bool *arrived, double *change, bool *solved, fw_error *error)
+{
+    double part = 1;
+    for (int round = 0; round < SETTLINGS && !*arrived; ++round) {
+        bool settled;
+        if (round == 0)
+            for (int e = 0; e < moving; ++e) joint->w[e] = ends[joint->global[e]].displacement;
+        if (round > 1) part = next_part(joint, ends, moving, part);
+        if (round > 0) relax(joint, ends, moving, joint->springs, part);
+        make_system(joint, ends, rows, list, count, moving, true, system);
+        FW_TRY(joint_settle(joint, ends, rows, list, count, moving, &settled, change, error));
+        if (!isfinite(*change)) return FW_OK;
+        *solved = true;
+        *arrived = settled && *change <= ARRIVED;
+    }
+    joint_find_slips(ends, rows, list, count);
+    *change = 0;
+    return FW_OK;
+}
+
 static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows,
                               const int *list, int count, fw_joint_outcome *outcome,
                               fw_error *error)
@@ -383,6 +335,12 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
             arrived = false;
         }
     }
+    if (follows && !arrived) {
+        FW_TRY(settle_island(joint, ends, rows, list, count, moving, &system, &arrived, &change,
+                             &solved, error));
+        if (rubs && arrived)
+            arrived = joint_friction_misfit(joint, ends, rows, list, count, forces) <= MISFIT;
+    }
     /* With the weights as they stand: gaps stay inexact, energy and momentum are kept. */
     for (int round = 0;
          follows && !joint->coupled && !arrived && solved && round < ROUNDS && change > LED;
@@ -401,6 +359,9 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
         make_system(joint, ends, rows, list, count, moving, false, &system);
         FW_TRY(solve_forces(joint, ends, rows, list, count, moving, &system, &failures, &solved,
                             &change, error));
+        bool settled;
+        if (follows && !joint->coupled)
+            FW_TRY(joint_settle(joint, ends, rows, list, count, moving, &settled, &change, error));
     }
     joint_find_slips(ends, rows, list, count);
     joint_rub_driven(joint, ends, rows, list, count);
@@ -419,7 +380,7 @@ fw_status fw_joint_solve(fw_joint *joint, fw_joint_end *ends, int end_count, fw_
 {
     *outcome = (fw_joint_outcome){0};
     joint->springs = springs;
-    FW_TRY(reserve(joint, end_count, row_count, error));
+    FW_TRY(joint_reserve(joint, end_count, row_count, error));
     FW_TRY(joint_islands_begin(&joint->islands, ends, end_count, rows, row_count, error));
     for (int e = 0; e < end_count; ++e) {
         joint->local[e] = -1;

@@ -58,7 +58,8 @@ bool joint_make_line(const fw_joint *joint, const fw_joint_end *ends, const fw_j
 /* Where an end is at the middle of the step. */
 fw_vec2 joint_middle_of(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row,
                         int k);
-/* Memory for the work of the solvers. */
+/* Memory for a problem of that size; for the work of the solvers. FW_SYSTEM_FAILED without. */
+fw_status joint_reserve(fw_joint *joint, int end_count, int row_count, fw_error *error);
 fw_status joint_reserve_room(fw_joint *joint, size_t size, fw_error *error);
 
 /* Does any end of the island follow another one? */
@@ -72,6 +73,13 @@ void joint_move_followers(fw_joint *joint, fw_joint_end *ends, int end_count,
 /* Friction of rows along whose tangents no end gives way, once all else is solved. */
 void joint_rub_driven(const fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
                       const int *list, int count);
+
+/* Where ends follow others: normal forces for the weights and tractions as they stand, so that
+ * energy and momentum are exact; where rows that pull or are passed cannot be mended, not settled.
+ * *change: how far the furthest end goes further than `w`; infinite for islands that are too large.
+ */
+fw_status joint_settle(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                       int count, int moving, bool *settled, double *change, fw_error *error);
 
 /* Does any row of the island rub? */
 bool joint_rubs(const fw_joint_row *rows, const int *list, int count);

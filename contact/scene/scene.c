@@ -29,12 +29,8 @@ static void apply_loads(fw_scene *scene)
 static fw_status predict_boundaries(fw_scene *scene, fw_error *error)
 {
     FW_TRY(scene_begin_pistons(scene, error));
-    for (int b = 0; b < scene->body_count && scene->wall_count > 0; ++b) {
-        scene_body *body = &scene->bodies[b];
-        fw_solid_predict(body->solid, fw_boundary_particles(body->boundary),
-                         fw_boundary_count(body->boundary),
-                         fw_boundary_predictions(body->boundary));
-    }
+    for (int b = 0; b < scene->body_count && scene->wall_count > 0; ++b)
+        scene_predict_boundary(scene, &scene->bodies[b]);
     return scene_predict_edges(scene, error);
 }
 

@@ -109,7 +109,7 @@ fw_status fw_scene_set_surfaces(fw_scene *scene, int count, const fw_friction *p
 void fw_scene_keep_forces(fw_scene *scene);
 
 /* Builds the broadphase and boundaries. FW_BAD_INPUT where a particle starts behind a wall, or a
- * body in another one, or where there are pistons and a body that moves in half-steps. */
+ * body in another one. */
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error);
 /* The body that starts in another one, where that was refused; -1: none was. */
 int fw_scene_refused_body(const fw_scene *scene);

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 
 /* A colour of an automaton moves in every second tick only, and then for both: it meets the walls
- * where they were when it moved last. Otherwise a wall would run over a colour that rests. (Pistons
- * meet no automata.) */
+ * where they were when it moved last. Otherwise a wall would run over a colour that rests. (A
+ * piston moves once in a step: both colours meet it on the whole of its way.) */
 void scene_follow_wall(fw_scene *scene, int w, int ticks)
 {
     const double now = fw_scene_time(scene);
@@ -37,6 +37,17 @@ static void place_candidates(fw_scene *scene, int body)
     }
 }
 
+void scene_predict_boundary(const fw_scene *scene, scene_body *body)
+{
+    const int *particles = fw_boundary_particles(body->boundary);
+    const int count = fw_boundary_count(body->boundary);
+    fw_prediction *predictions = fw_boundary_predictions(body->boundary);
+    if (scene_pistons_take_steps(scene) && !scene_is_second_tick(scene))
+        scene_predict_points(body->solid, particles, count, predictions);
+    else
+        fw_solid_predict(body->solid, particles, count, predictions);
+}
+
 static fw_status refresh_boundaries(fw_scene *scene, scene_body *body, fw_error *error)
 {
     if (body->boundary_revision != body->solid->boundary_revision) {
@@ -44,9 +55,7 @@ static fw_status refresh_boundaries(fw_scene *scene, scene_body *body, fw_error 
         body->boundary = NULL;
         FW_TRY(fw_boundary_create(&body->boundary, body->solid, error));
         body->boundary_revision = body->solid->boundary_revision;
-        fw_solid_predict(body->solid, fw_boundary_particles(body->boundary),
-                         fw_boundary_count(body->boundary),
-                         fw_boundary_predictions(body->boundary));
+        scene_predict_boundary(scene, body);
     }
     return fw_boundary_refresh(body->boundary, body->solid, scene->broadphase, error);
 }
@@ -56,7 +65,8 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error)
     for (int w = 0; w < scene->wall_count; ++w) {
         if (!fw_wall_moves(scene->walls[w].wall)) continue;
         scene_follow_wall(scene, w, scene->ticks_per_step);
-        if (scene->joint && scene->ticks_per_step == 2) { /* both ticks are one problem */
+        /* Both ticks are one problem. */
+        if (scene->joint && scene->ticks_per_step == 2 && !scene->walls[w].piston) {
             const fw_vec2 place = scene->walls[w].place;
             scene_follow_wall_later(scene, w);
             scene->walls[w].motion =
@@ -234,10 +244,11 @@ void scene_book_contacts(fw_scene *scene)
 {
     for (int w = 0; w < scene->wall_count; ++w) {
         scene->walls[w].force_before = scene->ledgers[w].force;
-        scene->walls[w].work_before = scene->ledgers[w].work;
         scene->ledgers[w].force = (fw_vec2){0, 0};
         scene->ledgers[w].contacts = 0;
         scene->walls[w].cone = scene->walls[w].beyond = 0;
+        if (scene_is_second_tick(scene)) continue;
+        scene->walls[w].work_before = scene->ledgers[w].work;
         scene->walls[w].push = (fw_vec2){0, 0};
         scene->walls[w].torque = 0;
     }
@@ -258,9 +269,12 @@ static fw_status constrain_body(fw_scene *scene, scene_body *body, fw_error *err
         fw_boundary_run run = fw_boundary_observe_run(body->boundary, n);
         if (run.facet_count == 0 && !body->memory && scene->soft_count == 0) continue;
         scene_list_near(scene, run);
-        for (int entry = run.first; entry < run.first + run.count; ++entry)
-            if (!body->gripped || !body->gripped[fw_boundary_particles(body->boundary)[entry]])
-                FW_TRY(constrain_entry(scene, body, n, entry, error));
+        for (int entry = run.first; entry < run.first + run.count; ++entry) {
+            if (body->gripped && body->gripped[fw_boundary_particles(body->boundary)[entry]])
+                continue;
+            if (fw_boundary_predictions(body->boundary)[entry].later) continue;
+            FW_TRY(constrain_entry(scene, body, n, entry, error));
+        }
     }
     /* Runs follow a curve through space that is another one after a restart; sums go by particle.
      */

@@ -57,6 +57,22 @@ static void number_entries(scene_body *body)
     edge->entries_revision = body->boundary_revision;
 }
 
+/* Entries are numbered anew with each boundary. */
+static void list_entries(scene_body *body)
+{
+    const int *particles = fw_boundary_particles(body->boundary);
+    for (int i = 0; i < body->solid->count; ++i) body->entry_of[i] = -1;
+    for (int e = 0; e < fw_boundary_count(body->boundary); ++e) body->entry_of[particles[e]] = e;
+    body->entry_of_revision = body->boundary_revision;
+}
+
+int scene_entry_of(scene_body *body, int particle)
+{
+    if (!body->entry_of) return -1;
+    if (body->entry_of_revision != body->boundary_revision) list_entries(body);
+    return body->entry_of[particle];
+}
+
 int *scene_end_of_entry(const scene_body *body, int entry)
 {
     const int particle = fw_boundary_particles(body->boundary)[entry];
@@ -149,13 +165,13 @@ fw_status scene_find_entry(fw_scene *scene, int body, int entry, int *end, fw_er
                                       : free->displacement,
                          slot, error));
     *end = *slot;
-    return FW_OK;
+    return scene_couple_end(scene, *end, error);
 }
 
 fw_status scene_find_piston(fw_scene *scene, int w, int *end, fw_error *error)
 {
     scene_wall *wall = &scene->walls[w];
-    const double now = fw_scene_time(scene);
+    const double start = scene_step_start(scene), length = scene_step_length(scene);
     if (wall->end < 0) {
         const scene_end made = {.body = SCENE_PISTON,
                                 .particle = w,
@@ -166,8 +182,8 @@ fw_status scene_find_piston(fw_scene *scene, int w, int *end, fw_error *error)
                                 .row = -1,
                                 .alone = wall->motion};
         const fw_joint_end what = {.free = wall->motion,
-                                   .inertial = fw_piston_inertial(wall->piston, now, scene->tick),
-                                   .mobility = fw_piston_mobility(wall->piston, scene->tick),
+                                   .inertial = fw_piston_inertial(wall->piston, start, length),
+                                   .mobility = fw_piston_mobility(wall->piston, length),
                                    .displacement = wall->motion,
                                    .wide = true};
         FW_TRY(make_end(scene, &made, &what, &wall->end, error));

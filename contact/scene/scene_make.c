@@ -34,6 +34,7 @@ void fw_scene_destroy(fw_scene *scene)
         free(body->memory);
         free(body->contacts);
         free(body->entry_end);
+        free(body->entry_of);
         free(body->memory_before);
         free(body->gripped);
         free(body->constraints);
@@ -240,21 +241,14 @@ static fw_status prepare_body(fw_scene *scene, scene_body *body, fw_error *error
         if (!body->entry_end) return fw_fail_memory(error, "the contacts of a body");
         for (size_t n = 0; n < count; ++n) body->entry_end[n] = -1;
     }
+    if (scene_pistons_take_steps(scene)) {
+        body->entry_of = calloc(count, sizeof *body->entry_of);
+        body->entry_of_revision = -1;
+        if (!body->entry_of) return fw_fail_memory(error, "the contacts of a body");
+    }
     if ((scene->piston_count == 0 && !body->gripped) || !body->memory) return FW_OK;
     body->memory_before = calloc(count, sizeof *body->memory);
     return body->memory_before ? FW_OK : fw_fail_memory(error, "the contacts of a body");
-}
-
-static fw_status refuse_half_steps(const fw_scene *scene, fw_error *error)
-{
-    for (int b = 0; b < scene->body_count && scene->piston_count > 0; ++b)
-        if (scene->bodies[b].solid->model->ticks_per_step != 1)
-            return fw_fail(
-                error, FW_BAD_INPUT,
-                "body %s moves in half-steps, which pistons cannot meet; expected a body "
-                "of particles that all move at once, or walls on paths",
-                scene->bodies[b].name);
-    return FW_OK;
 }
 
 static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, fw_error *error)
@@ -286,7 +280,6 @@ static fw_status refuse_overlap(const fw_scene *scene, const scene_body *body, f
 
 fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
 {
-    FW_TRY(refuse_half_steps(scene, error));
     if (scene->wall_count > 0) {
         FW_TRY(build_broadphase(scene, error));
         for (int b = 0; b < scene->body_count; ++b) {

@@ -347,6 +347,7 @@ fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
         return FW_OK;
     }
     scene_begin_grips(scene);
+    FW_TRY(scene_lead_entries(scene, error));
     FW_TRY(begin_bodies(scene, error));
     FW_TRY(scene_add_rubbed_by_pistons(scene, error));
     for (int round = 0;; ++round) {

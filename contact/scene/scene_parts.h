@@ -75,7 +75,7 @@ typedef struct scene_row {
     double crept;          /* by it along the segment, since the tick after it stuck */
 } scene_row;
 
-/* A particle that a piston comes to. */
+/* A particle that a piston comes to, or may come to: of the latter `facet` is -1. */
 typedef struct scene_reach {
     int body, entry, particle, facet;
     bool spring;
@@ -141,6 +141,8 @@ typedef struct scene_body {
     bool unsorted;  /* contacts do not ascend at present */
     int *entry_end; /* per entry of the boundary: the end of what is no point, or -1; NULL without
                        pistons and grips */
+    int *entry_of;  /* per particle: its entry, or -1; NULL unless pistons meet half-steps */
+    int entry_of_revision;            /* `boundary_revision` when it was made */
     fw_contact_memory *memory_before; /* at the beginning of the tick, per particle; NULL without
                                          pistons and grips */
     uint8_t *gripped; /* per particle: 1 + the grip that holds it; NULL where none holds any */
@@ -238,6 +240,22 @@ struct fw_scene {
 void scene_look_ahead(fw_scene *scene);
 int64_t scene_steps_apart(const fw_scene *scene);
 fw_status scene_end_apart(fw_scene *scene, fw_error *error);
+/* Do pistons meet a body whose colours move in turn? They move once in a step, not in a tick. */
+static inline bool scene_pistons_take_steps(const fw_scene *scene)
+{
+    return scene->ticks_per_step == 2 && scene->piston_count > 0;
+}
+
+/* When the present step began, and how long it takes. */
+static inline double scene_step_start(const fw_scene *scene)
+{
+    return (double)(scene->clock.step * scene->ticks_per_step) * scene->tick;
+}
+
+static inline double scene_step_length(const fw_scene *scene)
+{
+    return scene->ticks_per_step * scene->tick;
+}
 
 /* Keeps the largest energy or work so far, at the start and after a step. */
 void scene_note_work(fw_scene *scene);
@@ -248,6 +266,9 @@ fw_status scene_find_contacts(fw_scene *scene, fw_error *error);
 fw_status scene_constrain_bodies(fw_scene *scene, fw_error *error);
 /* Contacts of a body ascend by particle. */
 void scene_sort_contacts(scene_body *body);
+/* Where boundary particles would go: in this tick; in its first one all that the step brings, if
+ * pistons meet what moves in turn. */
+void scene_predict_boundary(const fw_scene *scene, scene_body *body);
 /* The facets of a run that are neither springs nor yield become scene->near. */
 void scene_list_near(fw_scene *scene, fw_boundary_run run);
 
@@ -286,6 +307,8 @@ void scene_predict_points(const fw_solid *solid, const int *particles, int count
 /* Of busy runs from that one on: takes into account what walls did to particles that lead others.
  */
 void scene_lead_points(fw_scene *scene, int first_busy);
+/* The same of boundary particles, whose lists of walls are extended to where that takes them. */
+fw_status scene_lead_entries(fw_scene *scene, fw_error *error);
 /* Makes the ends that follow an end. */
 fw_status scene_couple_end(fw_scene *scene, int end, fw_error *error);
 /* In the second tick, the forces that were found before the first. */
@@ -303,6 +326,8 @@ fw_status scene_find_grip(fw_scene *scene, int grip, int *end, fw_error *error);
 /* The end whose motion is that of an end: itself, or its grip's. `offset`: where it lies from
  * there. FW_SYSTEM_FAILED without memory. */
 fw_status scene_find_mover(fw_scene *scene, int end, int *mover, fw_vec2 *offset, fw_error *error);
+/* The entry of a particle, where `entry_of` is kept; -1: it has none. */
+int scene_entry_of(scene_body *body, int particle);
 /* Where the end of a particle stands. */
 int *scene_end_of_entry(const scene_body *body, int entry);
 /* What walls alone did to a particle, among the body's contacts; or -1. */

@@ -42,11 +42,12 @@ static void set_memory_apart(fw_scene *scene, scene_body *body)
 
 fw_status scene_begin_pistons(fw_scene *scene, fw_error *error)
 {
-    const double now = fw_scene_time(scene);
+    const double start = scene_step_start(scene), length = scene_step_length(scene);
+    if (scene_is_second_tick(scene)) return FW_OK; /* they are on their way */
     for (int w = 0; w < scene->wall_count && scene->piston_count > 0; ++w) {
         scene_wall *wall = &scene->walls[w];
         if (!wall->piston) continue;
-        wall->motion = fw_piston_displacement(wall->piston, (fw_vec2){0, 0}, now, scene->tick);
+        wall->motion = fw_piston_displacement(wall->piston, (fw_vec2){0, 0}, start, length);
         wall->yields = fw_piston_yields(wall->piston);
         FW_TRY(check_motion(scene, wall, error));
     }
@@ -132,10 +133,54 @@ static bool any_yields(const fw_scene *scene, fw_boundary_run run)
     return false;
 }
 
+/* May a facet that yields come to a particle on a path that long? Never says no where one passes
+ * it, and depends on nothing but places. */
+static bool any_comes_near(const fw_scene *scene, fw_boundary_run run, fw_vec2 position, fw_vec2 w)
+{
+    for (int n = 0; n < run.facet_count; ++n) {
+        const fw_facet *facet = scene->candidates[run.facets[n]].facet;
+        const scene_wall *wall = &scene->walls[facet->wall];
+        const fw_vec2 from = fw_vec2_subtract(position, wall->place);
+        const double room =
+            fmax(fabs(w.x), fabs(w.y)) + fmax(fabs(wall->motion.x), fabs(wall->motion.y));
+        const fw_box box = fw_box_grown(fw_box_around(from, from), room);
+        const double away = fmax(fabs(wall->place.x), fabs(wall->place.y));
+        if (wall->yields && fw_facet_meets_box(facet, box, away)) return true;
+    }
+    return false;
+}
+
+/* A particle that moves in the second tick is not where it was predicted, if other walls act on it
+ * then. */
+static bool is_left_to_walls(fw_scene *scene, const scene_body *body, fw_boundary_run run,
+                             int entry)
+{
+    const fw_prediction *free = &fw_boundary_predictions(body->boundary)[entry];
+    const int particle = fw_boundary_particles(body->boundary)[entry];
+    const fw_vec2 position = fw_solid_position(body->solid, particle), w = free->displacement;
+    if (!free->later || !any_comes_near(scene, run, position, w)) return false;
+    if (body->memory && body->memory[particle].reaction > 0) return true;
+    if (scene->soft_count > 0 && !scene_is_clear_of_soft(scene, position, w)) return true;
+    scene_list_near(scene, run);
+    for (int n = 0; n < scene->near_count; ++n) {
+        const fw_candidate near = scene_candidate_for(scene, scene->near[n].number, true);
+        if (fw_facet_is_passed(near.facet, fw_vec2_subtract(position, near.place),
+                               fw_vec2_subtract(w, near.motion),
+                               fmax(fabs(near.place.x), fabs(near.place.y))))
+            return true;
+    }
+    return false;
+}
+
 static fw_status look_at_entry(fw_scene *scene, int b, int run, int entry, fw_error *error)
 {
     const scene_body *body = &scene->bodies[b];
     const int particle = fw_boundary_particles(body->boundary)[entry];
+    if (*scene_end_of_entry(body, entry) < 0 &&
+        is_left_to_walls(scene, body, fw_boundary_observe_run(body->boundary, run), entry))
+        return note(scene->joint,
+                    &(scene_reach){.body = b, .entry = entry, .particle = particle, .facet = -1},
+                    error);
     const fw_vec2 w = path_of(scene, body, entry, particle);
     const fw_boundary_run found = fw_boundary_observe_run(body->boundary, run);
     for (int n = 0; n < found.facet_count; ++n) {
@@ -204,9 +249,14 @@ fw_status scene_add_reached(fw_scene *scene, fw_error *error)
     FW_TRY(find_reached(scene, error));
     for (int n = 0; n < joint->reach_count; ++n) {
         const scene_reach reach = joint->reached[n];
+        int end;
+        if (reach.facet < 0) {
+            FW_TRY(scene_find_entry(scene, reach.body, reach.entry, &end, error));
+            joint->changes += 1;
+            continue;
+        }
         const int w = scene->candidates[reach.facet].facet->wall;
         const double deepest = scene->walls[w].deepest;
-        int end;
         if (!reach.spring && deepest > 0 && reach.excess < (1 - TOGETHER) * deepest) continue;
         FW_TRY(scene_find_entry(scene, reach.body, reach.entry, &end, error));
         if (is_known(joint, end, reach.facet)) continue;
@@ -273,12 +323,13 @@ void scene_push_piston(scene_wall *wall, fw_vec2 position, fw_vec2 force)
 
 void scene_advance_pistons(fw_scene *scene)
 {
-    const double now = fw_scene_time(scene);
+    const double start = scene_step_start(scene), length = scene_step_length(scene);
+    if (scene->ticks_per_step == 2 && !scene_is_second_tick(scene)) return;
     for (int w = 0; w < scene->wall_count; ++w) {
         const scene_wall *wall = &scene->walls[w];
         const double work = scene->ledgers[w].work - wall->work_before;
         if (wall->piston)
-            fw_piston_advance(wall->piston, wall->motion, wall->push, -work, wall->torque, now,
-                              scene->tick);
+            fw_piston_advance(wall->piston, wall->motion, wall->push, -work, wall->torque, start,
+                              length);
     }
 }

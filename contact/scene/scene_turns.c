@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scene_turns.c - bodies against bodies where two colours move in turn. In a half-step only one of
- * them can take up momentum, and the edge of a body that moves as a whole is ragged then; so the
- * contact of both half-steps is one problem, which is solved before the first. What holds is said
- * of whole steps: no body is in another one after each, and their energy and momentum stay. Cells
- * that move in the first half-step get their forces then, the others in the second. State: none but
- * ends and forces, between the two half-steps. Start reading at scene_couple_end().
+/* scene_turns.c - bodies against bodies and pistons where two colours move in turn. In a half-step
+ * only one of them can take up momentum, and the edge of a body that moves as a whole is ragged
+ * then; so the contact of both half-steps is one problem, which is solved before the first. What
+ * holds is said of whole steps: no body is in another one after each, and their energy and momentum
+ * stay. Cells that move in the first half-step get their forces then, the others in the second.
+ * State: none but ends and forces, between the two half-steps. Start reading at scene_couple_end().
  */
 #include "scene_parts.h"
 
@@ -71,6 +71,26 @@ void scene_lead_points(fw_scene *scene, int first_busy)
     }
 }
 
+fw_status scene_lead_entries(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count && scene_pistons_take_steps(scene); ++b) {
+        const scene_body *body = &scene->bodies[b];
+        fw_prediction *predictions = fw_boundary_predictions(body->boundary);
+        for (int e = 0; body->contact_count > 0 && e < fw_boundary_count(body->boundary); ++e) {
+            if (!predictions[e].later) continue;
+            const int particle = fw_boundary_particles(body->boundary)[e];
+            const fw_vec2 more = led_by_walls(body, particle);
+            if (more.x == 0 && more.y == 0) continue;
+            fw_vec2 *w = &predictions[e].displacement;
+            *w = fw_vec2_add(*w, more);
+            FW_TRY(fw_boundary_extend(
+                body->boundary, scene->broadphase, fw_boundary_run_of(body->boundary, e),
+                fw_vec2_add(fw_solid_position(body->solid, particle), *w), error));
+        }
+    }
+    return FW_OK;
+}
+
 /* An end leads each of its followers once: it is made once. */
 static void couple(fw_scene *scene, int leader, int follower, int particle)
 {
@@ -78,8 +98,8 @@ static void couple(fw_scene *scene, int leader, int follower, int particle)
     const scene_body *body = &scene->bodies[joint->ends[follower].body];
     fw_joint_end *led = &joint->joint_ends[follower], *leads = &joint->joint_ends[leader];
     fw_partner partners[FW_PARTNERS];
-    const int count = body->solid->model->partners(
-        body->solid, body->edge->contour.particles[joint->ends[follower].point], partners);
+    const int count =
+        body->solid->model->partners(body->solid, joint->ends[follower].particle, partners);
     for (int k = 0; k < count; ++k) {
         if (partners[k].particle != particle) continue;
         assert(led->lead_count < FW_JOINT_LEADS && leads->follower_count < FW_JOINT_LEADS);
@@ -89,21 +109,43 @@ static void couple(fw_scene *scene, int leader, int follower, int particle)
     }
 }
 
+/* A point that no search has come to. */
+static void predict_point(scene_body *body, int point)
+{
+    scene_edge *edge = body->edge;
+    const int particle = edge->contour.particles[point];
+    fw_prediction *free = &edge->predictions[point];
+    if (edge->end[point] >= 0) return;
+    scene_predict_points(body->solid, &particle, 1, free);
+    free->displacement = fw_vec2_add(free->displacement, led_by_walls(body, particle));
+    free->led = true;
+    edge->paths[point] = free->displacement;
+}
+
+/* -1: the particle meets neither walls nor bodies. */
+static fw_status find_follower(fw_scene *scene, int number, int particle, int *end, fw_error *error)
+{
+    scene_body *body = &scene->bodies[number];
+    const int entry = scene_entry_of(body, particle);
+    const int point = body->edge ? body->edge->contour.points[particle] : -1;
+    *end = -1;
+    if (entry >= 0) return scene_find_entry(scene, number, entry, end, error);
+    if (point < 0) return FW_OK;
+    if (scene_pistons_take_steps(scene)) predict_point(body, point);
+    return scene_find_end(scene, number, point, end, error);
+}
+
 fw_status scene_couple_end(fw_scene *scene, int number, fw_error *error)
 {
     const scene_end end = scene->joint->ends[number];
-    const scene_body *body = &scene->bodies[end.body];
-    const fw_contour *contour = &body->edge->contour;
-    const int particle = contour->particles[end.point];
+    const fw_solid *solid = scene->bodies[end.body].solid;
     fw_partner partners[FW_PARTNERS];
-    if (!body->solid->model->partners || end.later) return FW_OK;
-    const int count = body->solid->model->partners(body->solid, particle, partners);
+    if (!solid->model->partners || end.later) return FW_OK;
+    const int count = solid->model->partners(solid, end.particle, partners);
     for (int k = 0; k < count; ++k) {
-        const int point = contour->points[partners[k].particle];
         int follower;
-        if (point < 0) continue;
-        FW_TRY(scene_find_end(scene, end.body, point, &follower, error));
-        couple(scene, number, follower, particle);
+        FW_TRY(find_follower(scene, end.body, partners[k].particle, &follower, error));
+        if (follower >= 0) couple(scene, number, follower, end.particle);
     }
     return FW_OK;
 }
@@ -135,11 +177,11 @@ void scene_hand_over_second(fw_scene *scene)
     scene_joint *joint = scene->joint;
     for (int e = 0; e < joint->end_count; ++e) {
         scene_end *end = &joint->ends[e];
-        scene_body *body = &scene->bodies[end->body];
         const fw_vec2 force = joint->joint_ends[e].force;
         const bool pushed = force.x != 0 || force.y != 0 || end->soft.x != 0 || end->soft.y != 0;
         if (!end->later || !pushed) continue;
-        end->contact = scene_find_contact(body, body->edge->contour.particles[end->point]);
+        scene_body *body = &scene->bodies[end->body];
+        end->contact = scene_find_contact(body, end->particle);
         scene_contact *contact = scene_hand_over_end(scene, e);
         follow_broken_links(scene, end, contact);
         scene_sort_contacts(body);
@@ -150,6 +192,10 @@ void scene_follow_wall_later(fw_scene *scene, int w)
 {
     const double now = fw_scene_time(scene);
     scene_wall *wall = &scene->walls[w];
+    if (wall->piston) {
+        scene_follow_wall(scene, w, 2);
+        return;
+    }
     wall->place = fw_wall_displacement(wall->wall, now);
     wall->motion =
         fw_vec2_subtract(fw_wall_displacement(wall->wall, now + 2 * scene->tick), wall->place);
@@ -158,7 +204,7 @@ void scene_follow_wall_later(fw_scene *scene, int w)
 fw_candidate scene_candidate_for(const fw_scene *scene, int facet, bool later)
 {
     fw_candidate candidate = scene->candidates[facet];
-    if (!later) return candidate;
+    if (!later || scene->walls[candidate.facet->wall].piston) return candidate;
     const double now = fw_scene_time(scene);
     const fw_wall *wall = scene->walls[candidate.facet->wall].wall;
     candidate.place = fw_wall_displacement(wall, now);

@@ -61,8 +61,7 @@ static const fw_key piston_keys[] = {
 static const fw_section fw_piston_section = {
     "`walls.NAME.piston`", "a piston",
     "The wall has a mass and is moved by a drive and by what touches it; it does not turn, and "
-    "passes through other walls. Energy and momentum of bodies and pistons together are exact. "
-    "Not for automata, which move in half-steps.",
+    "passes through other walls. Energy and momentum of bodies and pistons together are exact.",
     .keys = piston_keys};
 
 static const fw_word surface_words[] = {{"frictionless", FW_FRICTIONLESS},
