@@ -2,23 +2,8 @@
 /* test_grips_meet.c - what a grip holds is to what it meets as a moving wall, or as a piston of its
  * mass, and its ledger has the force of the contact. Where neither of two can give way, the run
  * stops before anything passes. */
+#include "tests/support/grips.h"
 #include "tests/support/pistons.h"
-
-/* Of the rows [first, first + rows) of a body of `columns`. */
-static void grip_rows(fw_scene *scene, int body, const char *name, int columns, int first, int rows,
-                      fw_drive drive)
-{
-    int particles[128];
-    for (int i = 0; i < columns * rows; ++i) particles[i] = first * columns + i;
-    const fw_grip_def def = {
-        .name = name, .particles = particles, .particle_count = columns * rows, .drive = drive};
-    must(fw_scene_add_grip(scene, body, &def, &error));
-}
-
-static const fw_grip_ledger *grip_ledger(const fw_scene *scene, int grip)
-{
-    return fw_grip_observe_ledger(fw_scene_observe_grip(scene, grip));
-}
 
 static fw_drive carried(double x, double y)
 {
