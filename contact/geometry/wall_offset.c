@@ -46,7 +46,8 @@ static fw_status move_pieces(const fw_wall_def *def, bool closed, double sign, d
         const fw_vec2 second = fw_vec2_turn(direction_of(def->points, count, after));
         points[n] = fw_vec2_add(def->points[n],
                                 fw_vec2_scale(sign * distance, corner_between(first, second)));
-        if (!isfinite(points[n].x) || !isfinite(points[n].y)) return refuse(def, distance, error);
+        /* Where the chain turns back on itself, neither is. */
+        if (!isfinite(points[n].x)) return refuse(def, distance, error);
     }
     for (int n = 0; n < pieces; ++n) {
         const fw_vec2 moved = fw_vec2_subtract(points[(n + 1) % count], points[n]);

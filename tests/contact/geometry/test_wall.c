@@ -248,18 +248,31 @@ static void senseless_numbers_are_refused_with_a_sentence(void **state)
             "the friction coefficient is inf, expected a finite number >= 0");
     REFUSED(surface.static_friction, NAN,
             "the static friction coefficient is nan, expected a finite number >= 0");
+    REFUSED(surface.static_friction, INFINITY,
+            "the static friction coefficient is inf, expected a finite number >= 0");
     REFUSED(surface.law, FW_PENALTY,
             "the stiffness of a penalty wall is 0, expected a finite number > 0");
     REFUSED(path.velocity.x, NAN,
             "the velocity in x is nan, expected a finite number of at most 1e+09 in size");
+    REFUSED(path.velocity.y, -2e9,
+            "the velocity in y is -2e+09, expected a finite number of at most 1e+09 in size");
+    REFUSED(path.amplitude.x, INFINITY,
+            "the amplitude in x is inf, expected a finite number of at most 1e+09 in size");
     REFUSED(path.amplitude.y, 2e9,
             "the amplitude in y is 2e+09, expected a finite number of at most 1e+09 in size");
     REFUSED(path.phase, INFINITY,
             "the phase is inf, expected a finite number of at most 1e+09 in size");
     REFUSED(path.from, NAN, "it moves from time nan until inf, expected numbers");
+    REFUSED(path.from, -INFINITY, "it moves from time -inf until inf, expected numbers");
+    REFUSED(path.until, NAN, "it moves from time 0 until nan, expected numbers");
     REFUSED(path.until, -1, "it moves from time 0 until -1, expected an end after the beginning");
     REFUSED(path.period, -5, "the period is -5, expected a finite number >= 0");
+    REFUSED(path.period, INFINITY, "the period is inf, expected a finite number >= 0");
     REFUSED(path.amplitude.x, 0.5, "it oscillates with amplitude [0.5, 0] but has no period");
+    REFUSED(path.amplitude.y, 0.5, "it oscillates with amplitude [0, 0.5] but has no period");
+    sound.surface.law = FW_PENALTY;
+    REFUSED(surface.stiffness, INFINITY,
+            "the stiffness of a penalty wall is inf, expected a finite number > 0");
 #undef REFUSED
 }
 

@@ -124,19 +124,93 @@ static void walls_move_to_their_free_side(void **state)
     }
 }
 
-static void walls_without_room_are_refused(void **state)
+/* Corners of a shape, and where they go, or that they have no room; a circle's radius. */
+static void every_shape_moves_to_its_free_side(void **state)
 {
     (void)state;
-    const fw_vec2 box[] = {{0, 0}, {10, 6}};
-    fw_vec2 points[2];
-    fw_wall_def def = fw_wall_def_default(), moved;
-    def.name = "cell";
-    def.shape = FW_BOX;
-    def.side = FW_INSIDE;
-    def.points = box;
-    def.point_count = 2;
-    assert_int_equal(fw_wall_offset(&def, 3.5, points, &moved, &error), FW_BAD_INPUT);
-    assert_non_null(strstr(error.sentence, "wall cell is too small for a contact distance of 3.5"));
+    const double corner = 0.5 / tan(FW_PI / 8);
+    const struct {
+        fw_wall_shape_kind shape;
+        fw_side side;
+        double distance;
+        int count;
+        bool closed, no_room;
+        fw_vec2 points[4], moved[4];
+    } shapes[] = {
+        {FW_BOX, FW_INSIDE, 0.5, 2, false, false, {{0, 6}, {10, 0}}, {{0.5, 5.5}, {9.5, 0.5}}},
+        {FW_BOX, FW_OUTSIDE, 0.5, 2, false, false, {{10, 0}, {0, 6}}, {{10.5, -0.5}, {-0.5, 6.5}}},
+        {FW_BOX, FW_INSIDE, 3.5, 2, false, true, {{0, 0}, {10, 6}}, {{0, 0}}},
+        {FW_BOX, FW_INSIDE, 3.5, 2, false, true, {{0, 0}, {6, 10}}, {{0, 0}}},
+        /* Corners in either sense. */
+        {FW_POLYGON,
+         FW_INSIDE,
+         0.5,
+         3,
+         false,
+         false,
+         {{0, 0}, {4, 0}, {0, 4}},
+         {{0.5, 0.5}, {4 - corner, 0.5}, {0.5, 4 - corner}}},
+        {FW_POLYGON,
+         FW_OUTSIDE,
+         0.5,
+         4,
+         false,
+         false,
+         {{0, 0}, {0, 4}, {4, 4}, {4, 0}},
+         {{-0.5, -0.5}, {-0.5, 4.5}, {4.5, 4.5}, {4.5, -0.5}}},
+        {FW_POLYGON, FW_INSIDE, 2.5, 4, false, true, {{0, 0}, {0, 4}, {4, 4}, {4, 0}}, {{0, 0}}},
+        /* Free to the left of the way along it. */
+        {FW_CHAIN,
+         FW_OUTSIDE,
+         0.5,
+         3,
+         false,
+         false,
+         {{0, 0}, {4, 0}, {4, 4}},
+         {{0, 0.5}, {3.5, 0.5}, {3.5, 4}}},
+        {FW_CHAIN,
+         FW_OUTSIDE,
+         0.5,
+         4,
+         true,
+         false,
+         {{0, 0}, {4, 0}, {4, 4}, {0, 4}},
+         {{0.5, 0.5}, {3.5, 0.5}, {3.5, 3.5}, {0.5, 3.5}}},
+        {FW_CHAIN, FW_OUTSIDE, 0.5, 3, false, true, {{0, 0}, {4, 0}, {1, 0}}, {{0, 0}}},
+    };
+    for (size_t n = 0; n < sizeof shapes / sizeof shapes[0]; ++n) {
+        fw_wall_def def = fw_wall_def_default(), moved;
+        fw_vec2 points[4];
+        def.name = "cell";
+        def.shape = shapes[n].shape;
+        def.side = shapes[n].side;
+        def.points = shapes[n].points;
+        def.point_count = shapes[n].count;
+        def.closed = shapes[n].closed;
+        const fw_status status = fw_wall_offset(&def, shapes[n].distance, points, &moved, &error);
+        if (status != (shapes[n].no_room ? FW_BAD_INPUT : FW_OK))
+            fail_msg("shape %zu: status %d", n, (int)status);
+        if (shapes[n].no_room) assert_non_null(strstr(error.sentence, "wall cell is too small"));
+        for (int k = 0; !shapes[n].no_room && k < shapes[n].count; ++k)
+            if (!(hypot(points[k].x - shapes[n].moved[k].x, points[k].y - shapes[n].moved[k].y) <
+                  1e-14))
+                fail_msg("shape %zu: point %d at [%g, %g]", n, k, points[k].x, points[k].y);
+    }
+    fw_wall_def circle = fw_wall_def_default(), moved;
+    fw_vec2 centre = {1, 2}, points[1];
+    circle.name = "cell";
+    circle.shape = FW_CIRCLE;
+    circle.points = &centre;
+    circle.point_count = 1;
+    circle.radius = 3;
+    circle.side = FW_OUTSIDE;
+    must(fw_wall_offset(&circle, 2.5, points, &moved, &error));
+    assert_close(moved.radius, 5.5, 1e-15);
+    circle.side = FW_INSIDE;
+    must(fw_wall_offset(&circle, 2.5, points, &moved, &error));
+    assert_close(moved.radius, 0.5, 1e-15);
+    assert_int_equal(fw_wall_offset(&circle, 3, points, &moved, &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "wall cell is too small for a contact distance of 3"));
 }
 
 int main(void)
@@ -146,7 +220,7 @@ int main(void)
         cmocka_unit_test(bodies_meet_at_the_distance),
         cmocka_unit_test(bodies_that_start_nearer_are_refused),
         cmocka_unit_test(walls_move_to_their_free_side),
-        cmocka_unit_test(walls_without_room_are_refused),
+        cmocka_unit_test(every_shape_moves_to_its_free_side),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
