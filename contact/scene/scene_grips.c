@@ -12,6 +12,19 @@
 /* How far inside a gripped point may be carried by rounding, in units of the coordinates' size. */
 static const double GRIPPED_ROUNDING = 1e-9;
 
+/* What they rubbed on in the last tick. (Where pistons are, they have done that of all particles.)
+ */
+static void set_memory_apart(fw_scene *scene, const scene_grip *grip)
+{
+    const scene_body *body = &scene->bodies[grip->body];
+    const int *particles = fw_grip_particles(grip->grip);
+    if (!body->memory_before || scene->piston_count > 0) return;
+    for (int k = 0; k < fw_grip_particle_count(grip->grip); ++k) {
+        body->memory_before[particles[k]] = body->memory[particles[k]];
+        body->memory[particles[k]] = (fw_contact_memory){0};
+    }
+}
+
 void scene_begin_grips(fw_scene *scene)
 {
     for (int n = 0; n < scene->grip_count; ++n) {
@@ -19,6 +32,7 @@ void scene_begin_grips(fw_scene *scene)
         grip->path =
             fw_grip_displacement(grip->grip, scene->bodies[grip->body].solid, fw_scene_time(scene));
         grip->mobility = fw_grip_mobility(grip->grip);
+        set_memory_apart(scene, grip);
     }
 }
 

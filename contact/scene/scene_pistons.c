@@ -51,7 +51,8 @@ fw_status scene_begin_pistons(fw_scene *scene, fw_error *error)
         wall->yields = fw_piston_yields(wall->piston);
         FW_TRY(check_motion(scene, wall, error));
     }
-    for (int b = 0; b < scene->body_count; ++b) set_memory_apart(scene, &scene->bodies[b]);
+    for (int b = 0; b < scene->body_count && scene->piston_count > 0; ++b)
+        set_memory_apart(scene, &scene->bodies[b]);
     return FW_OK;
 }
 

@@ -3,8 +3,9 @@
  * closed on it, or its grip has carried it there. State: none. Start reading at scene_check_room().
  *
  * Contact keeps all other particles on the free side of every wall, so that only those are looked
- * at here: grips hold whatever walls are there, and where no displacement suits all walls a
- * particle is pinned to one of them (`unresolved`), though another may come. */
+ * at here: of grips their inner particles as well, which contact does not ask for, and what more
+ * than one wall closes on; and where no displacement suits all walls a particle is pinned to one of
+ * them (`unresolved`), though another may come. */
 #include "scene_parts.h"
 
 #include <math.h>

@@ -118,7 +118,7 @@ static void piston_that_must_move_stops_the_run(void **state)
     fw_scene_destroy(scene);
 }
 
-/* Grips do not ask walls: 1 above the floor, .1 in each step. */
+/* On a path it gives way to nothing: 1 above the floor, .1 in each step. */
 static void grip_driven_into_a_wall_stops_the_run(void **state)
 {
     (void)state;
