@@ -45,7 +45,8 @@ fw_run_options fw_command_run_options(const fw_arguments *arguments, const char 
                                       const char *name, fw_progress *progress);
 
 /* --range LOW,HIGH; NULL leaves the range as it is. */
-fw_status fw_command_read_range(const char *text, double range[2], fw_error *error);
+fw_status fw_command_read_range(const char *option, const char *text, double range[2],
+                                fw_error *error);
 
 /* Runs a scenario into a folder and reports it, as `run` does with these options. */
 fw_status fw_command_run_scenario(const fw_scenario *scenario, const fw_arguments *arguments,

@@ -16,6 +16,6 @@ fw_status fw_command_film(const fw_arguments *arguments, fw_error *error)
                          .field = a->field,
                          .every = a->every,
                          .rate = a->rate};
-    FW_TRY(fw_command_read_range(a->range, wish.range, error));
+    FW_TRY(fw_command_read_range("--range", a->range, wish.range, error));
     return fw_film_make(a->words[0], &wish, stdout, error);
 }

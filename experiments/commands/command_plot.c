@@ -3,7 +3,7 @@
  * Start reading at fw_command_plot(). */
 #include "experiments/commands/command.h"
 #include "experiments/measures/column.h"
-#include "experiments/pictures/plot.h"
+#include "experiments/pictures/plot_style.h"
 #include "experiments/text/number.h"
 
 #include <stdlib.h>
@@ -35,16 +35,17 @@ static fw_status read_steps(const char *text, plot_lists *lists, int *count, fw_
     return FW_OK;
 }
 
-fw_status fw_command_read_range(const char *text, double range[2], fw_error *error)
+fw_status fw_command_read_range(const char *option, const char *text, double range[2],
+                                fw_error *error)
 {
     if (!text) return FW_OK;
     const size_t length = strcspn(text, ",");
     const char *high = text[length] ? text + length + 1 : "";
     if (fw_number_read(text, length, &range[0]) != FW_NUMBER_FINE ||
         fw_number_read(high, strlen(high), &range[1]) != FW_NUMBER_FINE || range[0] >= range[1])
-        return fw_fail(
-            error, FW_BAD_INPUT,
-            "--range %s, expected two numbers with a comma between them, the lower first", text);
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s %s, expected two numbers with a comma between them, the lower first",
+                       option, text);
     return FW_OK;
 }
 
@@ -57,13 +58,32 @@ static fw_status read_level(const char *text, double *level, fw_plot_wish *wish,
     return FW_OK;
 }
 
+/* Axes, letters, and what a file says of looks. */
+static fw_status read_look(const fw_arguments *a, fw_plot_wish *wish, fw_error *error)
+{
+    FW_TRY(fw_command_read_range("--x-range", a->x_range, wish->x_range, error));
+    FW_TRY(fw_command_read_range("--y-range", a->y_range, wish->y_range, error));
+    if (a->font_size &&
+        (fw_number_read(a->font_size, strlen(a->font_size), &wish->font_size) != FW_NUMBER_FINE ||
+         wish->font_size < 4 || wish->font_size > 40))
+        return fw_fail(error, FW_BAD_INPUT, "--font-size %s, expected a number from 4 to 40 points",
+                       a->font_size);
+    if (a->with.count > FW_PLOT_WITH_MAX)
+        return fw_fail(error, FW_BAD_INPUT, "--with is given %d times, expected at most %d",
+                       a->with.count, FW_PLOT_WITH_MAX);
+    wish->with = a->with.item;
+    wish->with_count = a->with.count;
+    return a->style ? fw_plot_style_read(wish, a->style, error) : FW_OK;
+}
+
 fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
 {
     const fw_arguments *a = arguments;
     const char *directory = a->words[0];
     if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
         !a->range && !a->along && !a->level && !a->logarithmic && !a->width && !a->dots &&
-        !a->bare && !a->letter && !a->body && !a->from && !a->until)
+        !a->bare && !a->letter && !a->body && !a->from && !a->until && !a->font_size &&
+        !a->x_range && !a->y_range && !a->style && a->with.count == 0)
         return fw_plot_all(directory, stdout, error);
     plot_lists *lists = calloc(1, sizeof *lists);
     if (!lists) return fw_fail_memory(error, "what to draw");
@@ -86,7 +106,8 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
                                             &wish.observable_count, error);
     wish.observables = lists->names;
     if (status == FW_OK) status = read_steps(a->at, lists, &wish.step_count, error);
-    if (status == FW_OK) status = fw_command_read_range(a->range, wish.range, error);
+    if (status == FW_OK) status = fw_command_read_range("--range", a->range, wish.range, error);
+    if (status == FW_OK) status = read_look(a, &wish, error);
     if (status == FW_OK) status = read_level(a->level, &level, &wish, error);
     if (status == FW_OK) status = fw_plot_one(directory, &wish, stdout, error);
     free(lists->names);

@@ -52,6 +52,22 @@ const fw_option fw_option_width = {
 const fw_option fw_option_dots = {
     "--dpi",       NULL,        "N",         "dots per inch of a PNG file (200)",
     FW_INTO(dots), .least = 20, .most = 2400};
+const fw_option fw_option_font_size = {"--font-size", NULL, "PT",
+                                       "size of the labels in points (8.5); lines go with it",
+                                       FW_INTO(font_size)};
+const fw_option fw_option_x_range = {"--x-range", NULL, "LOW,HIGH",
+                                     "ends of the x axis, in the units that are shown",
+                                     FW_INTO(x_range)};
+const fw_option fw_option_y_range = {"--y-range", NULL, "LOW,HIGH", "the same of the y axis",
+                                     FW_INTO(y_range)};
+const fw_option fw_option_with = {
+    "--with",      NULL,
+    "DIR",         "a series: the same of this result, too (may be repeated)",
+    FW_INTO(with), .complete = FW_COMPLETE_FOLDER};
+const fw_option fw_option_style = {
+    "--style",      NULL,
+    "FILE",         "width, dpi, font-size and bare from a file: one look for all",
+    FW_INTO(style), .complete = FW_COMPLETE_FILE};
 const fw_option fw_option_bare = {"--bare", NULL, NULL,
                                   "without title and caption, which the paper around it has",
                                   FW_INTO(bare)};
@@ -115,9 +131,10 @@ const fw_option fw_option_range = {
     "--range", NULL, "LOW,HIGH",
     "ends of the colours of a field (the least and greatest value of the whole result)",
     FW_INTO(range)};
-const fw_option fw_option_along = {"--along", NULL, "NAME",
-                                   "of a sweep: the parameter, or the number, along the x axis",
-                                   FW_INTO(along)};
+const fw_option fw_option_along = {
+    "--along", NULL, "NAME",
+    "along the x axis: of a sweep a parameter or number, of a series an observable",
+    FW_INTO(along)};
 const fw_option fw_option_level = {"--level", NULL, "VALUE",
                                    "of a map of a sweep: a line where its number has this value",
                                    FW_INTO(level)};

@@ -171,6 +171,11 @@ fw_status fw_canvas_create(fw_canvas **canvas, const char *name, double width, d
     return FW_OK;
 }
 
+void fw_canvas_enlarge(fw_canvas *canvas, double factor)
+{
+    cairo_scale(canvas->context, factor, factor);
+}
+
 fw_status fw_canvas_save(fw_canvas *canvas, fw_error *error)
 {
     cairo_status_t status = cairo_status(canvas->context);

@@ -23,6 +23,8 @@ typedef struct fw_rect {
  * FW_BAD_INPUT: another ending, or a size that cannot be drawn. */
 fw_status fw_canvas_create(fw_canvas **canvas, const char *name, double width, double height,
                            double resolution, fw_error *error);
+/* What is drawn from now on is larger by a factor; its mm are no longer those of the paper. */
+void fw_canvas_enlarge(fw_canvas *canvas, double factor);
 /* Completes the picture and writes it under its name in one go (whole_file.h). To be called once,
  * right before fw_canvas_destroy. */
 fw_status fw_canvas_save(fw_canvas *canvas, fw_error *error);

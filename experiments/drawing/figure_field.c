@@ -46,8 +46,8 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
     fw_view_bounds_include_bodies(&bounds, plan->view);
     if (fw_view_bounds_are_unset(plan->bounds))
         fw_view_bounds_include_walls(&bounds, plan->view, 1);
-    panel.x = (fw_axis){.range = fw_range_roomy(bounds.x, .03, false), .label = page->x_label};
-    panel.y = (fw_axis){.range = fw_range_roomy(bounds.y, .03, false), .label = page->y_label};
+    panel.x = fw_page_axis(page->x_range, fw_range_roomy(bounds.x, .03, false), page->x_label);
+    panel.y = fw_page_axis(page->y_range, fw_range_roomy(bounds.y, .03, false), page->y_label);
     double right = 3;
     for (int round = 0; round < 2; ++round) {
         fw_page_fit_equal(page, &panel, right, 18, 1.05 * page->width);
@@ -137,8 +137,10 @@ static void lay_out_strip(const fw_page *page, const fw_figure_strip_plan *plan,
         fw_view_bounds_include_bodies(&layout->bounds, &plan->views[k]);
     }
     fw_view_bounds_include_walls(&layout->bounds, plan->views, plan->view_count);
-    layout->bounds.x = fw_range_roomy(layout->bounds.x, .03, false);
-    layout->bounds.y = fw_range_roomy(layout->bounds.y, .03, false);
+    layout->bounds.x =
+        fw_page_range(page->x_range, fw_range_roomy(layout->bounds.x, .03, false), page->x_label);
+    layout->bounds.y =
+        fw_page_range(page->y_range, fw_range_roomy(layout->bounds.y, .03, false), page->y_label);
     double x_extent = layout->bounds.x.high - layout->bounds.x.low;
     double y_extent = layout->bounds.y.high - layout->bounds.y.low;
     layout->columns = chosen_columns(plan, x_extent / y_extent);

@@ -88,8 +88,8 @@ static void lay_out(const fw_page *page, const fw_figure_motion_plan *plan, moti
 {
     fw_panel *panel = &layout->panel;
     fw_view_bounds bounds = bounds_of_motion(plan);
-    panel->x = (fw_axis){.range = fw_range_roomy(bounds.x, .035, false), .label = page->x_label};
-    panel->y = (fw_axis){.range = fw_range_roomy(bounds.y, .035, false), .label = page->y_label};
+    panel->x = fw_page_axis(page->x_range, fw_range_roomy(bounds.x, .035, false), page->x_label);
+    panel->y = fw_page_axis(page->y_range, fw_range_roomy(bounds.y, .035, false), page->y_label);
     describe_instants(plan, layout);
     double right = 3;
     for (int round = 0; round < 2; ++round) {

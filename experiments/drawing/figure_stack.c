@@ -163,6 +163,18 @@ static fw_status draw(const fw_page *page, const columns *all, fw_canvas *canvas
     return FW_OK;
 }
 
+/* What is asked for goes before what fits. */
+static void crop(const fw_page *page, columns *all)
+{
+    for (int k = 0; k < all->count; ++k)
+        for (int p = 0; p < all->stacks[k].panel_count; ++p) {
+            fw_panel *panel = &all->stacks[k].panels[p];
+            panel->x.range =
+                fw_page_range(page->x_range, panel->x.range, all->stacks[k].plan->label);
+            panel->y.range = fw_page_range(page->y_range, panel->y.range, panel->y.label);
+        }
+}
+
 fw_status fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *plans, int count,
                             fw_error *error)
 {
@@ -175,6 +187,7 @@ fw_status fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *pla
     fw_status status = create(&all, plans, count, error);
     if (status == FW_OK) {
         share_rows(&all);
+        crop(page, &all);
         double spare = size_columns(page, &all);
         double bottom = place_columns(page, &all, spare);
         status = fw_page_open(page, bottom, &canvas, error);

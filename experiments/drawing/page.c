@@ -12,6 +12,7 @@ fw_page fw_page_default(void)
 {
     return (fw_page){.width = 160,
                      .resolution = 200,
+                     .enlarged = 1,
                      .x_label = {"x (length)", 0},
                      .y_label = {"y (length)", 0}};
 }
@@ -65,6 +66,18 @@ static const char *caption_of(const fw_page *page)
     return page->bare ? NULL : page->caption;
 }
 
+fw_range fw_page_range(fw_range asked, fw_range own, fw_label label)
+{
+    if (!(asked.low < asked.high)) return own;
+    const double factor = label.factor > 0 ? label.factor : 1;
+    return (fw_range){asked.low / factor, asked.high / factor};
+}
+
+fw_axis fw_page_axis(fw_range asked, fw_range own, fw_label label)
+{
+    return (fw_axis){.range = fw_page_range(asked, own, label), .label = label};
+}
+
 double fw_page_top(const fw_page *page)
 {
     double title = set_text(page, NULL, title_of(page), 0, FW_TITLE_SIZE, true, fw_colour_ink());
@@ -75,8 +88,10 @@ fw_status fw_page_open(const fw_page *page, double bottom, fw_canvas **canvas, f
 {
     double caption = set_text(page, NULL, caption_of(page), 0, FW_SMALL_SIZE, false, quiet_ink);
     double gap = caption > 0 ? 2.5 : 0;
-    FW_TRY(fw_canvas_create(canvas, page->file, page->width,
-                            bottom + gap + caption + FW_PAGE_MARGIN, page->resolution, error));
+    const double height = bottom + gap + caption + FW_PAGE_MARGIN;
+    FW_TRY(fw_canvas_create(canvas, page->file, page->enlarged * page->width,
+                            page->enlarged * height, page->resolution, error));
+    fw_canvas_enlarge(*canvas, page->enlarged);
     set_text(page, *canvas, title_of(page), FW_PAGE_MARGIN, FW_TITLE_SIZE, true, fw_colour_ink());
     set_text(page, *canvas, caption_of(page), bottom + gap, FW_SMALL_SIZE, false, quiet_ink);
     return FW_OK;

@@ -6,9 +6,11 @@
 #include "experiments/drawing/panel.h"
 
 typedef struct fw_page {
-    const char *file;          /* ends in .png, .svg or .pdf */
-    double width;              /* mm; the height follows from what is on it */
-    double resolution;         /* dots per inch */
+    const char *file;  /* ends in .png, .svg or .pdf */
+    double width;      /* mm; the height follows from what is on it */
+    double resolution; /* dots per inch */
+    double enlarged;   /* all of it, letters and lines, by this factor; the width above is before */
+    fw_range x_range, y_range; /* of the axes, as shown; no extent: chosen */
     const char *title;         /* may be NULL */
     const char *caption;       /* may be NULL; broken into lines where it is long */
     bool bare;                 /* neither is drawn: the paper around it says it */
@@ -22,6 +24,11 @@ fw_page fw_page_default(void);
 
 /* White margin all round, in mm. */
 #define FW_PAGE_MARGIN 3.0
+
+/* The range that an axis has on this page: that which was asked for, or its own. */
+fw_range fw_page_range(fw_range asked, fw_range own, fw_label label);
+/* An axis of such a range. */
+fw_axis fw_page_axis(fw_range asked, fw_range own, fw_label label);
 
 /* Where what is below the title begins, in mm from the top. */
 double fw_page_top(const fw_page *page);

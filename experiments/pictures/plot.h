@@ -10,6 +10,9 @@
 #include <stdio.h>
 
 /* What is to be drawn. All zero: the first picture that the scenario names, or the motion. */
+/* How many results a series is compared with, at most. */
+enum { FW_PLOT_WITH_MAX = 8 };
+
 typedef struct fw_plot_wish {
     const char *file;    /* ends in .png, .svg or .pdf; NULL: NAME.png in the results folder */
     const char *picture; /* one of the scenario's, or NULL */
@@ -24,9 +27,13 @@ typedef struct fw_plot_wish {
     bool logarithmic;               /* axes of a series' values */
     double range[2];                /* ends of the colours; equal: those of the whole result */
     double width, resolution;       /* mm, dots per inch; 0: 160 and 200 */
+    double font_size;               /* of labels, in points; 0: 8.5 */
+    double x_range[2], y_range[2];  /* of the axes, as they are shown; equal: chosen */
     bool bare;                      /* without title and caption, for a paper's own */
-    const char *letter;  /* in the place of the title: "a" of a figure's panel; or NULL */
-    const char *along;   /* of a sweep: parameter or number along x, or NULL */
+    const char *letter; /* in the place of the title: "a" of a figure's panel; or NULL */
+    const char *along;  /* of a sweep: parameter or number along x; of a series: an observable */
+    const char *const *with; /* folders of results that a series is compared with */
+    int with_count;
     const double *level; /* of a map: where a line is drawn, or NULL */
 } fw_plot_wish;
 

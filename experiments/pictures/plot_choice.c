@@ -237,38 +237,6 @@ static fw_status take_span(draft *d, fw_error *error)
 
 /* --- from wish to picture --- */
 
-static fw_status refuse_stray(const draft *d, const char *stray, fw_error *error)
-{
-    return fw_fail(error, FW_BAD_INPUT, "a picture of kind %s does not draw %s",
-                   fw_picture_rows[d->picture->asked.kind].name, stray);
-}
-
-/* What the wish names and the kind does not read is refused, not passed over. */
-static fw_status check_wish(const draft *d, fw_error *error)
-{
-    const fw_plot_wish *wish = d->wish;
-    const fw_picture_kind kind = d->picture->asked.kind;
-    if (wish->field && !fw_picture_reads(kind, "field")) return refuse_stray(d, "a field", error);
-    if (wish->range[0] < wish->range[1] && !fw_picture_reads(kind, "range"))
-        return refuse_stray(d, "a range of colours", error);
-    if (wish->along && !fw_picture_reads(kind, "along"))
-        return refuse_stray(d, "along anything of a sweep", error);
-    if (wish->level && !fw_picture_reads(kind, "level")) return refuse_stray(d, "a level", error);
-    if (wish->observable_count > 0 && !fw_picture_reads(kind, "observables"))
-        return refuse_stray(d, "observables", error);
-    if (wish->logarithmic && !fw_picture_reads(kind, "logarithmic"))
-        return refuse_stray(d, "anything on logarithmic axes", error);
-    if (wish->step_count > 0 && fw_picture_rows[kind].frames == 0 &&
-        !fw_picture_reads(kind, "from"))
-        return refuse_stray(d, "steps", error);
-    if ((wish->from > 0 || wish->until > 0) && !fw_picture_reads(kind, "from"))
-        return refuse_stray(d, "anything from one step until another", error);
-    if (wish->body && !fw_picture_reads(kind, "body")) return refuse_stray(d, "one body", error);
-    if (wish->step_count > 1 && kind == FW_PICTURE_PROFILE)
-        return refuse_stray(d, "more than one step", error);
-    return FW_OK;
-}
-
 static fw_status choose_kind(draft *d, fw_error *error)
 {
     const fw_plot_wish *wish = d->wish;
@@ -302,7 +270,7 @@ static fw_status choose_kind(draft *d, fw_error *error)
     if (wish->range[0] < wish->range[1]) memcpy(asked->range, wish->range, sizeof asked->range);
     asked->logarithmic |= wish->logarithmic;
     if (wish->body) asked->body.text = wish->body;
-    return check_wish(d, error);
+    return fw_plot_check_wish(d->wish, d->picture->asked.kind, error);
 }
 
 /* Recorded for pictures of friction: shown as a field only where it is named. */
@@ -376,6 +344,10 @@ fw_page fw_plot_page(const fw_plot_wish *wish)
     fw_page page = fw_page_default();
     if (wish->width > 0) page.width = wish->width;
     if (wish->resolution > 0) page.resolution = wish->resolution;
+    if (wish->font_size > 0) page.enlarged = wish->font_size / FW_TEXT_SIZE;
+    page.width /= page.enlarged;
+    page.x_range = (fw_range){wish->x_range[0], wish->x_range[1]};
+    page.y_range = (fw_range){wish->y_range[0], wish->y_range[1]};
     page.bare = wish->bare;
     page.letter = wish->letter;
     return page;
@@ -431,6 +403,9 @@ fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
     if (fw_picture_rows[kind].frames > 0) FW_TRY(take_frames(d, error));
     if (fw_picture_reads(kind, "observables")) FW_TRY(choose_observables(d, error));
     if (fw_picture_reads(kind, "from")) FW_TRY(take_span(d, error));
+    d->picture->along = wish->along;
+    d->picture->with = wish->with;
+    d->picture->with_count = wish->with_count;
     if (needs(kind) & FW_PICTURE_NEEDS_ANALYSIS) FW_TRY(choose_analysis(d, error));
     return choose_page(d, error);
 }

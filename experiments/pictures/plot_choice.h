@@ -21,6 +21,9 @@ typedef struct fw_plot_choice {
  * FW_BAD_INPUT: the result does not hold it. Cleared also after a failure. */
 fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
                          const fw_plot_wish *wish, fw_error *error);
+/* FW_BAD_INPUT where the wish names what pictures of this kind do not draw: it is refused, not
+ * passed over. */
+fw_status fw_plot_check_wish(const fw_plot_wish *wish, fw_picture_kind kind, fw_error *error);
 /* A page of the width that the wish wants. */
 fw_page fw_plot_page(const fw_plot_wish *wish);
 void fw_plot_choice_clear(fw_plot_choice *choice);

@@ -68,7 +68,10 @@ typedef struct fw_plot_picture {
     const char **observables;
     char field_label[FW_NAME_SIZE]; /* without unit, for sentences */
     char field_axis[2 * FW_NAME_SIZE];
-    fw_label field; /* points to it */
+    fw_label field;          /* points to it */
+    const char *along;       /* of a series: what is along x in place of the time; NULL: time */
+    const char *const *with; /* folders that a series is compared with */
+    int with_count;
     const fw_scenario_analysis *analysis;
     const char *data; /* name of the table of its numbers in the result's folder; NULL: no table */
 } fw_plot_picture;
@@ -106,6 +109,9 @@ typedef struct fw_plot_forces {
 fw_status fw_plot_forces_find(fw_plot_forces *forces, const fw_plot_result *result,
                               const fw_plot_picture *picture, fw_error *error);
 
+/* The colour of what a heat bath is set to. */
+enum { FW_PLOT_BATH_COLOUR = 7 };
+
 /* The curves that the observables of a picture stand for, in panels. */
 typedef struct fw_plot_series {
     const fw_plot_result *result;
@@ -117,6 +123,9 @@ typedef struct fw_plot_series {
     struct fw_plot_curve *curves;
     int64_t *steps; /* of all samples */
     double *times;
+    double *along; /* what is along x in place of the times, or NULL */
+    char along_text[4 * FW_NAME_SIZE];
+    fw_label along_label;
     double *set;      /* temperature of the heat bath in those that are drawn, or NULL */
     int first, shown; /* samples that are drawn */
 } fw_plot_series;

@@ -3,7 +3,7 @@
  * Keeps no state. Invariant: quantities of one unit share a panel, unless one would flatten the
  * other; pure numbers have nothing in common and get one each. Start reading at
  * fw_plot_series_find(). */
-#include "plot_parts.h"
+#include "plot_compare.h"
 
 #include "experiments/drawing/label.h"
 #include "experiments/measures/column.h"
@@ -233,6 +233,37 @@ static fw_label name_panel(panel_facts facts, char *label, size_t size, const fw
     return fw_plot_label(label, size, whole, own_unit || physical ? c->unit : NULL, units);
 }
 
+/* One number in place of the time. */
+static fw_status read_along(series *s, const fw_plot_picture *picture, fw_error *error)
+{
+    fw_column *columns = NULL;
+    int count = 0;
+    curve *of = calloc(1, sizeof *of);
+    series other = {.result = s->result, .curves = of};
+    fw_status status = of ? fw_columns_find(s->result->playback, s->result->directory,
+                                            &picture->along, 1, &columns, &count, error)
+                          : fw_fail_memory(error, "the curves of a picture");
+    if (status == FW_OK && count != 1)
+        status = fw_fail(error, FW_BAD_INPUT,
+                         "--along %s are %d numbers, expected one, such as its component x",
+                         picture->along, count);
+    if (status == FW_OK) {
+        add_curve(&other, &columns[0]);
+        status = read_curves(&other, error);
+        s->along = of->values;
+        s->along_label = name_panel((panel_facts){of, 1, true, true, true}, s->along_text,
+                                    sizeof s->along_text, &s->result->scenario->units);
+    }
+    free(of);
+    free(columns);
+    return status;
+}
+
+static const double *x_of(const series *s)
+{
+    return (s->along ? s->along : s->times) + s->first;
+}
+
 /* A curve that lies on another one would hide it: it is dashed, so that both are seen. */
 static bool lies_on(const series *s, const curve *one, const curve *other, fw_range values)
 {
@@ -274,7 +305,8 @@ static double set_temperature(const fw_scenario *scenario, int64_t end)
 /* A temperature is shown beside what is set. */
 static fw_status add_reference(series *s, fw_chart *chart, panel_facts facts, fw_error *error)
 {
-    if (!facts.one_quantity || strcmp(facts.first->quantity, "temperature") != 0) return FW_OK;
+    if (s->along || !facts.one_quantity || strcmp(facts.first->quantity, "temperature") != 0)
+        return FW_OK;
     const size_t count = (size_t)s->shown;
     if (!s->set) s->set = fw_array_of_doubles(count);
     if (!s->set) return fw_fail_memory(error, "the temperature that is set");
@@ -288,10 +320,10 @@ static fw_status add_reference(series *s, fw_chart *chart, panel_facts facts, fw
     if (facts.curves == 1) drawn[0].label = "measured";
     drawn[chart->curve_count++] = (fw_curve){.label = "set by the heat bath",
                                              .count = s->shown,
-                                             .x = s->times + s->first,
+                                             .x = x_of(s),
                                              .y = s->set,
                                              .look = FW_CURVE_DASHES,
-                                             .colour = 7};
+                                             .colour = FW_PLOT_BATH_COLOUR};
     return FW_OK;
 }
 
@@ -317,7 +349,7 @@ static fw_status lay_out(series *s, bool logarithmic, fw_error *error)
             name_curve(c, facts);
             *next++ = (fw_curve){.label = facts.curves > 1 ? c->label : NULL,
                                  .count = s->shown,
-                                 .x = s->times + s->first,
+                                 .x = x_of(s),
                                  .y = c->values + s->first,
                                  .look = look_of(s, n)};
         }
@@ -349,15 +381,17 @@ static fw_status check_logarithmic(const series *s, fw_error *error)
     return FW_OK;
 }
 
-static fw_status draw(const series *s, const fw_plot_picture *picture, fw_error *error)
+static fw_status draw(const series *s, const fw_chart *charts, const fw_plot_picture *picture,
+                      fw_error *error)
 {
-    bool by_step = steps_are_times(s);
+    const bool by_step = steps_are_times(s) && !s->along;
     char time[32];
     const fw_units *units = &s->result->scenario->units;
     const fw_scenario_run *run = &s->result->scenario->run;
     const fw_figure_mark reversal = {(double)run->reverse_at, "reversal"};
-    return fw_figure_series(&picture->page, s->charts, s->panel_count,
-                            fw_plot_time_label(time, sizeof time, by_step, units), &reversal,
+    const fw_label x =
+        s->along ? s->along_label : fw_plot_time_label(time, sizeof time, by_step, units);
+    return fw_figure_series(&picture->page, charts, s->panel_count, x, &reversal,
                             run->reverse_at > 0 && by_step, error);
 }
 
@@ -369,6 +403,7 @@ fw_status fw_plot_series_find(fw_plot_series *s, const fw_plot_result *result,
     FW_TRY(gather_curves(s, picture, error));
     FW_TRY(read_times(s, picture, error));
     FW_TRY(read_curves(s, error));
+    if (picture->along) FW_TRY(read_along(s, picture, error));
     FW_TRY(lay_out(s, picture->asked.logarithmic, error));
     return picture->asked.logarithmic ? check_logarithmic(s, error) : FW_OK;
 }
@@ -383,6 +418,7 @@ void fw_plot_series_clear(fw_plot_series *s)
     free(s->drawn);
     free(s->labels);
     free(s->set);
+    free(s->along);
     *s = (fw_plot_series){0};
 }
 
@@ -391,7 +427,14 @@ fw_status fw_plot_draw_series(const fw_plot_result *result, const fw_plot_pictur
 {
     series s;
     fw_status status = fw_plot_series_find(&s, result, picture, error);
-    if (status == FW_OK) status = draw(&s, picture, error);
+    fw_plot_compared *all = calloc(1, sizeof *all);
+    if (status == FW_OK && !all) status = fw_fail_memory(error, "a picture of several results");
+    if (status == FW_OK && picture->with_count > 0)
+        status = fw_plot_compared_find(all, &s, picture, error);
+    if (status == FW_OK)
+        status = draw(&s, picture->with_count > 0 ? all->charts : s.charts, picture, error);
+    if (all) fw_plot_compared_clear(all);
+    free(all);
     fw_plot_series_clear(&s);
     return status;
 }

@@ -264,7 +264,13 @@ static fw_status check_wish(const char *directory, const fw_plot_wish *wish, fw_
                        "%s holds a sweep; pictures of kind %s are drawn in the folders of its "
                        "cases, here those of kind sweep or map",
                        directory, wish->kind);
-    const char *stray = wish->field ? "a field" : wish->step_count > 0 ? "steps" : NULL;
+    const bool map = wish->kind && strcmp(wish->kind, "map") == 0;
+    const bool cropped = wish->x_range[0] < wish->x_range[1] || wish->y_range[0] < wish->y_range[1];
+    const char *stray = wish->field            ? "a field"
+                        : wish->step_count > 0 ? "steps"
+                        : wish->with_count > 0 ? "other results"
+                        : map && cropped       ? "a chosen part of the axes of a map"
+                                               : NULL;
     if (!stray) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT, "a picture of a sweep does not draw %s", stray);
 }

@@ -3,6 +3,7 @@
 #include "tests/support/laws.h"
 
 #include "experiments/pictures/plot_choice.h"
+#include "experiments/pictures/plot_compare.h"
 #include "experiments/pictures/plot_exact.h"
 #include "experiments/pictures/plot_extent.h"
 #include "experiments/pictures/plot_parts.h"
@@ -289,6 +290,82 @@ static void axes_tell_the_units_of_nature(void **state)
     remove_folder(directory);
 }
 
+/* x is the other number in each sample, with its own label. */
+static void a_series_is_drawn_along_another_number(void **state)
+{
+    (void)state;
+    const char *names[] = {"momentum.rod.x"};
+    const fw_plot_picture picture = {.asked = {.kind = FW_PICTURE_SERIES, .until = INT64_MAX},
+                                     .observables = names,
+                                     .observable_count = 1,
+                                     .along = "centre-of-mass.rod.x"};
+    const char *both[] = {"momentum.rod.x", "centre-of-mass.rod.x"};
+    fw_plot_series series, plain;
+    open_result();
+    assert_fine(fw_plot_series_find(&series, &result, &picture, &error));
+    find_series(&plain, both, 2, 0, INT64_MAX);
+    const fw_curve *drawn = &series.charts[0].curves[0];
+    assert_true(drawn->count > 10);
+    assert_memory_equal(drawn->y, plain.charts[0].curves[0].y,
+                        (size_t)drawn->count * sizeof(double));
+    assert_memory_equal(drawn->x, plain.charts[1].curves[0].y,
+                        (size_t)drawn->count * sizeof(double));
+    assert_string_equal(series.along_label.text, plain.charts[1].label.text);
+    fw_plot_series_clear(&plain);
+    fw_plot_series_clear(&series);
+    fw_plot_result_close(&result);
+}
+
+/* Each curve is called by its folder; what does not go together is refused. */
+static void results_are_compared_in_one_frame(void **state)
+{
+    (void)state;
+    char other[64], third[64];
+    const char *names[] = {"kinetic-energy"}, *with[1];
+    static const char text[] = "title: A gas\n%s"
+                               "materials: {gas: {movable-particles: {}}}\n"
+                               "bodies: {gas: {material: gas, lattice: hexagonal, shape: "
+                               "{rectangle: [3, 3]}, velocity: [%d, 0]}}\n"
+                               "measure: [kinetic-energy]\nrun: {steps: 20}\n";
+    char scenario[512];
+    fw_plot_picture picture = {.asked = {.kind = FW_PICTURE_SERIES, .until = INT64_MAX},
+                               .observables = names,
+                               .observable_count = 1,
+                               .with = with,
+                               .with_count = 1};
+    fw_plot_series series;
+    fw_plot_compared all;
+    make_folder(other, sizeof other);
+    make_folder(third, sizeof third);
+    char own[64];
+    make_folder(own, sizeof own);
+    snprintf(scenario, sizeof scenario, text, "", 1);
+    run_scenario(scenario, own);
+    snprintf(scenario, sizeof scenario, text, "", 2);
+    run_scenario(scenario, other);
+    snprintf(scenario, sizeof scenario, text, "units: {length: 1 nm, time: 1 ps, mass: 1 u}\n", 2);
+    run_scenario(scenario, third);
+    assert_fine(fw_plot_result_open(&result, own, &error));
+    assert_fine(fw_plot_series_find(&series, &result, &picture, &error));
+    with[0] = other;
+    assert_fine(fw_plot_compared_find(&all, &series, &picture, &error));
+    assert_int_equal(all.charts[0].curve_count, 2);
+    assert_string_equal(all.charts[0].curves[0].label, strrchr(own, '/') + 1);
+    assert_string_equal(all.charts[0].curves[1].label, strrchr(other, '/') + 1);
+    assert_close(all.charts[0].curves[0].y[0], 4.5, 1e-12);
+    assert_close(all.charts[0].curves[1].y[0], 18, 1e-12);
+    fw_plot_compared_clear(&all);
+    with[0] = third;
+    assert_refused(fw_plot_compared_find(&all, &series, &picture, &error), FW_BAD_INPUT,
+                   "do not go into one frame");
+    fw_plot_compared_clear(&all);
+    fw_plot_series_clear(&series);
+    fw_plot_result_close(&result);
+    remove_folder(own);
+    remove_folder(other);
+    remove_folder(third);
+}
+
 /* What would be flattened beside a quantity of the same unit gets a panel of its own. */
 static void a_quantity_that_another_would_flatten_stands_alone(void **state)
 {
@@ -350,6 +427,8 @@ int main(void)
         cmocka_unit_test(colours_and_axes_are_those_of_the_whole_result),
         cmocka_unit_test(a_temperature_is_drawn_beside_what_is_set),
         cmocka_unit_test(axes_tell_the_units_of_nature),
+        cmocka_unit_test(a_series_is_drawn_along_another_number),
+        cmocka_unit_test(results_are_compared_in_one_frame),
         cmocka_unit_test(a_quantity_that_another_would_flatten_stands_alone),
         cmocka_unit_test(the_exact_solution_is_where_the_automaton_is),
     };

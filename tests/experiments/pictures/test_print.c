@@ -10,7 +10,7 @@ static const char scenario[] =
     "materials: {soft: {lattice-boltzmann: {rest-mass: 0}}}\n"
     "bodies: {block: {material: soft, shape: {rectangle: [4, 3]}, velocity: [.5, 0]}}\n"
     "run: {steps: 20, record-every: 2}\n"
-    "measure: [energy]\n";
+    "measure: [energy, momentum]\n";
 
 typedef struct png {
     unsigned width, height, dots_x, dots_y, unit;
@@ -86,10 +86,51 @@ static void figures_have_the_width_and_dots_asked_for(void **state)
     remove_folder(folder);
 }
 
+/* Larger letters leave the width as it is; what the command line says goes before the file. */
+static void a_style_file_says_how_figures_look(void **state)
+{
+    (void)state;
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", scenario);
+    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    const png plain = draw(folder, "--observable energy --width 86");
+    write_scenario(folder, "paper.style", "width: 86\ndpi: 100\nfont-size: 17\nbare: true\n");
+    const png styled = draw(folder, "--observable energy --style paper.style");
+    assert_int_equal(styled.width, 339); /* 86 mm of 100 dots to 25.4 mm */
+    assert_int_equal(styled.dots_x, 3937);
+    const png large = draw(folder, "--observable energy --width 86 --font-size 17");
+    assert_int_equal(large.width, plain.width);
+    assert_true(large.height != plain.height);
+    const png own = draw(folder, "--observable energy --style paper.style --dpi 200");
+    assert_int_equal(own.width, 678);
+    write_scenario(folder, "paper.style", "width: 86\nheigth: 3\n");
+    seen = run_program(folder, "plot out --style paper.style");
+    expect_end(&seen, 2, "paper.style:2:1: unknown key 'heigth'");
+    static const char *const refused[][2] = {
+        {"plot out --style nowhere", "nowhere"},
+        {"plot out --font-size 3", "--font-size 3, expected a number from 4 to 40 points"},
+        {"plot out --font-size big", "--font-size big, expected a number from 4 to 40 points"},
+        {"plot out --x-range 3,2", "--x-range 3,2, expected two numbers"},
+        {"plot out --kind structure --y-range 0,1", "does not draw a chosen part of its axes"},
+        {"plot out --kind motion --with out", "does not draw several results"},
+        {"plot out --kind motion --along energy", "does not draw anything along another number"},
+        {"plot out --observable energy --along momentum", "are 2 numbers, expected one"},
+        {"plot out --observable energy --along speed", "speed"},
+        {"plot out --observable energy --with nowhere", "nowhere"}};
+    for (size_t n = 0; n < sizeof refused / sizeof *refused; ++n) {
+        seen = run_program(folder, refused[n][0]);
+        expect_end(&seen, 2, refused[n][1]);
+    }
+    remove_folder(folder);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(figures_have_the_width_and_dots_asked_for),
+        cmocka_unit_test(a_style_file_says_how_figures_look),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
