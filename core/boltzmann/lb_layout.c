@@ -4,40 +4,40 @@
  * and spans follow from `present`. Start reading at lb_layout_rebuild(). */
 #include "lb_layout.h"
 
+#include <string.h>
+
 static bool lies_at(const fw_sites *sites, int l, int i, int j)
 {
     return l >= 0 && l < sites->count && sites->site[l].i == i && sites->site[l].j == j;
 }
 
-/* Finds the neighbour in the row above or below, and tells whether both corners beside it are there
- * too. *at is where the row was left. */
-static int connect_row(const fw_sites *sites, int l, int direction, int *at, bool *corners)
+static void link(lb_solid *lb, int l, int direction, int m)
 {
-    const fw_site beside = fw_site_neighbour(sites->site[l], direction);
-    const int found = fw_sites_find_next(sites, beside, at);
-    const int after = found >= 0 ? *at + 1 : *at;
-    *corners = lies_at(sites, *at - 1, beside.i - 1, beside.j) &&
-               lies_at(sites, after, beside.i + 1, beside.j);
-    return found;
+    lb->neighbour[direction][l] = m;
+    lb->neighbour[fw_opposite(direction)][m] = l;
+    lb->present[l] |= (uint8_t)(1u << direction);
+    lb->present[m] |= (uint8_t)(1u << fw_opposite(direction));
 }
 
+/* A site whose neighbour above or below is missing has not all links: then it is of no matter
+ * whether a corner is missing too. */
 void lb_layout_connect(lb_solid *lb, const fw_sites *sites)
 {
-    int above = 0, below = 0;
+    int above = 0;
+    for (int d = 0; d < FW_DIRECTIONS; ++d)
+        memset(lb->neighbour[d], 0xff, (size_t)sites->count * sizeof *lb->neighbour[d]); /* -1 */
     for (int l = 0; l < sites->count; ++l) {
-        const fw_site site = sites->site[l];
-        bool corners_above, corners_below;
-        const int beside[FW_DIRECTIONS] = {
-            [FW_EAST] = lies_at(sites, l + 1, site.i + 1, site.j) ? l + 1 : -1,
-            [FW_NORTH] = connect_row(sites, l, FW_NORTH, &above, &corners_above),
-            [FW_WEST] = lies_at(sites, l - 1, site.i - 1, site.j) ? l - 1 : -1,
-            [FW_SOUTH] = connect_row(sites, l, FW_SOUTH, &below, &corners_below),
-        };
-        for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            lb->neighbour[d][l] = beside[d];
-            if (beside[d] >= 0) lb->present[l] |= (uint8_t)(1u << d);
-        }
-        lb->edge[l] = !corners_above || !corners_below;
+        const fw_site site = sites->site[l], north = {site.i, site.j + 1};
+        const bool east = lies_at(sites, l + 1, site.i + 1, site.j);
+        const bool west = lb->neighbour[FW_WEST][l] >= 0;
+        if (east) link(lb, l, FW_EAST, l + 1);
+        const int m = fw_sites_find_next(sites, north, &above);
+        if (m < 0) continue;
+        link(lb, l, FW_NORTH, m);
+        const bool corners = lies_at(sites, m - 1, north.i - 1, north.j) &&
+                             lies_at(sites, m + 1, north.i + 1, north.j);
+        if (!corners) lb->edge[l] = true;
+        if (!east || !west) lb->edge[m] = true;
     }
 }
 

@@ -90,7 +90,7 @@ typedef struct lb_solid {
     matrices stiffness[2]; /* of the links to the east and north; only if weighted */
     int *neighbour[FW_DIRECTIONS];
     uint8_t *present;            /* bit d: the link in direction d exists */
-    uint8_t *edge;               /* one of the eight sites around was never there */
+    uint8_t *edge;               /* a corner beside a row above or below was never there */
     fw_vec2 step[FW_DIRECTIONS]; /* Delta0 of the links */
     span *spans;
     int *chunk_span; /* first span of each chunk, and their number */

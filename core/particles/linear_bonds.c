@@ -51,10 +51,25 @@ static fw_bond_slot *slot_of(slot_group *group, int32_t offset, int direction)
     return &group->slot[s];
 }
 
-/* Counts slots and their weights, and writes slots where there is room for them. */
-static uint32_t fill(fw_linear_bonds *bonds, const bond_table *table)
+/* Makes room for another group. */
+static bool reserve(fw_linear_bonds *bonds, uint32_t slot_count, uint32_t *capacity)
+{
+    if (slot_count + FW_LANES <= *capacity) return true;
+    *capacity += *capacity / 2 + FW_LANES;
+    fw_bond_slot *more = realloc(bonds->slots, *capacity * sizeof *more);
+    if (more) bonds->slots = more;
+    return more;
+}
+
+/* Writes slots and counts their weights. False: no memory. */
+static bool fill(fw_linear_bonds *bonds, const bond_table *table)
 {
     uint32_t slot_count = 0;
+    /* Of whole rows there is one for each direction of a block. */
+    uint32_t capacity = (uint32_t)(bonds->count / FW_LANES + 1) * FW_BOND_DIRECTIONS;
+    capacity += capacity / 8 + FW_LANES;
+    bonds->slots = malloc(capacity * sizeof *bonds->slots);
+    if (!bonds->slots) return false;
     bonds->weight_count = 0;
     for (int first = 0; first < bonds->count; first += FW_LANES) {
         const int end = first + FW_LANES < bonds->count ? first + FW_LANES : bonds->count;
@@ -71,13 +86,13 @@ static uint32_t fill(fw_linear_bonds *bonds, const bond_table *table)
                 if (weight.plain != table->k1 || weight.turning != 0)
                     slot->weights = (int32_t)bonds->weight_count++;
             }
-            if (bonds->slots)
-                memcpy(bonds->slots + slot_count, group.slot, group.count * sizeof *group.slot);
+            if (!reserve(bonds, slot_count, &capacity)) return false;
+            memcpy(bonds->slots + slot_count, group.slot, group.count * sizeof *group.slot);
             slot_count += group.count;
         }
     }
     bonds->begin[(bonds->count + FW_LANES - 1) / FW_LANES] = slot_count;
-    return slot_count;
+    return true;
 }
 
 static void fill_weights(fw_linear_bonds *bonds, const bond_table *table)
@@ -107,9 +122,7 @@ fw_status fw_linear_bonds_create(fw_linear_bonds *bonds, int count, double k1, b
     *bonds = (fw_linear_bonds){.count = count};
     bonds->begin = fw_array_allocate((size_t)count / FW_LANES + 2, sizeof *bonds->begin);
     if (!bonds->begin) return no_memory(bonds, error);
-    bonds->slots = fw_array_allocate((size_t)fill(bonds, &table), sizeof *bonds->slots);
-    if (!bonds->slots) return no_memory(bonds, error);
-    fill(bonds, &table);
+    if (!fill(bonds, &table)) return no_memory(bonds, error);
     bonds->weights = fw_array_allocate(bonds->weight_count, sizeof *bonds->weights);
     if (!bonds->weights) return no_memory(bonds, error);
     fill_weights(bonds, &table);

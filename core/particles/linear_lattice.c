@@ -255,25 +255,20 @@ static fw_site neighbour_site(fw_site site, int alpha)
     return (fw_site){site.i + step[alpha].i, site.j + step[alpha].j};
 }
 
-static fw_status list_links(fw_linear_lattice *lattice, const fw_linear_neighbours *around,
-                            fw_error *error)
+/* As many as were counted. */
+static fw_status list_links(fw_solid *head, const fw_linear_neighbours *around, fw_error *error)
 {
-    fw_solid *head = &lattice->langevin.head;
-    for (int pass = 0; pass < 2; ++pass) {
-        int count = 0;
-        for (int i = 0; i < head->count; ++i)
-            for (int alpha = 0; alpha < NEIGHBOURS / 2; ++alpha) {
-                const int j = around[i][alpha];
-                if (j < 0) continue;
-                if (pass == 1) head->links[count][0] = i, head->links[count][1] = j;
-                count += 1;
-            }
-        if (pass == 0) {
-            head->links = fw_array_zeroed((size_t)count, sizeof *head->links);
-            if (!head->links) return fw_fail_memory(error, "the links of a linear lattice");
-            head->link_count = count;
+    int count = 0;
+    head->links = fw_array_zeroed((size_t)head->link_count, sizeof *head->links);
+    if (!head->links) return fw_fail_memory(error, "the links of a linear lattice");
+    for (int i = 0; i < head->count; ++i)
+        for (int alpha = 0; alpha < NEIGHBOURS / 2; ++alpha) {
+            const int j = around[i][alpha];
+            if (j < 0) continue;
+            head->links[count][0] = i;
+            head->links[count][1] = j;
+            count += 1;
         }
-    }
     return FW_OK;
 }
 
@@ -300,18 +295,23 @@ static fw_status tie(fw_linear_lattice *lattice, const fw_linear_lattice_def *de
                      fw_linear_neighbours *around, fw_error *error)
 {
     fw_solid *head = &lattice->langevin.head;
-    int at[NEIGHBOURS] = {0};
-    for (int i = 0; i < head->count; ++i) {
-        int found = 0;
-        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) {
+    int at[NEIGHBOURS / 2] = {0};
+    memset(around, 0xff, (size_t)head->count * sizeof *around); /* -1: none */
+    for (int i = 0; i < head->count; ++i)
+        for (int alpha = 0; alpha < NEIGHBOURS / 2; ++alpha) {
             const int j = fw_sites_find_next(def->sites, neighbour_site(def->sites->site[i], alpha),
                                              &at[alpha]);
+            if (j < 0) continue;
             around[i][alpha] = j;
-            found += j >= 0;
+            around[j][alpha + NEIGHBOURS / 2] = i;
+            head->link_count += 1;
         }
+    for (int i = 0; i < head->count; ++i) {
+        int found = 0;
+        for (int alpha = 0; alpha < NEIGHBOURS; ++alpha) found += around[i][alpha] >= 0;
         if (found < NEIGHBOURS) head->boundary[head->boundary_count++] = i;
     }
-    FW_TRY(list_links(lattice, (const fw_linear_neighbours *)around, error));
+    FW_TRY(list_links(head, (const fw_linear_neighbours *)around, error));
     return fw_linear_bonds_create(&lattice->bonds, head->count, lattice->k1, def->compensated,
                                   (const fw_linear_neighbours *)around, error);
 }

@@ -171,18 +171,17 @@ double fw_particles_hottest(const fw_solid *solid)
 fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error)
 {
     const fw_solid *head = &particles->langevin.head;
+    const double minimum = particles->potential.distance * particles->potential.distance;
     for (int i = 0; i < head->count; ++i) {
         fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
         for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {
-            if (j < i) continue;
+            const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
+            const double r2 = dx * dx + dy * dy;
+            if (j < i || r2 > minimum) continue; /* U <= 0 from the minimum on */
             const fw_particle_group *a = &particles->groups[particles->group_of[i]];
             const fw_particle_group *b = &particles->groups[particles->group_of[j]];
             const double strength = strength_of(particles, i, j);
-            const double dx = head->x[i] - head->x[j], dy = head->y[i] - head->y[j];
-            const double r2 = dx * dx + dy * dy;
             if (!(strength * particles->potential.depth > 0)) continue;
-            /* U <= 0 from the minimum on. */
-            if (r2 > particles->potential.distance * particles->potential.distance) continue;
             const double energy = strength * fw_pair_at(&particles->potential, r2).energy;
             if (energy <= limit) continue;
             return fw_fail(error, FW_BAD_INPUT,
