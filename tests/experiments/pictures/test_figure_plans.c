@@ -7,6 +7,9 @@
 #include "experiments/pictures/film.h"
 #include "experiments/pictures/plot.h"
 #include "experiments/pictures/plot_parts.h"
+#include "tests/support/beams.h"
+#include "tests/support/program.h"
+
 #include "tests/support/plotted_run.h"
 
 enum { SHEET = 9, ROD = 4, ALL = SHEET + ROD };
@@ -318,6 +321,118 @@ static void map_of_an_analysis_has_its_axes(void **state)
     remove_folder(directory);
 }
 
+/* --- an experiment beside its control --- */
+
+static int columns_drawn, curves_drawn;
+static char beams_folder[64];
+
+fw_status __wrap_fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *plans,
+                                   int count, fw_error *e);
+fw_status __wrap_fw_figure_curves(const fw_page *page, const fw_chart *chart, fw_label x,
+                                  const fw_axis_name *names, int name_count, fw_error *e);
+
+/* The left column is the experiment, the right one its control, with their own particles at the
+ * same step, and their own numbers. */
+fw_status __wrap_fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *plans,
+                                   int count, fw_error *e)
+{
+    static const char *const sides[] = {"", "/control"};
+    static const char *const names[] = {"experiment, ", "control, "};
+    (void)page, (void)e;
+    ++columns_drawn;
+    assert_int_equal(count, 2);
+    assert_fine(fw_playback_open(&playback, beams_folder, &error));
+    fw_profile_table *table;
+    assert_fine(fw_profile_table_read(&table, playback, 'x', &error));
+    fw_playback_close(playback);
+    for (int k = 0; k < 2; ++k) {
+        char path[96];
+        double x[256], y[256];
+        int64_t steps[64], frame = 0;
+        const fw_view *view = plans[k].views;
+        snprintf(path, sizeof path, "%s%s", beams_folder, sides[k]);
+        assert_fine(fw_playback_open(&playback, path, &error));
+        assert_true(playback->particle_count <= 256 && playback->frame_count <= 64);
+        assert_fine(fw_playback_read_frame_times(playback, steps, NULL, &error));
+        while (steps[frame] != view->step) ++frame;
+        assert_fine(fw_playback_read_positions(playback, frame, x, y, &error));
+        assert_memory_equal(view->bodies[1].x, x + view->bodies[0].count,
+                            (size_t)view->bodies[1].count * sizeof *x);
+        assert_true(strncmp(view->name, names[k], strlen(names[k])) == 0);
+        assert_int_equal(view->step, plans[0].views->step);
+        fw_playback_close(playback);
+        const fw_outcome *column = fw_profile_table_column(table, FW_PROFILE_RETURN_FORCE);
+        int found = 0, known = 0;
+        for (int c = 0; c < plans[k].chart_count; ++c) {
+            const fw_curve *curve = plans[k].charts[c].curves;
+            if (!strstr(plans[k].charts[c].label.text, "return force")) continue;
+            ++found;
+            assert_int_equal(curve->count, table->bin_count);
+            for (int b = 0; b < curve->count; ++b) {
+                const double wanted = k == 0 ? column[b].mean : column[b].control;
+                known += isfinite(wanted) && column[b].mean != column[b].control;
+                if (isfinite(wanted)) assert_close(curve->y[b], wanted, 0);
+            }
+        }
+        assert_int_equal(found, 1);
+        assert_true(known > 3);
+    }
+    fw_profile_table_destroy(table);
+    return FW_OK;
+}
+
+/* Slip to the right; the force of the first body on the second, which it drags along, so that what
+ * the loop encloses is what rubbing takes. */
+fw_status __wrap_fw_figure_curves(const fw_page *page, const fw_chart *chart, fw_label x,
+                                  const fw_axis_name *names, int name_count, fw_error *e)
+{
+    (void)page, (void)x, (void)names, (void)name_count, (void)e;
+    ++curves_drawn;
+    double slip[2 * 512], force[2 * 512], area = 0;
+    int64_t steps[512];
+    const fw_curve *curve = chart->curves;
+    assert_fine(fw_playback_open(&playback, beams_folder, &error));
+    assert_true(playback->sample_count <= 512);
+    assert_fine(fw_playback_read_sample_times(playback, steps, NULL, &error));
+    assert_fine(fw_playback_read_observable(playback, fw_playback_find_observable(playback, "slip"),
+                                            slip, &error));
+    assert_fine(fw_playback_read_observable(
+        playback, fw_playback_find_observable(playback, "interface-force"), force, &error));
+    int n = 0;
+    for (int row = 0; row < playback->sample_count; ++row) {
+        if (steps[row] < 1500 || steps[row] > 2500) continue;
+        assert_close(curve->x[n], slip[2 * row + 1], 0);
+        assert_close(curve->y[n], -force[2 * row + 1], 0);
+        if (n > 0) area += (curve->x[n] - curve->x[n - 1]) * (curve->y[n] + curve->y[n - 1]) / 2;
+        ++n;
+    }
+    assert_int_equal(n, curve->count);
+    assert_true(n > 50 && area > 0);
+    fw_playback_close(playback);
+    return FW_OK;
+}
+
+static void profile_and_loop_are_of_their_own_sides(void **state)
+{
+    (void)state;
+    FILE *nowhere = fopen("/dev/null", "w");
+    assert_non_null(nowhere);
+    make_quick_folder(beams_folder, sizeof beams_folder);
+    write_scenario(beams_folder, "file.yaml", small_beams);
+    const outcome seen =
+        run_program(beams_folder, "run file.yaml -o . --quiet --no-plot --set study.seeds=1 "
+                                  "--set run.record-every=100 --set expect=[]");
+    assert_int_equal(seen.code, 0);
+    const fw_plot_wish profile = {.file = "/tmp/fretwork-never-drawn.png", .kind = "profile"};
+    assert_fine(fw_plot_one(beams_folder, &profile, nowhere, &error));
+    assert_int_equal(columns_drawn, 1);
+    const fw_plot_wish loop = {.file = "/tmp/fretwork-never-drawn.png", .kind = "loop"};
+    assert_fine(fw_plot_one(beams_folder, &loop, nowhere, &error));
+    assert_int_equal(curves_drawn, 1);
+    fclose(nowhere);
+    remove_folder(beams_folder);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -328,6 +443,7 @@ int main(void)
         cmocka_unit_test(stages_have_the_histogram_of_each_view),
         cmocka_unit_test(histogram_has_a_column_for_each_frame),
         cmocka_unit_test(map_of_an_analysis_has_its_axes),
+        cmocka_unit_test(profile_and_loop_are_of_their_own_sides),
         cmocka_unit_test(film_shows_every_tenth_frame),
     };
     return cmocka_run_group_tests(tests, make_run, remove_run);
