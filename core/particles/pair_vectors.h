@@ -153,17 +153,20 @@ FW_INLINE fw_pair_terms fw_pair_of(const fw_pair_rule *rule, fw_pair_form form, 
     }
     const fw_mask beyond = fw_less_among(pair->held, fw_splat(rule->inner_2), pair->r2);
     if (!fw_any(beyond)) return terms;
-    /* Whoever fades first lies inside as a rule: to ask for those alone takes longer. */
     terms.inside = fw_less_among(pair->held, pair->r2, fw_splat(rule->outer_2));
-    const fw_vector r = fw_root(fw_only_here(pair->r2));
-    const fw_weights at = fw_weights_at(&rule->cut, r);
-    const fw_vector value = fw_weight_value(at), square = at.y * at.y;
-    const fw_vector energy = fw_pair_energy(rule, kind, pair);
-    /* (-U'/r) S - U S'/r, S' = -30/(b - a) x^2 y^2 */
-    const fw_vector slope = rule->fade * energy * (at.x * at.x) * (pair->inverse * r);
-    terms.push = fw_select(beyond, fw_fma(terms.push, value, slope) * square, terms.push);
-    if (energies)
-        terms.energy = fw_select(beyond, rule->energy * energy * (value * square), terms.energy);
+    const fw_mask fading = fw_and(beyond, terms.inside);
+    if (fw_any(fading)) {
+        const fw_vector r = fw_root(fw_only_here(pair->r2));
+        const fw_weights at = fw_weights_at(&rule->cut, r);
+        const fw_vector value = fw_weight_value(at), square = at.y * at.y;
+        const fw_vector energy = fw_pair_energy(rule, kind, pair);
+        /* (-U'/r) S - U S'/r, S' = -30/(b - a) x^2 y^2 */
+        const fw_vector slope = rule->fade * energy * (at.x * at.x) * (pair->inverse * r);
+        terms.push = fw_select(fading, fw_fma(terms.push, value, slope) * square, terms.push);
+        if (energies)
+            terms.energy =
+                fw_select(fading, rule->energy * energy * (value * square), terms.energy);
+    }
     return terms;
 }
 
