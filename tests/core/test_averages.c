@@ -103,6 +103,13 @@ static void drift_tells_a_steady_state(void **state)
     for (int k = 0; k < COUNT; ++k) values[k] += 1. * k / COUNT;
     assert_int_equal(fw_average_drift(&drift, values, COUNT, NULL), FW_OK);
     assert_below(3, drift);
+    /* Without any spread: none, or more than any number. */
+    for (int n = 0; n < COUNT; ++n) values[n] = 2;
+    assert_int_equal(fw_average_drift(&drift, values, COUNT, NULL), FW_OK);
+    assert_close(drift, 0, 0);
+    for (int n = COUNT / 2; n < COUNT; ++n) values[n] = 3;
+    assert_int_equal(fw_average_drift(&drift, values, COUNT, NULL), FW_OK);
+    assert_true(isinf(drift));
     free(values);
 }
 

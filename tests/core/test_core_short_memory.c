@@ -148,6 +148,16 @@ static fw_status find_spectral_radius(const void *input, uint64_t *result, fw_er
     return FW_OK;
 }
 
+/* An unstable body is refused all the same. */
+static fw_status judge_stability(const void *input, uint64_t *result, fw_error *error)
+{
+    fw_solid *solid = NULL;
+    const fw_status status = fw_elastic_automaton_create(&solid, input, error);
+    fw_solid_destroy(solid);
+    *result = (uint64_t)status;
+    return status == FW_BAD_INPUT ? FW_OK : status;
+}
+
 static fw_status make_linear_body(const void *input, uint64_t *result, fw_error *error)
 {
     fw_solid *solid;
@@ -236,6 +246,11 @@ static void automaton_says_that_memory_is_missing(void **state)
     def.speeds = (fw_automaton_speeds){0.9, 0.5};
     assert_true(fail_each_allocation("trapezoid", make_automaton_body, &def) >= 8);
     assert_true(fail_each_allocation("spectral radius", find_spectral_radius, &def) >= 8);
+    for (int side = -1; side <= 1;
+         side += 2) { /* of what is stable: see test_automaton_stability */
+        def.speeds = (fw_automaton_speeds){0.6, sqrt(2) * 0.6 * (1 + 0.02 * side)};
+        assert_true(fail_each_allocation("stability", judge_stability, &def) >= 15);
+    }
     def.boundary = FW_BOUNDARY_MIRROR;
     assert_true(fail_each_allocation("mirror", find_spectral_radius, &def) >= 8);
     release_start(&s);
