@@ -47,6 +47,25 @@ static const char bodies[] =
     "run: {steps: 30}\n"
     "record: {fields: [friction-heat]}\n";
 
+/* A grip presses a body on another one, which pistons hold, hard and soft ones. */
+static const char press[] =
+    "title: t\n"
+    "materials: {soft: {lattice-boltzmann: {rest-mass: 0, damping: .05}}}\n"
+    "bodies:\n"
+    "  upper: {material: soft, shape: {rectangle: [5, 3]}, origin: [1, 3.1]}\n"
+    "  lower: {material: soft, shape: {rectangle: [7, 3]}}\n"
+    "contact: {friction: .3}\n"
+    "walls:\n"
+    "  floor: {box: [-5, -3, 12, -.05], side: outside, surface: {coulomb: .3},\n"
+    "    piston: {mass: 3, force: [0, .2], hold: x}}\n"
+    "  side: {box: [6.05, -5, 8, 9], side: outside, surface: {coulomb: .2},\n"
+    "    piston: {mass: 2, force: [-.1, 0]}}\n"
+    "  pillow: {box: [-3, -5, -.02, 9], side: outside, surface: {penalty: .1},\n"
+    "    piston: {mass: 2, force: [.1, 0]}}\n"
+    "grips: {hand: {body: upper, side: top, layer: .5, force: [.05, -.2], tether: [.1, 0]}}\n"
+    "run: {steps: 30}\n"
+    "record: {force: true}\n";
+
 static const char automata[] =
     "title: t\n"
     "materials: {sheet: {elastic-automaton: {c1: .4, c2: .2, break-at: .3}}}\n"
@@ -125,6 +144,12 @@ static void bodies_that_meet_say_that_memory_is_missing(void **state)
     refuse_all("bodies", bodies, 100);
 }
 
+static void bodies_in_a_press_say_that_memory_is_missing(void **state)
+{
+    (void)state;
+    refuse_all("press", press, 100);
+}
+
 static void automata_that_meet_say_that_memory_is_missing(void **state)
 {
     (void)state;
@@ -142,6 +167,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bodies_at_walls_say_that_memory_is_missing),
         cmocka_unit_test(bodies_that_meet_say_that_memory_is_missing),
+        cmocka_unit_test(bodies_in_a_press_say_that_memory_is_missing),
         cmocka_unit_test(automata_that_meet_say_that_memory_is_missing),
         cmocka_unit_test(crystals_that_meet_say_that_memory_is_missing),
     };
