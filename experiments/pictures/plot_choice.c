@@ -230,7 +230,9 @@ static fw_status take_span(draft *d, fw_error *error)
     if (listed || wish->from > 0) asked->from = listed ? wish->steps[0] : wish->from;
     if (listed || wish->until > 0) asked->until = listed ? wish->steps[1] : wish->until;
     if (asked->from >= asked->until)
-        return fw_fail(error, FW_BAD_INPUT, "from step %lld until step %lld, expected a later one",
+        return fw_fail(error, FW_BAD_INPUT,
+                       "from step %lld until step %lld, expected a later one: --at FROM,UNTIL, or "
+                       "--from and --until",
                        (long long)asked->from, (long long)asked->until);
     return holds_step(d, asked->from) ? FW_OK : refuse_step(d, asked->from, error);
 }
