@@ -98,14 +98,14 @@ double fw_piston_kinetic_energy(const fw_piston *piston)
 double fw_piston_energy_error(const fw_piston *piston)
 {
     const fw_piston_ledger *a = &piston->ledger;
-    return fw_piston_kinetic_energy(piston) -
-           (piston->energy_at_start + a->work + a->pushed_by - a->unmatched_work - a->heat);
+    return fw_piston_kinetic_energy(piston) - (piston->energy_at_start + a->work + a->pushed_by +
+                                               a->met_work - a->unmatched_work - a->heat);
 }
 
 fw_vec2 fw_piston_momentum_error(const fw_piston *piston)
 {
     const fw_piston_ledger *a = &piston->ledger;
-    const fw_vec2 felt = fw_vec2_subtract(a->pushed, a->unmatched);
+    const fw_vec2 felt = fw_vec2_add(fw_vec2_subtract(a->pushed, a->unmatched), a->met);
     const fw_vec2 given =
         fw_vec2_add(fw_vec2_add(piston->momentum_at_start, a->impulse), fw_vec2_add(felt, a->drag));
     return fw_vec2_subtract(fw_piston_momentum(piston), given);
@@ -171,19 +171,20 @@ bool fw_piston_yields(const fw_piston *piston)
     return !piston->drive.prescribed_x || !piston->drive.prescribed_y;
 }
 
-void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,
-                       double time, double tick)
+void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, fw_vec2 met, double work,
+                       double torque, double time, double tick)
 {
     fw_piston_ledger *ledger = &piston->ledger;
     const fw_drive *drive = &piston->drive;
     const double c = kept(piston, tick), mass = piston->mass;
     const fw_vec2 free = fw_drive_force(drive, ledger->displacement, motion, time);
-    const fw_vec2 force = {drive->prescribed_x ? -push.x : free.x,
-                           drive->prescribed_y ? -push.y : free.y};
+    const fw_vec2 force = {drive->prescribed_x ? -push.x - met.x : free.x,
+                           drive->prescribed_y ? -push.y - met.y : free.y};
     /* w = dt (1 + c) u1 / 2 gives u1, and u1 the force on the piston: D + R, if all fits. */
     const fw_vec2 halfway = driven(ledger, fw_vec2_scale(2 / (tick * (1 + c)), motion));
     const fw_vec2 kick = driven(ledger, fw_vec2_subtract(halfway, ledger->velocity));
-    const fw_vec2 felt = fw_vec2_subtract(fw_vec2_scale(2 * mass / tick, kick), force);
+    const fw_vec2 felt =
+        fw_vec2_subtract(fw_vec2_subtract(fw_vec2_scale(2 * mass / tick, kick), force), met);
     const fw_vec2 unmatched = driven(ledger, fw_vec2_subtract(push, felt));
     const fw_vec2 after = fw_vec2_add(fw_vec2_scale(c, halfway), kick);
     ledger->velocity = (fw_vec2){drive->prescribed_x ? motion.x / tick : after.x,
@@ -200,6 +201,8 @@ void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double w
     ledger->unmatched = fw_vec2_add(ledger->unmatched, fw_vec2_scale(tick, unmatched));
     ledger->unmatched_work += work - fw_vec2_dot(fw_vec2_subtract(push, unmatched), motion);
     ledger->displacement = fw_vec2_add(ledger->displacement, motion);
+    ledger->met = fw_vec2_add(ledger->met, fw_vec2_scale(tick, met));
+    ledger->met_work += fw_vec2_dot(met, motion);
     ledger->path_length =
         fw_vec2_add(ledger->path_length, (fw_vec2){fabs(motion.x), fabs(motion.y)});
 }

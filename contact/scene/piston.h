@@ -43,6 +43,8 @@ typedef struct fw_piston_ledger {
     fw_vec2 drag;          /* momentum taken by damping, with its sign */
     double heat;           /* energy taken by damping, >= 0 */
     fw_vec2 path_length;   /* per component, to and fro */
+    fw_vec2 met;           /* sum of the push of walls that it meets, times dt */
+    double met_work;       /* of that */
 } fw_piston_ledger;
 
 typedef struct fw_piston fw_piston;
@@ -83,11 +85,12 @@ fw_vec2 fw_piston_inertial(const fw_piston *piston, double time, double tick);
 /* Whether forces move it, at least in one component. */
 bool fw_piston_yields(const fw_piston *piston);
 
-/* Ends the tick: it has moved by `motion` under that push, and the bodies have done that work on it
+/* Ends the tick: it has moved by `motion` under the bodies' push and that of the walls that it
+ * meets, and the bodies have done that work on it
  * (push . motion, but where soft corners push as no single force could). The velocity follows from
  * the motion; what that leaves over of push and work is booked as unmatched. */
-void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, double work, double torque,
-                       double time, double tick);
+void fw_piston_advance(fw_piston *piston, fw_vec2 motion, fw_vec2 push, fw_vec2 met, double work,
+                       double torque, double time, double tick);
 
 FW_PUBLIC_END
 

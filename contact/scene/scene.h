@@ -80,9 +80,14 @@ fw_status fw_scene_adopt_body(fw_scene *scene, const char *name, fw_solid *solid
                               fw_error *error);
 fw_status fw_scene_add_wall(fw_scene *scene, const fw_wall_def *def, fw_error *error);
 /* A wall that is a piston: it is moved by its drive and by what touches it, not by def->path. It
- * passes through other walls. */
+ * passes through other walls but those that it is let meet. */
 fw_status fw_scene_add_piston(fw_scene *scene, const fw_wall_def *def, const fw_piston_def *piston,
                               fw_error *error);
+/* The piston, by its number among the walls, and another wall or piston do not pass through each
+ * other: as rigid bodies without friction, whatever their surfaces are; hits are elastic. Before
+ * fw_scene_begin(), which refuses those that overlap (FW_BAD_INPUT). FW_SYSTEM_FAILED without
+ * memory. */
+fw_status fw_scene_let_meet(fw_scene *scene, int piston, int other, fw_error *error);
 /* Holds particles of that body. FW_BAD_INPUT: another grip holds one of them already, or the body
  * is an automaton. */
 fw_status fw_scene_add_grip(fw_scene *scene, int body, const fw_grip_def *def, fw_error *error);

@@ -21,9 +21,8 @@ int scene_find_row(const scene_joint *joint, int end, const scene_row *row)
     return -1;
 }
 
-/* `owner`: the end of the particle that passes. */
-static fw_status append_row(fw_scene *scene, int owner, const scene_row *row,
-                            const fw_joint_row *what, fw_error *error)
+fw_status scene_append_row(fw_scene *scene, int owner, const scene_row *row,
+                           const fw_joint_row *what, fw_error *error)
 {
     scene_joint *joint = scene->joint;
     int mover[3] = {0};
@@ -74,14 +73,14 @@ static fw_status add_wall(fw_scene *scene, int end, int number, bool open, fw_er
                          .open = open,
                          .rub = scene_take_wall_rub(scene, end, number)};
     const scene_row row = {.facet = number};
-    FW_TRY(append_row(scene, end, &row, &what, error));
+    FW_TRY(scene_append_row(scene, end, &row, &what, error));
     joint->ends[end].wall_rows += 1;
     if (candidate.surface.law != FW_STICK) return FW_OK;
     what.kind = FW_JOINT_PLANE;
     what.behind = 0;
     what.both = true;
     what.normal = fw_vec2_turn(what.normal);
-    return append_row(scene, end, &row, &what, error);
+    return scene_append_row(scene, end, &row, &what, error);
 }
 
 /* Whether the row was there already. It is closed, if `open` is not asked for. */
@@ -110,7 +109,7 @@ fw_status scene_add_spring(fw_scene *scene, int end, int wall, fw_error *error)
     int piston;
     FW_TRY(scene_find_piston(scene, wall, &piston, error));
     const fw_joint_row what = {.kind = FW_JOINT_SPRING, .end = {end, piston}};
-    return append_row(scene, end, &row, &what, error);
+    return scene_append_row(scene, end, &row, &what, error);
 }
 
 fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
@@ -125,7 +124,7 @@ fw_status scene_add_row(fw_scene *scene, const scene_row *row, fw_error *error)
                          .end = {end, from, to},
                          .distance = scene_distance_between(scene, row->point_body, row->body)};
     if (what.kind == FW_JOINT_SEGMENT) what.rub = scene_take_rub(scene, row, end);
-    return append_row(scene, end, row, &what, error);
+    return scene_append_row(scene, end, row, &what, error);
 }
 
 /* Walls that the end passes on its present path. Where it is pushed further than its run foresaw,
@@ -175,7 +174,7 @@ static void put_on_walls(fw_scene *scene)
     scene_joint *joint = scene->joint;
     for (int n = 0; n < joint->row_count; ++n) {
         const fw_joint_row *row = &joint->joint_rows[n];
-        if (row->kind != FW_JOINT_PLANE || row->lambda == 0) continue;
+        if (row->kind != FW_JOINT_PLANE || row->lambda == 0 || joint->rows[n].met) continue;
         fw_joint_end *end = &joint->joint_ends[row->end[0]];
         const double excess = fw_joint_motion(row, joint->joint_ends) - row->bound;
         double size = size_of(end->displacement) + fabs(row->bound);

@@ -57,6 +57,7 @@ void fw_scene_destroy(fw_scene *scene)
     free(scene->loads);
     free(scene->candidates);
     free(scene->near);
+    free(scene->met);
     free(scene->pairs);
     free(scene->distances);
     free(scene->passable);
@@ -294,6 +295,7 @@ fw_status fw_scene_begin(fw_scene *scene, fw_error *error)
         }
         FW_TRY(scene_check_soft(scene, error));
     }
+    FW_TRY(scene_refuse_met(scene, error));
     FW_TRY(scene_make_edges(scene, error));
     FW_TRY(scene_make_records(scene, error));
     for (int b = 0; b < scene->body_count; ++b) {

@@ -353,6 +353,7 @@ fw_status scene_meet_bodies(fw_scene *scene, fw_error *error)
     for (int round = 0;; ++round) {
         const int known = joint->changes;
         FW_TRY(add_passed(scene, error));
+        if (joint->changes == known) FW_TRY(scene_add_met(scene, error));
         if (joint->changes == known && round > 0) break;
         if (joint->row_count == 0) break;
         if (round == ROUNDS) { /* what still passes is in a state that no row can mend */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* scene_parts.h - the inside of a scene, shared by scene.c (the time step), scene_contact.c,
  * scene_soft.c, scene_carry.c and scene_room.c (its contact phase), scene_apart.c (when it needs
- * none), scene_edges.c, scene_overlap.c, scene_meet.c, scene_turns.c, scene_grips.c,
+ * none), scene_edges.c, scene_overlap.c, scene_meet.c, scene_met.c, scene_turns.c, scene_grips.c,
  * scene_pistons.c, scene_joint.c, scene_ends.c and scene_rub.c (bodies and pistons), scene_record.c
  * (what particles felt), scene_make.c (making, restoring), scene_energy.c and scene_observe.c, and
  * by nobody else. */
@@ -70,6 +70,7 @@ typedef struct scene_row {
     int body, from, to;    /* the other body's points */
     int segment;           /* of its contour */
     int next;              /* an earlier row of the same end, or -1 */
+    bool met;              /* a corner `point` of the wall `point_body` passes that facet */
     double when;           /* part of the tick after which it was passed */
     int point_body, point; /* what passes */
     double crept;          /* by it along the segment, since the tick after it stuck */
@@ -171,8 +172,14 @@ typedef struct scene_wall {
     int end;               /* of a piston that yields, in the joint contact of this tick; or -1 */
     fw_vec2 push;          /* of the bodies on the piston, in this tick */
     double torque;         /* of that about the piston's middle */
+    fw_vec2 met;           /* push of other walls on the piston, in this step */
     double deepest;        /* by how much new rows pass their particles at most */
 } scene_wall;
+
+/* A piston, and a wall that it does not pass through; by their numbers. */
+typedef struct scene_met {
+    int a, b;
+} scene_met;
 
 typedef struct scene_load {
     int body;
@@ -218,6 +225,8 @@ struct fw_scene {
     fw_candidate *candidates; /* of all facets, in the broadphase's order */
     fw_candidate *near;       /* candidates of one run that are hard; room for all facets */
     int near_count;
+    int met_count;
+    scene_met *met;
     int *passable; /* facets that a particle, or a block of them, can pass; room for all facets */
     int passable_count;
     double distance;      /* that bodies keep from each other; the largest of all pairs */
@@ -247,16 +256,8 @@ static inline bool scene_pistons_take_steps(const fw_scene *scene)
 }
 
 /* When the present step began, and how long it takes. */
-static inline double scene_step_start(const fw_scene *scene)
-{
-    return (double)(scene->clock.step * scene->ticks_per_step) * scene->tick;
-}
-
-static inline double scene_step_length(const fw_scene *scene)
-{
-    return scene->ticks_per_step * scene->tick;
-}
-
+double scene_step_start(const fw_scene *scene);
+double scene_step_length(const fw_scene *scene);
 /* Keeps the largest energy or work so far, at the start and after a step. */
 void scene_note_work(fw_scene *scene);
 
@@ -396,6 +397,15 @@ void scene_follow_grips(fw_scene *scene);
 fw_status scene_add_gripped(fw_scene *scene, fw_error *error);
 /* FW_DIVERGED: grips hold all that the row is about, and none of them gives way. */
 fw_status scene_refuse_gripped(const fw_scene *scene, const scene_row *row, fw_error *error);
+
+/* Rows of pistons and walls that come to each other on their present paths; what walls that meet
+ * do to pistons. FW_BAD_INPUT: some overlap at the start. */
+fw_status scene_add_met(fw_scene *scene, fw_error *error);
+void scene_push_met(fw_scene *scene);
+fw_status scene_refuse_met(const fw_scene *scene, fw_error *error);
+/* One more row. `owner`: the end of the particle, or piston, that passes. */
+fw_status scene_append_row(fw_scene *scene, int owner, const scene_row *row,
+                           const fw_joint_row *what, fw_error *error);
 
 /* Pistons begin the tick as if they met nothing. FW_DIVERGED: not by finite numbers. */
 fw_status scene_begin_pistons(fw_scene *scene, fw_error *error);

@@ -19,6 +19,16 @@
  * it. */
 static const double TOGETHER = 0.1;
 
+double scene_step_start(const fw_scene *scene)
+{
+    return (double)(scene->clock.step * scene->ticks_per_step) * scene->tick;
+}
+
+double scene_step_length(const fw_scene *scene)
+{
+    return scene->ticks_per_step * scene->tick;
+}
+
 static fw_status check_motion(const fw_scene *scene, const scene_wall *wall, fw_error *error)
 {
     if (isfinite(wall->motion.x) && isfinite(wall->motion.y)) return FW_OK;
@@ -326,11 +336,12 @@ void scene_advance_pistons(fw_scene *scene)
 {
     const double start = scene_step_start(scene), length = scene_step_length(scene);
     if (scene->ticks_per_step == 2 && !scene_is_second_tick(scene)) return;
+    scene_push_met(scene);
     for (int w = 0; w < scene->wall_count; ++w) {
         const scene_wall *wall = &scene->walls[w];
         const double work = scene->ledgers[w].work - wall->work_before;
         if (wall->piston)
-            fw_piston_advance(wall->piston, wall->motion, wall->push, -work, wall->torque, start,
-                              length);
+            fw_piston_advance(wall->piston, wall->motion, wall->push, wall->met, -work,
+                              wall->torque, start, length);
     }
 }

@@ -92,6 +92,11 @@ static void momentum_error(const fw_experiment *experiment, fw_subject subject, 
     fw_quantity_put(out, fw_piston_momentum_error(piston_of(experiment, subject)));
 }
 
+static void met(const fw_experiment *experiment, fw_subject subject, double *out)
+{
+    fw_quantity_put(out, ledger_of(experiment, subject)->met);
+}
+
 static void unmatched(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     out[0] = ledger_of(experiment, subject)->unmatched_work;
@@ -144,6 +149,7 @@ const fw_quantity fw_piston_quantities[] = {
     {"piston-path-length", FW_SCOPE_PISTON, "x y", "length", "length of its path since the start, per component", NULL, path_length, NULL, FW_NEEDS_NOTHING},
     {"piston-energy-error", FW_SCOPE_PISTON, "", "energy", "kinetic energy of the piston minus what work and heat say", NULL, energy_error, NULL, FW_NEEDS_NOTHING},
     {"piston-momentum-error", FW_SCOPE_PISTON, "x y", "momentum", "momentum of the piston minus what the impulses say", NULL, momentum_error, NULL, FW_NEEDS_NOTHING},
+    {"piston-meeting-impulse", FW_SCOPE_PISTON, "x y", "momentum", "of the walls and pistons that it `meets`, since the start", NULL, met, NULL, FW_NEEDS_NOTHING},
     {"piston-unmatched", FW_SCOPE_PISTON, "", "energy", "work of the bodies on the piston that does not fit its motion: rounding, unless a soft corner pushes", NULL, unmatched, NULL, FW_NEEDS_NOTHING},
     {NULL, FW_SCOPE_SCENE, NULL, NULL, NULL, NULL, NULL, NULL, FW_NEEDS_NOTHING},
 };

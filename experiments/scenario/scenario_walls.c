@@ -55,13 +55,18 @@ static const fw_key piston_keys[] = {
      .unit = "1/time", .meaning = "rate at which its velocity decays"},
     {"velocity", AT_VEC2(fw_scenario_piston, velocity), .layout = "[x, y]",
      .default_value = "[0, 0]", .unit = "length/time", .meaning = "at the start"},
+    {"meets", FW_FORM_LIST, .items = FW_FORM_NAME, .least = 1, .most = FW_NAMED_MAX, NOT_STORED,
+     .default_meaning = "none",
+     .meaning = "walls and pistons that it does not pass through, by name: they meet as rigid "
+                "bodies without friction, and hits are elastic"},
     DRIVE_KEYS(fw_scenario_piston, "period", ITSELF),
     {.name = NULL}};
 
 static const fw_section fw_piston_section = {
     "`walls.NAME.piston`", "a piston",
     "The wall has a mass and is moved by a drive and by what touches it; it does not turn, and "
-    "passes through other walls. Energy and momentum of bodies and pistons together are exact.",
+    "passes through other walls but those that it `meets`. Energy and momentum of bodies and "
+    "pistons together are exact.",
     .keys = piston_keys};
 
 static const fw_word surface_words[] = {{"frictionless", FW_FRICTIONLESS},
@@ -228,6 +233,30 @@ static fw_status read_wall(fw_scenario *scenario, const fw_node *node, fw_scenar
     return read_piston(scenario, node, wall, error);
 }
 
+/* Once all walls have their numbers. */
+static fw_status read_meets(fw_scenario *scenario, const fw_node *walls, const fw_node *node,
+                            fw_error *error)
+{
+    const fw_node *piston = fw_node_find(node, "piston");
+    const fw_node *meets = piston ? fw_node_find(piston, "meets") : NULL;
+    int own;
+    if (!meets) return FW_OK;
+    fw_node name = *node;
+    name.text = node->key;
+    FW_TRY(fw_scenario_find(scenario, walls, "wall", &name, &own, error));
+    fw_scenario_piston *of = &scenario->walls[own].piston;
+    FW_TRY(
+        fw_scenario_allocate(scenario, (size_t)meets->count, sizeof *of->meets, &of->meets, error));
+    for (const fw_node *item = meets->first; item; item = item->next) {
+        int *other = &of->meets[of->meets_count++];
+        FW_TRY(fw_scenario_find(scenario, walls, "wall", item, other, error));
+        if (*other == own)
+            return fw_scenario_fail(scenario, item->place, error,
+                                    "piston '%s' meets itself, expected other walls", node->key);
+    }
+    return FW_OK;
+}
+
 fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error)
 {
     int count;
@@ -237,5 +266,7 @@ fw_status fw_scenario_read_walls(fw_scenario *scenario, fw_error *error)
                                 error));
     for (const fw_node *node = part->first; node; node = node->next)
         FW_TRY(read_wall(scenario, node, &scenario->walls[scenario->wall_count++], error));
+    for (const fw_node *node = part->first; node; node = node->next)
+        FW_TRY(read_meets(scenario, part, node, error));
     return FW_OK;
 }

@@ -10,6 +10,8 @@ typedef struct fw_scenario_piston {
     double mass, damping;
     fw_vec2 velocity;
     fw_scenario_drive motion;
+    int meets_count;
+    int *meets; /* walls, by number */
 } fw_scenario_piston;
 
 typedef struct fw_scenario_wall {

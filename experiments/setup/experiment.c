@@ -180,6 +180,14 @@ static fw_status add_wall(fw_scene *scene, const fw_scenario_wall *wall, double 
     return status;
 }
 
+static fw_status let_pistons_meet(const fw_scenario *scenario, fw_scene *scene, fw_error *error)
+{
+    for (int w = 0; w < scenario->wall_count; ++w)
+        for (int n = 0; n < scenario->walls[w].piston.meets_count; ++n)
+            FW_TRY(fw_scene_let_meet(scene, w, scenario->walls[w].piston.meets[n], error));
+    return FW_OK;
+}
+
 /* Bodies that share a solid have one surface. */
 static fw_status set_friction(const fw_experiment *experiment, fw_error *error)
 {
@@ -265,6 +273,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
             scenario, wall->place,
             add_wall(experiment->scene, wall, scenario->contact.distance, error), error));
     }
+    FW_TRY(let_pistons_meet(scenario, experiment->scene, error));
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(refuse_walls(experiment, b, error));
     for (int n = 0; n < scenario->force_count; ++n) FW_TRY(add_force(experiment, n, error));
     FW_TRY(fw_grips_add(scenario, experiment->scene, experiment->bodies, error));

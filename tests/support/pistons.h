@@ -68,7 +68,7 @@ static inline void assert_ledger_balances(const fw_scene *scene, double toleranc
         if (!piston) continue;
         const fw_piston_ledger *a = fw_piston_observe_ledger(piston);
         const fw_wall_ledger *wall = fw_scene_wall_ledger(scene, w);
-        const double flow = fabs(a->work) + fabs(a->pushed_by) + a->heat;
+        const double flow = fabs(a->work) + fabs(a->pushed_by) + fabs(a->met_work) + a->heat;
         assert_close(fw_piston_energy_error(piston), 0, tolerance * (1e-3 + flow));
         assert_close(a->pushed_by, -wall->work, tolerance * (1e-3 + flow));
         const fw_vec2 lost = fw_piston_momentum_error(piston);
