@@ -59,8 +59,8 @@ void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def)
     for (int n = 0; n < white->count; ++n) {
         fw_vec2 u = fw_automaton_at(white, n);
         if (def->displacement && !def->displaced_as_given) u = mean_place(body, n);
-        if (def->velocity)
-            u = fw_vec2_add(u, white_advance(body, def->velocity, white->particle[n]));
+        u = fw_vec2_add(u, def->velocity ? white_advance(body, def->velocity, white->particle[n])
+                                         : fw_vec2_scale(0.5, def->drift));
         white->x[n] = u.x;
         white->y[n] = u.y;
     }

@@ -38,7 +38,7 @@ static fw_status check_definition(const fw_elastic_automaton_def *def,
         return fw_fail(error, FW_BAD_INPUT, "spacing %g, expected a number above 0",
                        def->lattice.spacing);
     if (!all_finite(def->displacement, def->sites->count) ||
-        !all_finite(def->velocity, def->sites->count))
+        !all_finite(def->velocity, def->sites->count) || !all_finite(&def->drift, 1))
         return fw_fail(error, FW_BAD_INPUT,
                        "a displacement or velocity of an elastic automaton that is not finite");
     if (!(def->reflection > 0 && def->reflection <= 1))

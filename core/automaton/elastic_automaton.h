@@ -52,6 +52,7 @@ typedef struct fw_elastic_automaton_def {
     double break_at;
     /* The start, per site or NULL for zero: displaced by u and moving at V. */
     const fw_vec2 *displacement, *velocity;
+    fw_vec2 drift; /* V of all sites where `velocity` is NULL */
     /* false: black is displaced by u, and white lies at the weighted mean of its black neighbours,
      *     w = m^-1 1/2 sum B b + V/2    (V half its own velocity, half that of its neighbours),
      * so that a body without V is exactly at rest and one with V has the momentum sum m V / 4. (In

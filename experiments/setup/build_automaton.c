@@ -111,7 +111,7 @@ static fw_status fill_start(const fw_scenario *scenario, int number, const fw_si
 {
     const fw_scenario_body *body = &scenario->bodies[number];
     const uint64_t seed = (uint64_t)scenario->run.seed;
-    for (int p = 0; p < sites->count; ++p) velocity[p] = body->velocity;
+    for (int p = 0; velocity && p < sites->count; ++p) velocity[p] = body->velocity;
     FW_TRY(fw_build_patterns(&body->displacement, sites, &body->lattice, seed,
                              fw_build_displacement_stream(number), displacement, error));
     FW_TRY(fw_build_patterns(&body->velocities, sites, &body->lattice, seed,
@@ -157,19 +157,22 @@ fw_status fw_build_automaton(const fw_scenario *scenario, int number, const fw_s
 {
     const fw_scenario_body *body = &scenario->bodies[number];
     fw_elastic_automaton_def def = def_of(scenario, number, sites);
-    fw_vec2 *displacement = fw_array_zeroed((size_t)sites->count, sizeof *displacement);
-    fw_vec2 *velocity = fw_array_zeroed((size_t)sites->count, sizeof *velocity);
+    const bool displaced = body->displacement.count > 0, varies = body->velocities.count > 0;
+    fw_vec2 *displacement =
+        displaced ? fw_array_zeroed((size_t)sites->count, sizeof *displacement) : NULL;
+    fw_vec2 *velocity = varies ? fw_array_zeroed((size_t)sites->count, sizeof *velocity) : NULL;
     bool modes = false;
     fw_status status =
-        displacement && velocity
+        (displacement || !displaced) && (velocity || !varies)
             ? fill_start(scenario, number, sites, displacement, velocity, &modes, error)
             : fw_fail_memory(error, "the starting state of a body");
     const bool as_given = body->displaced_as_given || modes;
-    if (status == FW_OK && !as_given)
+    if (status == FW_OK && displaced && !as_given)
         status = refuse_lone_white(scenario, number, sites, displacement, error);
     if (status == FW_OK) {
-        def.displacement = body->displacement.count > 0 ? displacement : NULL;
+        def.displacement = displacement;
         def.velocity = velocity;
+        def.drift = body->velocity;
         def.displaced_as_given = as_given;
         status = fw_elastic_automaton_create(solid, &def, error);
     }
