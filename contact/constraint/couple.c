@@ -10,9 +10,10 @@
 
 /* All states are changed at once as often as that mostly takes (most problems need 2 to 4 times);
  * then one at a time, as often as small islands have unknowns. */
-enum { AT_ONCE = 15, STEPS = 40 };
-/* Parts of what sticking lets through that are tried; secants need about 8. */
-enum { PARTS = 40 };
+enum { AT_ONCE = 15, STEPS = 30 };
+/* Parts of what sticking lets through that are tried, secants need about 8; and how many of them
+ * may have no states. */
+enum { PARTS = 16, WITHOUT = 3 };
 /* What is active moves by this more, for each unit of its own force: rows that say the same twice
  * then have a solution; corrections take it out again, but for how such rows share their force. */
 #define SHIFT 1e-12
@@ -263,8 +264,8 @@ bool couple_find_part(couple *p, double *part, double *room)
     const bool slopes = at_low == 0;
     if (slopes) at_low = sticking;
     const double small = 1e-13 * fabs(at_low);
-    int side = 0;
-    for (int n = 0; n < PARTS && at_low < 0 && high - low > 1e-14; ++n) {
+    int side = 0, without = 0;
+    for (int n = 0; n < PARTS && without < WITHOUT && at_low < 0 && high - low > 1e-14; ++n) {
         const double middle = at_high == INFINITY
                                   ? 0.5 * (low + high)
                                   : (low * at_high - high * at_low) / (at_high - at_low);
@@ -272,6 +273,8 @@ bool couple_find_part(couple *p, double *part, double *room)
         if (find_states(p, middle, room)) {
             power = power_of(p, middle, &sticking);
             if (slopes) power /= middle;
+        } else {
+            without += 1;
         }
         if (fabs(power) <= small) {
             low = middle;

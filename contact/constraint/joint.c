@@ -23,11 +23,11 @@ enum { SETTLINGS = 20 };
 #define NEARLY  1e-8
 /* Where ends follow others, what is left costs energy and momentum, not gap alone. */
 #define LED 1e-15
-/* Friction that misses its law by less, as a part of motions and of forces, has settled. Forces
- * that can only be found in turn count by that much less: where both faces bring rows for the same
- * place, how these share what they bear is nearly free, and is found last. */
-#define MISFIT  1e-9
-#define IN_TURN 1e-5
+/* Friction that misses its law by less, as a part of forces and of motions, has settled; and where
+ * it is found in turn with more normal forces: how rows of both faces for the same place share what
+ * they bear is nearly free, and is found last. */
+#define MISFIT         1e-9
+#define MISFIT_OF_MANY 1e-4
 /* So often forces are found anew before rows whose friction gives energy lose it; and in all. */
 enum { POLISHINGS = 3, BARRINGS = 8 };
 /* Between these lies the part of a change that is taken. */
@@ -313,10 +313,14 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
     double change = INFINITY, part = 1;
     bool arrived = false, solved = true;
     int failures = follows ? 0 : FAILURES;
-    const double forces = joint_is_few(rows, list, count) ? 1 : IN_TURN;
-    for (int round = 0; round < ROUNDS && !arrived && solved; ++round) {
-        if (round == PATIENCE) failures = 0;
-        if (round > 1) part = round == PATIENCE ? 1 : next_part(joint, ends, moving, part);
+    const bool few = joint_is_few(rows, list, count);
+    const double misfit = few ? MISFIT : MISFIT_OF_MANY;
+    int changed = 0; /* the round after which a row last changed its law */
+    for (int round = 0; round < changed + ROUNDS && !arrived && solved; ++round) {
+        if (round == changed + PATIENCE) failures = few ? 0 : FAILURES - 1;
+        if (round == changed + 2 * PATIENCE && !few) failures = FAILURES;
+        if (round > 1)
+            part = round == changed + PATIENCE ? 1 : next_part(joint, ends, moving, part);
         if (round > 0) relax(joint, ends, moving, springs, part);
         make_system(joint, ends, rows, list, count, moving, true, &system);
         const double before = change;
@@ -329,17 +333,18 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
                   (change <= NEARLY && !springs && !led &&
                    keeps_gaps(joint, ends, moving, rows, list, count));
         if (rubs && arrived)
-            arrived = joint_friction_misfit(joint, ends, rows, list, count, forces) <= MISFIT;
+            arrived = joint_friction_misfit(joint, ends, rows, list, count) <= misfit;
         if (arrived && (joint_break_loose(ends, rows, list, count) ||
                         joint_bar_feeding(ends, rows, list, count))) {
             arrived = false;
+            changed = round + 1;
         }
     }
     if (follows && !arrived) {
         FW_TRY(settle_island(joint, ends, rows, list, count, moving, &system, &arrived, &change,
                              &solved, error));
         if (rubs && arrived)
-            arrived = joint_friction_misfit(joint, ends, rows, list, count, forces) <= MISFIT;
+            arrived = joint_friction_misfit(joint, ends, rows, list, count) <= misfit;
     }
     /* With the weights as they stand: gaps stay inexact, energy and momentum are kept. */
     for (int round = 0;

@@ -250,7 +250,7 @@ static double span_of(const fw_joint_end *ends, const fw_joint_row *row)
 }
 
 double joint_friction_misfit(const fw_joint *joint, const fw_joint_end *ends,
-                             const fw_joint_row *rows, const int *list, int count, double forces)
+                             const fw_joint_row *rows, const int *list, int count)
 {
     double widest = 0, furthest = 0, force = 0, slip = 0;
     for (int n = 0; n < count; ++n) {
@@ -268,7 +268,7 @@ double joint_friction_misfit(const fw_joint *joint, const fw_joint_end *ends,
         force = fmax(force, rub->stuck ? fabs(traction) - cone : fabs(fabs(traction) - cone));
         if (rub->stuck || traction * off > 0) slip = fmax(slip, fabs(off));
     }
-    return fmax(widest > 0 ? forces * force / widest : 0, furthest > 0 ? slip / furthest : 0);
+    return fmax(widest > 0 ? force / widest : 0, furthest > 0 ? slip / furthest : 0);
 }
 
 bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)

@@ -100,7 +100,7 @@ bool joint_is_few(const fw_joint_row *rows, const int *list, int count);
  * goes beyond the cone or, sliding, stays below it, as a part of the widest and times `forces`;
  * what sticks and yet slips, or slides the wrong way, as a part of how far the ends go. */
 double joint_friction_misfit(const fw_joint *joint, const fw_joint_end *ends,
-                             const fw_joint_row *rows, const int *list, int count, double forces);
+                             const fw_joint_row *rows, const int *list, int count);
 /* What lines want, with the friction that there is. */
 void joint_want(fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *rows,
                 const int *list, int count);

@@ -100,9 +100,11 @@ static void what_sticks_bears_more_than_what_slides(void **state)
     /* Particles stick and slip, and what is stored in the beams comes and goes: over 400 steps the
      * heat is off by a tenth. */
     const double before = fw_scene_contact_ledger(scene)->heat;
-    run(scene, 400);
+    run(scene, 2400);
+    /* Normals and tangents lean on each other: in turn 100 of these steps would not settle, and
+     * friction exceed its cone by .46. */
     assert_true(fw_scene_contact_ledger(scene)->overstep < 0.04);
-    run(scene, 2000);
+    assert_true(fw_scene_contact_ledger(scene)->unconverged <= 5);
     assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.24, 3.8e-4);
     assert_energy_closes(scene, 1e-12);
     fw_scene_destroy(scene);
