@@ -1,72 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact of many particles as one problem: what the solution must satisfy, whatever the rows. */
-#include "contact/constraint/joint.h"
-
-#include "core/noise.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <time.h>
-
-typedef struct problem {
-    int end_count, row_count;
-    fw_joint_end *ends;
-    fw_joint_row *rows;
-    fw_joint_outcome outcome;
-    double seconds;
-} problem;
-
-static double random_of(uint64_t seed, int n)
-{
-    return 0.5 * fw_noise_uniform(seed, (uint32_t)n, 0, FW_NOISE_PLACEMENT).x;
-}
-
-static problem with_room(int ends, int rows)
-{
-    return (problem){.ends = calloc((size_t)ends, sizeof(fw_joint_end)),
-                     .rows = calloc((size_t)rows, sizeof(fw_joint_row))};
-}
-
-static void release(problem *p)
-{
-    free(p->ends);
-    free(p->rows);
-}
-
-static int add_end(problem *p, fw_vec2 position, fw_vec2 free, double mobility)
-{
-    p->ends[p->end_count] = (fw_joint_end){.position = position,
-                                           .free = free,
-                                           .displacement = free,
-                                           .mobility = fw_sym2_scalar(mobility)};
-    return p->end_count++;
-}
-
-static void add_segment(problem *p, int i, int j, int k)
-{
-    p->rows[p->row_count++] =
-        (fw_joint_row){.kind = FW_JOINT_SEGMENT, .end = {i, j, k}, .fresh = true};
-}
+#include "tests/support/joint_problems.h"
 
 static void solve(problem *p)
 {
-    fw_error error;
-    fw_joint *joint = fw_joint_create();
-    struct timespec from, to;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &from);
-    assert_int_equal(fw_joint_solve(joint, p->ends, p->end_count, p->rows, p->row_count, NULL,
-                                    &p->outcome, &error),
-                     FW_OK);
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &to);
-    p->seconds = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
-    fw_joint_destroy(joint);
+    solve_with(p, NULL);
 }
 
 /* Energy that the rows add, over that which the ends have: |sum F . w| / sum w_p A^-1 w_p. */
@@ -125,7 +63,8 @@ static problem two_faces(int count, double offset, double gap, approach how, boo
                          uint64_t seed)
 {
     problem p = with_room(2 * count, 8 * count);
-    for (int n = 0; n < count; ++n) add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0}, 0.25);
+    for (int n = 0; n < count; ++n)
+        add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(0.25));
     for (int n = 0; n < count; ++n) {
         const double x = (double)n / count - 0.5;
         const double noise = random_of(seed, n);
@@ -135,7 +74,7 @@ static problem two_faces(int count, double offset, double gap, approach how, boo
                                               : 0.2 * x;
         const double bump = how == NOISE ? 1e-3 * random_of(seed, count + n) : 0;
         add_end(&p, (fw_vec2){n + offset, gap + bump}, (fw_vec2){0.01 * noise, -down},
-                n == 0 || n == count - 1 ? 0.5 : 0.25);
+                fw_sym2_scalar(n == 0 || n == count - 1 ? 0.5 : 0.25));
     }
     for (int n = 0; n < count; ++n) { /* the upper body's point against the lower one's segment */
         const double x = p.ends[count + n].position.x;
@@ -229,7 +168,8 @@ static void no_point_comes_nearer_to_the_segment_that_holds_it(void **state)
         for (int n = 0; n < 2 * count; ++n) {
             const fw_vec2 at = {n < count ? 1.7 * n : 1.7 * (n - count) + random_of(seed, 3 * n),
                                 0.5 * random_of(seed, 3 * n + 1) + (n < count ? 0 : 0.5)};
-            add_end(&p, at, (fw_vec2){0.3 * random_of(seed, 99 + n), n < count ? 0.2 : -0.3}, 1);
+            add_end(&p, at, (fw_vec2){0.3 * random_of(seed, 99 + n), n < count ? 0.2 : -0.3},
+                    fw_sym2_scalar(1));
             const double a = 0.6 + random_of(seed, 200 + n), c = 0.6 + random_of(seed, 300 + n);
             p.ends[n].mobility = (fw_sym2){a, 0.9 * sqrt(a * c) * random_of(seed, 400 + n), c};
             if (trial % 3 == 0 && n == 0) p.ends[n].mobility = (fw_sym2){0, 0, 0};
@@ -256,10 +196,10 @@ static void walls_push_what_they_meet(void **state)
 {
     (void)state;
     problem p = with_room(4, 3);
-    const int i = add_end(&p, (fw_vec2){0.5, 0.1}, (fw_vec2){0, 0}, 1);
-    const int j = add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, 0}, 0.5);
-    const int k = add_end(&p, (fw_vec2){1, 0}, (fw_vec2){0, 0}, 0.5);
-    const int l = add_end(&p, (fw_vec2){7, 5}, (fw_vec2){-0.2, 0.7}, 0.5);
+    const int i = add_end(&p, (fw_vec2){0.5, 0.1}, (fw_vec2){0, 0}, fw_sym2_scalar(1));
+    const int j = add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(0.5));
+    const int k = add_end(&p, (fw_vec2){1, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(0.5));
+    const int l = add_end(&p, (fw_vec2){7, 5}, (fw_vec2){-0.2, 0.7}, fw_sym2_scalar(0.5));
     add_segment(&p, i, j, k);
     p.rows[p.row_count++] = (fw_joint_row){
         .kind = FW_JOINT_PLANE, .end = {i}, .normal = {0, -1}, .motion = {3, -0.25}, .fresh = true};
@@ -283,8 +223,8 @@ static void equal_points_swap(void **state)
 {
     (void)state;
     problem p = with_room(2, 1);
-    add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0.1, 0}, 1);
-    add_end(&p, (fw_vec2){0.04, 0}, (fw_vec2){0, 0}, 1);
+    add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0.1, 0}, fw_sym2_scalar(1));
+    add_end(&p, (fw_vec2){0.04, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(1));
     p.rows[p.row_count++] = (fw_joint_row){.kind = FW_JOINT_POINT, .end = {1, 0}, .fresh = true};
     solve(&p);
     assert_true(fabs(p.ends[0].displacement.x - 0.05) < 1e-15);
@@ -298,7 +238,7 @@ static void what_has_no_way_is_counted(void **state)
 {
     (void)state;
     problem p = with_room(1, 2);
-    add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, 0}, 1);
+    add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(1));
     for (int n = 0; n < 2; ++n)
         p.rows[p.row_count++] = (fw_joint_row){.kind = FW_JOINT_PLANE,
                                                .end = {0},
@@ -321,7 +261,7 @@ static void what_slides_bears_its_limit_to_the_last_bit(void **state)
         const fw_vec2 normal = {-sin(angle), cos(angle)}, along = {cos(angle), sin(angle)};
         const fw_vec2 free =
             fw_vec2_add(fw_vec2_scale(-0.1 - fabs(random_of(6, 3 * n + 1)), normal), along);
-        add_end(&p, (fw_vec2){0, 0}, free, 1.0 / 3);
+        add_end(&p, (fw_vec2){0, 0}, free, fw_sym2_scalar(1.0 / 3));
         p.ends[n].inertial = free;
         p.rows[p.row_count++] = (fw_joint_row){
             .kind = FW_JOINT_PLANE,

@@ -1,51 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rows that many particles share with walls that yield: momentum and energy, few rows or many. */
-#include "contact/constraint/joint.h"
+#include "tests/support/joint_problems.h"
 
-#include "core/noise.h"
-
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-
-#include <cmocka.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-
-typedef struct problem {
-    int end_count, row_count;
-    fw_joint_end *ends;
-    fw_joint_row *rows;
-    fw_joint_outcome outcome;
-} problem;
-
-static double random_of(uint64_t seed, int n)
+/* A piston: an end that many rows share. */
+static int add_wide(problem *p, fw_vec2 position, fw_vec2 free, fw_sym2 mobility)
 {
-    return 0.5 * fw_noise_uniform(seed, (uint32_t)n, 0, FW_NOISE_PLACEMENT).x;
-}
-
-static problem with_room(int ends, int rows)
-{
-    return (problem){.ends = calloc((size_t)ends, sizeof(fw_joint_end)),
-                     .rows = calloc((size_t)rows, sizeof(fw_joint_row))};
-}
-
-static void release(problem *p)
-{
-    free(p->ends);
-    free(p->rows);
-}
-
-static int add_end(problem *p, fw_vec2 position, fw_vec2 free, fw_sym2 mobility, bool wide)
-{
-    p->ends[p->end_count] = (fw_joint_end){.position = position,
-                                           .free = free,
-                                           .displacement = free,
-                                           .mobility = mobility,
-                                           .wide = wide};
-    return p->end_count++;
+    const int end = add_end(p, position, free, mobility);
+    p->ends[end].wide = true;
+    return end;
 }
 
 static fw_joint_row *add_plane(problem *p, int particle, int piston, fw_vec2 normal)
@@ -59,15 +21,10 @@ static fw_joint_row *add_plane(problem *p, int particle, int piston, fw_vec2 nor
     return row;
 }
 
-static void solve_with(problem *p, const fw_joint_springs *springs)
+static void solve(problem *p, const fw_joint_springs *springs)
 {
-    fw_error error;
-    fw_joint *joint = fw_joint_create();
-    assert_int_equal(fw_joint_solve(joint, p->ends, p->end_count, p->rows, p->row_count, springs,
-                                    &p->outcome, &error),
-                     FW_OK);
+    solve_with(p, springs);
     assert_int_equal(p->outcome.unconverged, 0);
-    fw_joint_destroy(joint);
 }
 
 /* Forces add up to zero, do no work, and no row is passed nor pulls. */
@@ -104,13 +61,12 @@ static void a_piston_and_what_it_hits_move_as_one(void **state)
         const double light = 0.25, heavy = 0.003;
         problem p = with_room(count + 1, count);
         const int piston =
-            add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0.2, -0.1}, (fw_sym2){0, 0, heavy}, true);
+            add_wide(&p, (fw_vec2){0, 0}, (fw_vec2){0.2, -0.1}, (fw_sym2){0, 0, heavy});
         for (int n = 0; n < count; ++n) {
-            const int end =
-                add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(light), false);
+            const int end = add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(light));
             add_plane(&p, end, piston, (fw_vec2){0, -1});
         }
-        solve_with(&p, NULL);
+        solve(&p, NULL);
         assert_solved(&p);
         const double expected = -0.1 / heavy / (1 / heavy + count / light);
         assert_true(fabs(p.ends[piston].displacement.y - expected) < 1e-14);
@@ -128,16 +84,16 @@ static void particles_between_pistons_keep_energy_and_momentum(void **state)
         const uint64_t seed = (uint64_t)trial;
         const int count = 2 + (trial % 4 == 3 ? 5 * trial % 331 : trial % 40);
         problem p = with_room(2 * count + 2, 5 * count);
-        const int above = add_end(&p, (fw_vec2){0, 2}, (fw_vec2){0.1 * random_of(seed, 1), -0.1},
-                                  fw_sym2_scalar(exp(4 * random_of(seed, 2) - 3)), true);
-        const int below = add_end(&p, (fw_vec2){0, -1}, (fw_vec2){0, 0.05},
-                                  fw_sym2_scalar(exp(4 * random_of(seed, 3) - 3)), true);
+        const int above = add_wide(&p, (fw_vec2){0, 2}, (fw_vec2){0.1 * random_of(seed, 1), -0.1},
+                                   fw_sym2_scalar(exp(4 * random_of(seed, 2) - 3)));
+        const int below = add_wide(&p, (fw_vec2){0, -1}, (fw_vec2){0, 0.05},
+                                   fw_sym2_scalar(exp(4 * random_of(seed, 3) - 3)));
         for (int n = 0; n < 2 * count; ++n) {
             const double a = 0.6 + random_of(seed, 200 + n), c = 0.6 + random_of(seed, 3000 + n);
             const fw_sym2 mobility = {a, 0.5 * sqrt(a * c) * random_of(seed, 6000 + n), c};
             add_end(&p, (fw_vec2){n % count + 0.3 * (n / count), n / count},
                     (fw_vec2){0.1 * random_of(seed, 9000 + n), 0.2 * random_of(seed, 12000 + n)},
-                    mobility, false);
+                    mobility);
         }
         for (int n = 0; n < count; ++n) {
             const double tilt = 0.2 * random_of(seed, 15000 + n);
@@ -151,7 +107,7 @@ static void particles_between_pistons_keep_energy_and_momentum(void **state)
                                                        .fresh = true};
             if (trial % 5 == 0) add_plane(&p, 2 + n, above, down);
         }
-        solve_with(&p, NULL);
+        solve(&p, NULL);
         assert_solved(&p);
         release(&p);
     }
@@ -163,15 +119,13 @@ static void a_foil_on_a_floor_stops_the_piston(void **state)
     (void)state;
     for (int count = 1; count < 200; count += 33) {
         problem p = with_room(count + 1, 2 * count);
-        const int piston =
-            add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, -0.3}, fw_sym2_scalar(0.1), true);
+        const int piston = add_wide(&p, (fw_vec2){0, 0}, (fw_vec2){0, -0.3}, fw_sym2_scalar(0.1));
         for (int n = 0; n < count; ++n) {
-            const int end =
-                add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0.001}, fw_sym2_scalar(0.5), false);
+            const int end = add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0.001}, fw_sym2_scalar(0.5));
             add_plane(&p, end, piston, (fw_vec2){0, -1});
             add_plane(&p, end, -1, (fw_vec2){0, 1});
         }
-        solve_with(&p, NULL);
+        solve(&p, NULL);
         assert_true(fabs(p.ends[piston].displacement.y) < 1e-14);
         assert_true(fabs(p.ends[piston].force.y - 3) < 1e-13);
         release(&p);
@@ -209,15 +163,13 @@ static void springs_give_way_together(void **state)
         const double mass = 0.1, light = 0.7;
         problem p = with_room(count + 1, count);
         const fw_joint_springs springs = {freely, not_at_all, push_up, &p};
-        const int piston =
-            add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, 0.2}, fw_sym2_scalar(mass), true);
+        const int piston = add_wide(&p, (fw_vec2){0, 0}, (fw_vec2){0, 0.2}, fw_sym2_scalar(mass));
         for (int n = 0; n < count; ++n) {
-            const int end =
-                add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(light), false);
+            const int end = add_end(&p, (fw_vec2){n, 0}, (fw_vec2){0, 0}, fw_sym2_scalar(light));
             p.rows[p.row_count++] =
                 (fw_joint_row){.kind = FW_JOINT_SPRING, .end = {end, piston}, .fresh = true};
         }
-        solve_with(&p, &springs);
+        solve(&p, &springs);
         /* F = (W - w)/2, w = light F, W = .2 - mass n F */
         const double force = 0.2 / (2 + light + mass * count);
         assert_true(fabs(p.ends[1].force.y - force) < 1e-14);

@@ -181,6 +181,24 @@ static void a_piston_may_stand_before_an_automaton(void **state)
     fw_scenario_destroy(scenario);
 }
 
+static fw_status read_meeting(fw_scenario **scenario, const char *setting)
+{
+    return fw_scenario_read(scenario, "meets.yaml", automaton, strlen(automaton), &setting, 1,
+                            &error);
+}
+
+static void whom_a_piston_meets_must_be_there_and_another(void **state)
+{
+    (void)state;
+    fw_scenario *scenario;
+    assert_refused(read_meeting(&scenario, "walls.press.piston.meets=[flor]"), FW_BAD_INPUT,
+                   "there is no wall 'flor'");
+    assert_refused(read_meeting(&scenario, "walls.press.piston.meets=[press]"), FW_BAD_INPUT,
+                   "piston 'press' meets itself, expected other walls");
+    assert_fine(read_meeting(&scenario, "walls.press.piston.meets=[floor]"));
+    fw_scenario_destroy(scenario);
+}
+
 /* A wall that is no piston has no work of its own. */
 static void quantities_of_pistons_are_asked_of_pistons(void **state)
 {
@@ -207,6 +225,7 @@ int main(void)
         cmocka_unit_test(where_pistons_are_is_always_measured),
         cmocka_unit_test(mistakes_are_refused),
         cmocka_unit_test(a_piston_may_stand_before_an_automaton),
+        cmocka_unit_test(whom_a_piston_meets_must_be_there_and_another),
         cmocka_unit_test(quantities_of_pistons_are_asked_of_pistons),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
