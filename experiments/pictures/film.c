@@ -5,13 +5,12 @@
 #include "experiments/pictures/film.h"
 
 #include "experiments/drawing/encoder.h"
-#include "experiments/storage/regular_file.h"
+#include "experiments/storage/scratch_folder.h"
 #include "experiments/study/interrupt.h"
 #include "experiments/study/sweep.h"
 #include "plot_choice.h"
 #include "plot_extent.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -26,7 +25,8 @@ typedef struct film {
     fw_view_bounds bounds;
     fw_plot_wish wish; /* of the picture that is drawn next */
     fw_encoder *encoder;
-    char folder[32], picture[48]; /* where pictures lie until they are in the film */
+    char folder[FW_PATH_SIZE]; /* where pictures lie until they are in the film */
+    char picture[FW_PATH_SIZE + 16];
     int64_t every, count;
 } film;
 
@@ -94,12 +94,7 @@ static fw_status prepare(film *f, const char *directory, const fw_film_wish *wis
     const int64_t frames = f->result.playback->frame_count;
     f->every = wish->every > 0 ? wish->every : 1 + (frames - 1) / FRAMES_DEFAULT;
     f->count = (frames + f->every - 1) / f->every;
-    strcpy(f->folder, "/tmp/fretwork-film-XXXXXX");
-    if (!mkdtemp(f->folder)) {
-        f->folder[0] = '\0';
-        return fw_fail(error, FW_SYSTEM_FAILED, "cannot make a folder for the film's pictures: %s",
-                       strerror(errno));
-    }
+    FW_TRY(fw_scratch_folder_make(f->folder, "film", error));
     snprintf(f->picture, sizeof f->picture, "%s/frame.png", f->folder);
     f->wish = (fw_plot_wish){.file = f->picture,
                              .picture = wish->picture,

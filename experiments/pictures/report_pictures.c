@@ -3,6 +3,7 @@
  * state. Start reading at fw_report_pictures(). */
 #include "experiments/pictures/plot.h"
 #include "experiments/storage/regular_file.h"
+#include "experiments/storage/scratch_folder.h"
 #include "experiments/study/sweep.h"
 #include "experiments/text/base64.h"
 #include "plot_choice.h"
@@ -55,7 +56,7 @@ static fw_status write_picture(fw_json *json, const char *directory,
                                const fw_scenario_picture *picture, const char *folder,
                                FILE *nowhere, fw_error *error)
 {
-    char svg[64], png[64], *bytes = NULL;
+    char svg[FW_PATH_SIZE + 16], png[FW_PATH_SIZE + 16], *bytes = NULL;
     const char *begin = "data:image/svg+xml;base64,";
     size_t size = 0;
     snprintf(svg, sizeof svg, "%s/picture.svg", folder);
@@ -85,12 +86,10 @@ static fw_status write_picture(fw_json *json, const char *directory,
 fw_status fw_report_pictures(fw_json *json, const char *directory, const fw_scenario *scenario,
                              fw_error *error)
 {
-    char folder[32] = "/tmp/fretwork-report-XXXXXX";
+    char folder[FW_PATH_SIZE];
     const bool sweep = fw_scenario_is_sweep(scenario);
     fw_status status = FW_OK;
-    if (!mkdtemp(folder))
-        return fw_fail(error, FW_SYSTEM_FAILED,
-                       "cannot make a folder for the report's pictures: %s", strerror(errno));
+    FW_TRY(fw_scratch_folder_make(folder, "report", error));
     FILE *nowhere = fopen("/dev/null", "w");
     if (!nowhere)
         status = fw_fail(error, FW_SYSTEM_FAILED, "cannot open /dev/null: %s", strerror(errno));
