@@ -58,6 +58,15 @@ static fw_status read_level(const char *text, double *level, fw_plot_wish *wish,
     return FW_OK;
 }
 
+/* "a" or "ii", also as "(a)" or "a)"; longer texts belong into a title. */
+static bool is_panel_letter(const char *text)
+{
+    const char *letter = text + (*text == '(');
+    const size_t count = strspn(letter, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
+    const char *end = letter + count;
+    return (count == 1 || count == 2) && (*end == '\0' || strcmp(end, ")") == 0);
+}
+
 /* Axes, letters, and what a file says of looks. */
 static fw_status read_look(const fw_arguments *a, fw_plot_wish *wish, fw_error *error)
 {
@@ -68,6 +77,9 @@ static fw_status read_look(const fw_arguments *a, fw_plot_wish *wish, fw_error *
          wish->font_size < 4 || wish->font_size > 40))
         return fw_fail(error, FW_BAD_INPUT, "--font-size %s, expected a number from 4 to 40 points",
                        a->font_size);
+    if (a->letter && !is_panel_letter(a->letter))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "--letter %s, expected a letter or two, as a, B, ii or (a)", a->letter);
     if (a->with.count > FW_PLOT_WITH_MAX)
         return fw_fail(error, FW_BAD_INPUT, "--with is given %d times, expected at most %d",
                        a->with.count, FW_PLOT_WITH_MAX);

@@ -27,7 +27,7 @@ const fw_option fw_option_table_file = {"--output",      "-o",
                                         FW_INTO(output), .complete = FW_COMPLETE_FILE};
 const fw_option fw_option_export_file = {
     "--output",      "-o",
-    "FILE",          "file that is made (DIR with the ending of the format)",
+    "FILE",          "file that is made (DIR with the ending of the format; of vtp .pvd)",
     FW_INTO(output), .complete = FW_COMPLETE_FILE};
 const fw_option fw_option_to = {
     "--to", NULL, "FORMAT", FW_EXPORT_FORMATS, FW_INTO(to), .choices = FW_EXPORT_FORMATS};
