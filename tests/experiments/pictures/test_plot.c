@@ -191,7 +191,7 @@ static void wishes_that_contradict_each_other_are_refused(void **state)
     assert_refused(plot_one(&(fw_plot_wish){.kind = "series", .steps = one, .step_count = 1}),
                    FW_BAD_INPUT, "--at FROM,UNTIL");
     assert_refused(plot_one(&(fw_plot_wish){.kind = "series", .steps = backwards, .step_count = 2}),
-                   FW_BAD_INPUT, "--at FROM,UNTIL");
+                   FW_BAD_INPUT, "from step 20 until step 0, expected a later one");
 }
 
 static fw_status command(const char *at, const char *observable)
