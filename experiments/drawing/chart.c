@@ -29,6 +29,19 @@ void fw_chart_include_y(fw_range *range, const fw_chart *chart)
     }
 }
 
+fw_range fw_chart_range_of_y(const fw_chart *chart)
+{
+    if (chart->range.high > chart->range.low)
+        return fw_range_roomy(chart->range, 0, chart->logarithmic);
+    fw_range y = fw_range_empty();
+    fw_chart_include_y(&y, chart);
+    if (chart->logarithmic) return fw_range_roomy(y, .05, true);
+    y = fw_range_up_from_zero(fw_range_without_rounding(y));
+    /* What is positive and not far from zero is seen best against zero. */
+    if (y.low >= 0 && y.low < .25 * y.high) y.low = 0;
+    return fw_range_roomy(y, .05, false);
+}
+
 static fw_colour colour_of(const fw_chart *chart, int number)
 {
     int next = 0;

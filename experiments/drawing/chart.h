@@ -41,6 +41,9 @@ typedef struct fw_chart {
 void fw_chart_include_x(fw_range *range, const fw_chart *chart, bool positive_only);
 void fw_chart_include_y(fw_range *range, const fw_chart *chart);
 
+/* What the y axis spans: the chart's own range, or that of its curves with room around them. */
+fw_range fw_chart_range_of_y(const fw_chart *chart);
+
 /* Entries for the labelled curves; returns how many. */
 enum { FW_CHART_LEGEND_MAX = 24 };
 int fw_chart_legend(const fw_chart *chart, fw_legend_entry entries[FW_CHART_LEGEND_MAX]);

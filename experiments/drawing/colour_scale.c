@@ -25,6 +25,7 @@ fw_colour_scale fw_colour_scale_for(fw_colouring wish, const double *values, lon
         scale.range = (fw_range){-end, end};
     }
     if (!fixed && !wish.logarithmic) scale.range = fw_range_without_rounding(scale.range);
+    if (!wish.logarithmic) scale.range = fw_range_up_from_zero(scale.range);
     scale.range = fw_range_roomy(scale.range, 0, wish.logarithmic);
     scale.fixed = fixed;
     scale.exceeds_low = all.low < scale.range.low;

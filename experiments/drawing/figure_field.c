@@ -24,14 +24,24 @@ fw_status fw_figure_draw_view(const fw_view *view, const fw_panel *panel, fw_vie
 
 static const double strip_gap = 3, name_height = FW_FIGURE_NAME; /* mm */
 
-/* Its name, or else its step, `above` mm over the box. */
-void fw_figure_name_view(const fw_view *view, const fw_panel *panel, double above)
+double fw_figure_name_size(const fw_view *views, int count, double room)
+{
+    double size = FW_SMALL_SIZE;
+    for (int k = 0; k < count; ++k) {
+        char name[64];
+        fw_view_print_name(&views[k], name, sizeof name);
+        size = fmin(size, fw_canvas_fitting_size(name, FW_SMALL_SIZE, room));
+    }
+    return size;
+}
+
+void fw_figure_name_view(const fw_view *view, const fw_panel *panel, double above, double size)
 {
     char name[64];
     fw_view_print_name(view, name, sizeof name);
-    fw_canvas_text(panel->canvas, (fw_vec2){panel->box.left, panel->box.top - 1.2 - above}, name,
-                   (fw_text_look){FW_SMALL_SIZE, fw_colour_grey(.1), FW_TEXT_LEFT, FW_TEXT_BASELINE,
-                                  0, false});
+    fw_canvas_text(
+        panel->canvas, (fw_vec2){panel->box.left, panel->box.top - 1.2 - above}, name,
+        (fw_text_look){size, fw_colour_grey(.1), FW_TEXT_LEFT, FW_TEXT_BASELINE, 0, false});
 }
 
 /* --- one view --- */
@@ -65,7 +75,7 @@ fw_status fw_figure_field(const fw_page *page, const fw_figure_field_plan *plan,
     fw_status status =
         fw_figure_draw_view(plan->view, &panel, plan->look, fw_view_key_scale(&key), error);
     fw_panel_draw_axes(&panel, 0);
-    fw_figure_name_view(plan->view, &panel, notes);
+    fw_figure_name_view(plan->view, &panel, notes, FW_SMALL_SIZE);
     fw_legend_draw(key.entries, key.entry_count, panel.canvas, (fw_vec2){FW_PAGE_MARGIN, top},
                    width);
     if (key.by_field) {
@@ -192,6 +202,8 @@ fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan,
     const double foot = layout.key.by_field ? fw_colour_bar_foot(&layout.bar) : 0;
     FW_TRY(fw_page_open(page, last.top + last.height + .5 + foot, &canvas, error));
     fw_status status = FW_OK;
+    const double name_size =
+        fw_figure_name_size(plan->views, plan->view_count, layout.first.width + strip_gap - 1);
     for (int k = 0; k < plan->view_count && status == FW_OK; ++k) {
         fw_panel panel = {.canvas = canvas,
                           .box = strip_box(&layout, k),
@@ -203,7 +215,7 @@ fw_status fw_figure_strip(const fw_page *page, const fw_figure_strip_plan *plan,
         fw_view_arrows_draw(&layout.arrows, &plan->views[k], &panel);
         fw_canvas_unclip(canvas);
         fw_canvas_frame(canvas, panel.box, (fw_stroke){fw_colour_grey(.55), .18, FW_DASH_NONE});
-        fw_figure_name_view(&plan->views[k], &panel, 0);
+        fw_figure_name_view(&plan->views[k], &panel, 0, name_size);
     }
     fw_legend_draw(layout.entries, layout.entry_count, canvas,
                    (fw_vec2){FW_PAGE_MARGIN, layout.top}, layout.legend_width);

@@ -69,12 +69,14 @@ static fw_rect room_of_text(const fw_figure_map_plan *plan, const fw_panel *pane
     return (fw_rect){at.x - width / 2, at.y - height / 2, width, height};
 }
 
-/* Black on what is light, white on what is dark; low in the cell, whose middle curves pass, or high
- * where a marker lies below. A curve that comes so low is interrupted. */
+/* Black on what is light, white on what is dark; in the middle of its cell. Where there are curves,
+ * which pass the middle, low in it, or high where a marker lies below; a curve that comes so low is
+ * interrupted. */
 static void draw_texts(const fw_figure_map_plan *plan, const fw_panel *panel,
                        const fw_colour_scale *scale)
 {
     const double size = plan->texts ? size_of_texts(plan, panel) : 0;
+    const double above = plan->curve_count > 0 ? -.36 : 0;
     for (long n = 0; size > 0 && n < (long)plan->rows * plan->columns; ++n) {
         if (!plan->texts[n]) continue;
         const fw_colour below = fw_colour_scale_at(scale, plan->values[n]);
@@ -83,7 +85,7 @@ static void draw_texts(const fw_figure_map_plan *plan, const fw_panel *panel,
                                    .colour = fw_colour_grey(light > .5 ? 0 : 1),
                                    .across = FW_TEXT_CENTRE,
                                    .along = FW_TEXT_MIDDLE};
-        fw_rect room = room_of_text(plan, panel, n, size, -.36);
+        fw_rect room = room_of_text(plan, panel, n, size, above);
         if (has_marker_in(plan, panel, room)) room = room_of_text(plan, panel, n, size, .36);
         const fw_vec2 at = {room.left + room.width / 2, room.top + room.height / 2};
         fw_canvas_rectangle(panel->canvas, room, below);

@@ -17,6 +17,7 @@ typedef struct layout {
     fw_colour_bar view_bar, map_bar;
     fw_panel view, other; /* as they are in the first pair */
     double step;          /* from one pair to the next, in mm */
+    double name_size;     /* of the letters above the views, in points */
 } layout;
 
 static bool has_maps(const layout *l)
@@ -177,7 +178,7 @@ static fw_status draw_view(const layout *l, int k, fw_canvas *canvas, fw_error *
         fw_view_draw_discs(&view->bodies[b], &panel, spot, fw_colour_grey(1));
     fw_canvas_unclip(canvas);
     fw_panel_draw_axes(&panel, 0);
-    fw_figure_name_view(view, &panel, k == 0 ? fw_axis_note_height(&panel.y) : 0);
+    fw_figure_name_view(view, &panel, k == 0 ? fw_axis_note_height(&panel.y) : 0, l->name_size);
     return FW_OK;
 }
 
@@ -223,6 +224,8 @@ fw_status fw_figure_pairs(const fw_page *page, const fw_figure_pairs_plan *plan,
     const double width = page->width - 2 * FW_PAGE_MARGIN, legend_top = fw_page_top(page);
     const double top = legend_top + fw_legend_height(l.key.entries, l.key.entry_count, width);
     const double bottom = l.count == 1 ? place_beside(&l, page, top) : place_below(&l, page, top);
+    l.name_size = l.count == 1 ? FW_SMALL_SIZE
+                               : fw_figure_name_size(views, l.count, l.view.box.width + gap - 3);
     FW_TRY(fw_page_open(page, bottom, &canvas, error));
     fw_status status = FW_OK;
     for (int k = 0; k < l.count && status == FW_OK; ++k) {

@@ -7,6 +7,10 @@
 #include <math.h>
 #include <string.h>
 
+/* By how much the label of an x axis may be wider than the box: panels side by side are further
+ * apart. */
+static const double overhang = 4.5; /* mm */
+
 double fw_panel_x(const fw_panel *panel, double x)
 {
     return panel->box.left + fw_axis_part(&panel->x, x) * panel->box.width;
@@ -72,12 +76,13 @@ static void draw_x_axis(const fw_panel *panel)
         (fw_text_look){FW_SMALL_SIZE, fw_colour_ink(), FW_TEXT_RIGHT, FW_TEXT_TOP, 0, false});
     if (!axis->label.text) return;
     /* In the middle, unless the note needs that room. */
-    double width = fw_canvas_text_width(axis->label.text, FW_TEXT_SIZE, false);
+    double room = panel->box.width + overhang;
+    double size = fw_canvas_fitting_size(axis->label.text, FW_TEXT_SIZE, room);
+    double width = fw_canvas_text_width(axis->label.text, size, false);
     double middle = panel->box.left + panel->box.width / 2;
     if (note > 0) middle = fmin(middle, right - note - 4 - width / 2);
-    fw_canvas_text(
-        panel->canvas, (fw_vec2){middle, row}, axis->label.text,
-        (fw_text_look){FW_TEXT_SIZE, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 0, false});
+    fw_canvas_text(panel->canvas, (fw_vec2){middle, row}, axis->label.text,
+                   (fw_text_look){size, fw_colour_ink(), FW_TEXT_CENTRE, FW_TEXT_TOP, 0, false});
 }
 
 static void draw_y_axis(const fw_panel *panel, double label_place)

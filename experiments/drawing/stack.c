@@ -32,17 +32,6 @@ static fw_range range_of_x(const stack_plan *plan)
     return fw_range_roomy(bounds.x, plan->name_count > 0 ? 0 : .02, plan->logarithmic);
 }
 
-static fw_range range_of_y(const fw_chart *chart)
-{
-    if (is_fixed(chart->range)) return fw_range_roomy(chart->range, 0, chart->logarithmic);
-    fw_range y = fw_range_empty();
-    fw_chart_include_y(&y, chart);
-    if (!chart->logarithmic) y = fw_range_without_rounding(y);
-    /* What is positive and not far from zero is seen best against zero. */
-    if (!chart->logarithmic && y.low >= 0 && y.low < .25 * y.high) y.low = 0;
-    return fw_range_roomy(y, .05, chart->logarithmic);
-}
-
 static void describe_axes(fw_stack *stack)
 {
     const stack_plan *plan = stack->plan;
@@ -64,7 +53,7 @@ static void describe_axes(fw_stack *stack)
                                  .label = plan->y_label.text ? plan->y_label : (fw_label){"y", 0}};
         } else {
             const fw_chart *chart = &plan->charts[k - plan->view_count];
-            panel->y = (fw_axis){.range = range_of_y(chart),
+            panel->y = (fw_axis){.range = fw_chart_range_of_y(chart),
                                  .logarithmic = chart->logarithmic,
                                  .label = chart->label};
         }

@@ -262,15 +262,16 @@ static fw_status draw_sides(const fw_plot_result *result, const fw_plot_picture 
             plan_of(&sides[1], table, colours, "control", &result->scenario->units)};
         const bool all = share_axes(plans, sides, control ? 2 : 1, table);
         fw_page page = picture->page;
-        char caption[2048];
-        snprintf(
-            caption, sizeof caption,
-            "Above: the particles, coloured by their %s. Below: profiles "
-            "across %c, means over the samples and %lld seed%s with standard errors as bars. %s%s",
-            picture->field_label, table->axis, (long long)result->scenario->study.seeds,
-            result->scenario->study.seeds == 1 ? "" : "s",
-            all ? "" : "Particles that have left the profile are not shown. ",
-            page.caption ? page.caption : "");
+        char seeds[64] = "", caption[2048];
+        if (result->scenario->study.seeds > 1)
+            snprintf(seeds, sizeof seeds, " and %lld seeds with standard errors as bars",
+                     (long long)result->scenario->study.seeds);
+        snprintf(caption, sizeof caption,
+                 "Above: the particles, coloured by their %s. Below: profiles "
+                 "across %c, means over the samples%s. %s%s",
+                 picture->field_label, table->axis, seeds,
+                 all ? "" : "Particles that have left the profile are not shown. ",
+                 page.caption ? page.caption : "");
         page.caption = caption;
         if (control) page.width = 240;
         status = control ? fw_figure_columns(&page, plans, 2, error)

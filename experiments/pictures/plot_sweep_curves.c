@@ -115,15 +115,27 @@ static int find_heads(const drawing *d, int *heads)
     return count;
 }
 
+/* "0.5", or "0.0789 km/s" where there are units of nature. */
+static void append_value(const drawing *d, int axis, double value, char *text, size_t size)
+{
+    const fw_physical physical =
+        fw_units_physical(&d->sweep->scenario->units, d->sweep->table.axes[axis].unit);
+    char number[FW_NUMBER_TEXT];
+    fw_number_write(number, value);
+    if (physical.factor > 0)
+        fw_text_append(text, size, "%.4g %s", value * physical.factor, physical.text);
+    else
+        fw_text_append(text, size, "%s", number);
+}
+
 static void name_line(const drawing *d, int row, sweep_line *line)
 {
     const fw_sweep_table *table = &d->sweep->table;
     for (int a = 0; a < table->axis_count; ++a) {
-        char number[FW_NUMBER_TEXT];
         if (a == d->along) continue;
-        fw_number_write(number, value_of(d, row, a));
-        fw_text_append(line->label, sizeof line->label, "%s%s = %s", line->label[0] ? ", " : "",
-                       table->axes[a].name, number);
+        fw_text_append(line->label, sizeof line->label, "%s%s = ", line->label[0] ? ", " : "",
+                       table->axes[a].name);
+        append_value(d, a, value_of(d, row, a), line->label, sizeof line->label);
     }
 }
 
@@ -278,10 +290,15 @@ static void write_caption(const drawing *d, const fw_sweep_choice *choice, char 
                        table->columns[choice->columns[p]].name, p + 1 == d->count ? ". " : "");
     if (d->line_count < d->found)
         fw_text_append(caption, size, "%d of %d lines. ", d->line_count, d->found);
-    if (d->across)
-        fw_text_append(caption, size, "Along x: %s. Along each line %s grows from %g to %g. ",
-                       d->across->name, table->axes[d->along].name, d->lines[0].x[0],
-                       d->lines[0].x[d->lines[0].count - 1]);
+    if (d->across) {
+        const sweep_line *first = &d->lines[0];
+        fw_text_append(caption, size, "Along x: %s. Along each line %s grows from ",
+                       d->across->name, table->axes[d->along].name);
+        append_value(d, d->along, first->x[0], caption, size);
+        fw_text_append(caption, size, " to ");
+        append_value(d, d->along, first->x[first->count - 1], caption, size);
+        fw_text_append(caption, size, ". ");
+    }
     fw_plot_sweep_say_seeds(seeds, caption, size);
     if (d->open)
         fw_text_append(caption, size,

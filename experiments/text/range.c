@@ -61,6 +61,11 @@ fw_range fw_range_without_rounding(fw_range range)
     return (fw_range){middle, middle};
 }
 
+fw_range fw_range_up_from_zero(fw_range range)
+{
+    return range.low == 0 && range.high == 0 ? (fw_range){0, 1} : range;
+}
+
 /* Nobody plots less; what is closer to zero has lost digits, and powers of ten with it. */
 static const double smallest = 1e-290;
 

@@ -29,6 +29,9 @@ fw_range fw_range_of_most(const double *values, long count, double trim, bool po
  * from rounding are no structure. */
 fw_range fw_range_without_rounding(fw_range range);
 
+/* Zero alone becomes [0, 1]: what cannot be negative is not shown as if it could. */
+fw_range fw_range_up_from_zero(fw_range range);
+
 /* A range one can draw: an empty one becomes [0, 1], a single value gets room on both sides, a
  * range of rounding errors is widened to several of them, and `part` of the extent (of the ratio,
  * on a logarithmic axis) is added at both ends. */
