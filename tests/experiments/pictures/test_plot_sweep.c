@@ -174,7 +174,7 @@ static void seeds_have_rows_whose_means_are_those_of_the_cases(void **state)
     seen = run_program(folder, "plot it --kind sweep --along kinetic-enrgy");
     expect_end(&seen, 2, "the sweep has no kinetic-enrgy; did you mean kinetic-energy?");
     seen = run_program(folder, "plot it/T=1,n=3 --along kinetic-energy");
-    expect_end(&seen, 2, "along anything of a sweep");
+    expect_end(&seen, 2, "does not draw anything along another number");
     seen = run_program(folder, "run gas.yaml -q -o other --set pictures.against.level=2");
     expect_end(&seen, 2,
                "pictures.against has 'level', which a picture of kind 'sweep' does not draw");

@@ -82,7 +82,7 @@ static const struct {
      "7:34: bodies.sheet.shape has both 'rectangle' and 'disc', expected one of them"},
     {"shape: {rectangle: [20, 10]}", "shape: {}",
      "7:12: bodies.sheet.shape is incomplete, expected one of rectangle, disc, sites, mask, "
-     "placed"},
+     "placed, points, file"},
     {"total: [0.1, 0]", "total: [0.1, 0], force: [1, 0]",
      "14:54: forces.pull has both 'force' and 'total', expected one of them"},
     {"total: [0.1, 0], ", "",
