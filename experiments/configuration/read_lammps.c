@@ -59,9 +59,12 @@ static fw_status read_atoms(fw_configuration *configuration, fw_lines *lines, co
         const fw_words words = fw_words_cut(line);
         if (words.count == 0) continue;
         int64_t id = 0;
-        if (words.count < of->place + 3)
-            status = fw_lines_fail(lines, error, "an atom has %d words, expected %d of style %s",
-                                   words.count, of->place + 3, of->name);
+        /* With three whole numbers behind the place: through which sides of the box it has gone. */
+        const int least = of->place + 3, most = least + 3;
+        if (words.count != least && words.count != most)
+            status =
+                fw_lines_fail(lines, error, "an atom has %d words, expected %d or %d of style %s",
+                              words.count, least, most, of->name);
         else if (fw_integer_read(words.word[0], strlen(words.word[0]), &id) != FW_NUMBER_FINE ||
                  id < 1 || id > configuration->count || seen[id - 1])
             status = fw_lines_fail(

@@ -125,7 +125,11 @@ static void each_fault_of_a_file_has_its_sentence(void **state)
         {"a.data", "t\n1 atoms\nAtoms\n\n2 1 0 0 0\n",
          "a.data:5: the number of an atom is '2', expected each of 1 to 1 once"},
         {"a.data", "t\n1 atoms\nAtoms\n\n1 1 0 0\n",
-         "a.data:5: an atom has 4 words, expected 5 of style atomic"}};
+         "a.data:5: an atom has 4 words, expected 5 or 8 of style atomic"},
+        {"a.data", "t\n1 atoms\nAtoms # full\n\n1 1 0 0 0 0 0 0\n",
+         "a.data:5: an atom has 8 words, expected 7 or 10 of style full"},
+        {"a.data", "t\n1 atoms\nAtoms\n\n1 1 1 0 0 0 0\n",
+         "a.data:5: an atom has 7 words, expected 5 or 8 of style atomic"}};
     for (size_t n = 0; n < sizeof wrong / sizeof *wrong; ++n) {
         fw_configuration found;
         assert_int_equal(read_text(&found, wrong[n].name, wrong[n].text), FW_BAD_INPUT);
