@@ -302,6 +302,8 @@ class Simulation:
 
     def advance(self, steps=1):
         """So many steps, or fewer to the end."""
+        if steps < 0:
+            raise ValueError(f"steps are {steps}, expected 0 or more")
         error, owner = _Error(), self._owner
         while steps > 0 and not self.at_end:
             part = min(steps, self._SLICE)

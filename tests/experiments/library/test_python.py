@@ -101,6 +101,8 @@ class Memory(unittest.TestCase):
         simulation.advance(5)
         self.assertFalse(numpy.array_equal(positions, before))
         with self.assertRaises(ValueError):
+            simulation.advance(-1)
+        with self.assertRaises(ValueError):
             positions[0, 0] = 1
         with self.assertRaises(ValueError):
             positions.flags.writeable = True
