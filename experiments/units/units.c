@@ -253,7 +253,7 @@ void fw_units_say(char text[FW_UNITS_SAID], const fw_units *units, const char *u
     snprintf(text, FW_UNITS_SAID, "%.64s%s%s", unit, physical[0] ? " = " : "", physical);
 }
 
-void fw_units_list(FILE *out, const fw_units *units)
+void fw_units_list(FILE *out, const fw_units *units, bool warm)
 {
     static const struct {
         const char *name, *unit;
@@ -267,6 +267,7 @@ void fw_units_list(FILE *out, const fw_units *units)
                   {"force per length", "force/length"}};
     for (size_t n = 0; n < sizeof listed / sizeof *listed; ++n) {
         char physical[FW_PHYSICAL_TEXT];
+        if (!warm && strcmp(listed[n].unit, "energy/k_B") == 0) continue;
         fw_units_print(physical, units, listed[n].unit, 4);
         fprintf(out, "%s%s %s", n > 0 ? ", " : "", listed[n].name, physical);
     }

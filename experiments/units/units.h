@@ -57,7 +57,8 @@ void fw_units_print(char text[FW_PHYSICAL_TEXT], const fw_units *units, const ch
 /* For the heads of tables: "energy = 0.74 eV", or the unit alone where there is no more to say. */
 enum { FW_UNITS_SAID = 160 };
 void fw_units_say(char text[FW_UNITS_SAID], const fw_units *units, const char *unit);
-/* "length 0.2556 nm, mass 63.55 u, time 0.3242 ps, ...": what is most asked for, on one line. */
-void fw_units_list(FILE *out, const fw_units *units);
+/* "length 0.2556 nm, mass 63.55 u, time 0.3242 ps, ...": what is most asked for, on one line;
+ * temperatures only where something is `warm`. */
+void fw_units_list(FILE *out, const fw_units *units, bool warm);
 
 #endif

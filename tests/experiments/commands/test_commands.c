@@ -52,6 +52,20 @@ static void check_tells_what_a_run_takes(void **state)
     remove_folder(folder);
 }
 
+/* Only where something has one. */
+static void check_tells_of_temperatures_where_there_are_any(void **state)
+{
+    (void)state;
+    outcome seen = run_program("/tmp", "check copper");
+    expect_end(&seen, 0, "");
+    assert_non_null(strstr(seen.out, "temperature 2269 K"));
+    seen = run_program("/tmp", "check wall-bounce --set "
+                               "'units={length: 1 mm, time: 0.12 us, mass: 3.93 mg}'");
+    expect_end(&seen, 0, "");
+    assert_non_null(strstr(seen.out, "force 0.2729 MN"));
+    assert_null(strstr(seen.out, "temperature"));
+}
+
 static void check_warns_and_refuses(void **state)
 {
     char folder[64];
@@ -282,6 +296,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(check_tells_what_a_run_takes),
+        cmocka_unit_test(check_tells_of_temperatures_where_there_are_any),
         cmocka_unit_test(check_warns_and_refuses),
         cmocka_unit_test(what_a_control_cannot_begin_is_refused_before),
         cmocka_unit_test(warnings_are_in_check_and_in_the_table),
