@@ -59,6 +59,7 @@ fw_status fw_fail_impossible(fw_error *error, const char *what)
 
 fw_status fw_fail_within(fw_error *error, const char *format, ...)
 {
+    if (!error) return FW_SYSTEM_FAILED;
     char prefix[LONGEST], text[LONGEST + FW_SENTENCE_SIZE + 2];
     va_list arguments;
     va_start(arguments, format);

@@ -43,7 +43,7 @@ fw_status fw_fail_memory(fw_error *error, const char *what);
  * of the program that must not pass for success. FW_SYSTEM_FAILED; `what` names the case. */
 fw_status fw_fail_impossible(fw_error *error, const char *what);
 
-/* Puts "prefix: " before the sentence of an error on its way up; returns its status. */
+/* Puts "prefix: " before an error on its way up; returns its status, FW_SYSTEM_FAILED of NULL. */
 fw_status fw_fail_within(fw_error *error, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 

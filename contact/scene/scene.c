@@ -42,15 +42,22 @@ static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
     return scene_constrain_bodies(scene, error);
 }
 
+static fw_status fail_of_body(const fw_scene *scene, int b, fw_status status, fw_error *error)
+{
+    fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
+                   scene->bodies[b].name);
+    return status;
+}
+
 /* 5. advance: every solid moves, held by contacts and grips. */
 static fw_status advance_solids(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         const scene_body *body = &scene->bodies[b];
         scene_collect_constraints(scene, b);
-        if (fw_solid_move(body->solid, body->constraints, body->constraint_count, error) != FW_OK)
-            return fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
-                                  body->name);
+        const fw_status status =
+            fw_solid_move(body->solid, body->constraints, body->constraint_count, error);
+        if (status != FW_OK) return fail_of_body(scene, b, status, error);
         scene_carry(scene, b);
     }
     return FW_OK;
@@ -142,10 +149,10 @@ static bool is_free(const fw_scene *scene)
 static fw_status step_free(fw_scene *scene, int steps, fw_error *error)
 {
     const int ticks = steps * scene->ticks_per_step;
-    for (int b = 0; b < scene->body_count; ++b)
-        if (fw_solid_move_free(scene->bodies[b].solid, ticks, error) != FW_OK)
-            return fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,
-                                  scene->bodies[b].name);
+    for (int b = 0; b < scene->body_count; ++b) {
+        const fw_status status = fw_solid_move_free(scene->bodies[b].solid, ticks, error);
+        if (status != FW_OK) return fail_of_body(scene, b, status, error);
+    }
     scene->clock.ticks += ticks;
     scene->clock.step += steps;
     scene_note_work(scene);

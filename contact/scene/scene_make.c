@@ -422,7 +422,7 @@ fw_status fw_scene_restored(fw_scene *scene, fw_error *error)
     for (int b = 0; b < scene->body_count; ++b) {
         scene_body *body = &scene->bodies[b];
         const fw_status status = fw_solid_restored(body->solid, error);
-        if (status != FW_OK && error) fw_fail_within(error, "body %s", body->name);
+        if (status != FW_OK) fw_fail_within(error, "body %s", body->name);
         FW_TRY(status);
         FW_TRY(check_memory(scene, body, error));
         FW_TRY(check_rubs(scene, b, error));

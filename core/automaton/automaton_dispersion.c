@@ -8,6 +8,8 @@
  * a Hermitian problem, which is well conditioned also where lambda = 1 is defective. */
 #include "core/automaton/automaton_dispersion.h"
 
+#include "core/gsl_errors.h"
+
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 
@@ -83,17 +85,16 @@ static hermitian product_of(symbol h)
                        conj(h.xx) * h.xy + conj(h.xy) * h.yy};
 }
 
-fw_status fw_automaton_modes(const fw_automaton_matrices *matrices, fw_vec2 wave,
-                             fw_automaton_mode mode[FW_MODES], fw_error *error)
+/* Eigenvalues, the largest first, and eigenvectors as columns of complex numbers. False without
+ * memory. */
+static bool diagonalise(hermitian z, double values[2], double vectors[8])
 {
-    const symbol h = symbol_of(matrices, wave);
     gsl_eigen_hermv_workspace *workspace = gsl_eigen_hermv_alloc(2);
-    if (!workspace) return fw_fail_memory(error, "the one-step matrix of a plane wave");
-    double entries[8], values[2], vectors[8];
+    if (!workspace) return false;
+    double entries[8];
     gsl_matrix_complex_view product = gsl_matrix_complex_view_array(entries, 2, 2);
     gsl_matrix_complex_view vector = gsl_matrix_complex_view_array(vectors, 2, 2);
     gsl_vector_view value = gsl_vector_view_array(values, 2);
-    const hermitian z = product_of(h);
     const double complex row[4] = {z.xx, z.xy, conj(z.xy), z.yy};
     for (int e = 0; e < 4; ++e) {
         entries[2 * e] = creal(row[e]);
@@ -102,6 +103,18 @@ fw_status fw_automaton_modes(const fw_automaton_matrices *matrices, fw_vec2 wave
     gsl_eigen_hermv(&product.matrix, &value.vector, &vector.matrix, workspace);
     gsl_eigen_hermv_sort(&value.vector, &vector.matrix, GSL_EIGEN_SORT_VAL_DESC);
     gsl_eigen_hermv_free(workspace);
+    return true;
+}
+
+fw_status fw_automaton_modes(const fw_automaton_matrices *matrices, fw_vec2 wave,
+                             fw_automaton_mode mode[FW_MODES], fw_error *error)
+{
+    const symbol h = symbol_of(matrices, wave);
+    double values[2], vectors[8];
+    fw_gsl_errors_catch();
+    const bool enough = diagonalise(product_of(h), values, vectors);
+    fw_gsl_errors_release();
+    if (!enough) return fw_fail_memory(error, "the one-step matrix of a plane wave");
     for (int m = 0; m < FW_MODES; ++m) {
         mode[m].squared = 4 - values[m];
         mode[m].frequency = frequency_of(mode[m].squared);

@@ -7,6 +7,8 @@
  * Start reading at fw_automaton_check_stability(). */
 #include "automaton_stability.h"
 
+#include "core/gsl_errors.h"
+
 #include <complex.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
@@ -124,6 +126,7 @@ fw_status fw_automaton_spectral_radius(const fw_automaton *body, double *radius,
     const size_t white = 2 * (size_t)body->colour[FW_WHITE].count;
     const size_t black = 2 * (size_t)body->colour[FW_BLACK].count;
     double *room = fw_array_of_doubles(2 * white + black);
+    fw_gsl_errors_catch();
     gsl_matrix *dense = gsl_matrix_alloc(white, white);
     bool enough = room && dense;
     if (enough) {
@@ -132,6 +135,7 @@ fw_status fw_automaton_spectral_radius(const fw_automaton *body, double *radius,
         enough = symmetric ? symmetric_growth(body, dense, radius) : general_growth(dense, radius);
     }
     gsl_matrix_free(dense);
+    fw_gsl_errors_release();
     free(room);
     return enough ? FW_OK : fw_fail_memory(error, "the update of an automaton as a matrix");
 }

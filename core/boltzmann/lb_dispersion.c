@@ -6,6 +6,7 @@
  * 4 sin^2(omega/2) M a = (4 sin^2(kx/2) + 4 sin^2(ky/2)) a: the closed form of the header. */
 #include "core/boltzmann/lb_dispersion.h"
 
+#include "core/gsl_errors.h"
 #include "core/lattice.h"
 
 #include <gsl/gsl_complex_math.h>
@@ -161,11 +162,9 @@ fw_status fw_lb_spectrum_over_grid(fw_sym2 rest_mass, int side, fw_lb_spectrum *
 {
     workspace w = {0};
     *worst = (fw_lb_spectrum){0, 0};
-    if (!allocate(&w)) {
-        release(&w);
-        return fw_fail_memory(error, "the spectrum of an LB solid");
-    }
-    for (int i = 0; i < side; ++i)
+    fw_gsl_errors_catch();
+    const bool enough = allocate(&w);
+    for (int i = 0; enough && i < side; ++i)
         for (int j = 0; j < side; ++j) {
             fw_vec2 k = {FW_PI * (2.0 * i / (side - 1) - 1), FW_PI * (2.0 * j / (side - 1) - 1)};
             fw_lb_spectrum at;
@@ -174,5 +173,6 @@ fw_status fw_lb_spectrum_over_grid(fw_sym2 rest_mass, int side, fw_lb_spectrum *
             worst->radius_error = fmax(worst->radius_error, at.radius_error);
         }
     release(&w);
-    return FW_OK;
+    fw_gsl_errors_release();
+    return enough ? FW_OK : fw_fail_memory(error, "the spectrum of an LB solid");
 }

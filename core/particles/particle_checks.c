@@ -40,8 +40,11 @@ static fw_status check_groups(const fw_particles_def *def, fw_error *error)
     int64_t count = 0;
     for (int g = 0; g < def->group_count; ++g) {
         const fw_particle_group_def *group = &def->groups[g];
-        if (check_group(group, error) != FW_OK)
-            return fw_fail_within(error, "body '%s'", group->name);
+        const fw_status status = check_group(group, error);
+        if (status != FW_OK) {
+            fw_fail_within(error, "body '%s'", group->name);
+            return status;
+        }
         for (int h = 0; h < g; ++h)
             if (strcmp(def->groups[h].name, group->name) == 0)
                 return fw_fail(error, FW_BAD_INPUT, "two bodies are called '%s'", group->name);

@@ -8,7 +8,6 @@
 #include "experiments/text/text.h"
 
 #include <fcntl.h>
-#include <gsl/gsl_errno.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,8 +55,6 @@ static void wait_asleep(const fw_command *command, char **words)
 int main(int count, char **words)
 {
     open_streams();
-    /* GSL without memory is to say so, not to abort. */
-    gsl_set_error_handler_off();
     /* A file that may not grow further is a failure like a full disk: a sentence, not a death. */
     signal(SIGXFSZ, SIG_IGN);
     if (count < 2) {

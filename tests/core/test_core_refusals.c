@@ -31,6 +31,7 @@ static void refuse_each(maker *make, const void *def, const wrong *list, size_t 
             !strstr(error.sentence, list[n].words))
             fail_msg("number %zu, %g: '%s' does not speak of '%s'", n, list[n].value,
                      error.sentence, list[n].words);
+        assert_int_equal(make(&solid, def, NULL), FW_BAD_INPUT);
         *list[n].number = right;
     }
     assert_fine(make(&solid, def, &error));

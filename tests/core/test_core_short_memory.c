@@ -292,6 +292,21 @@ static void particles_say_that_memory_is_missing(void **state)
     release_start(&s);
 }
 
+static void called(const char *reason, const char *file, int line, int number)
+{
+    (void)number;
+    fail_msg("%s:%d: %s", file, line, reason);
+}
+
+/* The handler of a program around is as before, whatever failed. */
+static void handler_of_gsl_is_put_back(void **state)
+{
+    gsl_error_handler_t *standard = gsl_set_error_handler(called);
+    boltzmann_solid_says_that_memory_is_missing(state);
+    automaton_says_that_memory_is_missing(state);
+    assert_ptr_equal(gsl_set_error_handler(standard), called);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -301,8 +316,8 @@ int main(void)
         cmocka_unit_test(automaton_says_that_memory_is_missing),
         cmocka_unit_test(linear_lattice_says_that_memory_is_missing),
         cmocka_unit_test(particles_say_that_memory_is_missing),
+        cmocka_unit_test(handler_of_gsl_is_put_back),
     };
-    gsl_set_error_handler_off();
     omp_set_num_threads(1); /* allocations come in one order */
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,6 +15,7 @@ static void a_short_sentence_is_as_it_was(void **state)
     assert_int_equal(fw_fail_within(&error, "file %s", "f"), FW_BAD_INPUT);
     assert_string_equal(error.sentence, "file f: n is 3");
     assert_int_equal(fw_fail(NULL, FW_DIVERGED, "nobody listens"), FW_DIVERGED);
+    assert_int_equal(fw_fail_within(NULL, "file %s", "f"), FW_SYSTEM_FAILED);
 }
 
 /* Letters of two and of three bytes, which the cuts meet in every place. */

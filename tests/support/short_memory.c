@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* short_memory.c - what asks for memory in a test named *_short_memory, put before the libraries by
  * the linker (--wrap): counts what is there, and lets one allocation fail. GSL's makers count as
- * one allocation each; what libraries ask for on their own does not fail.
+ * one allocation each and call its handler of errors as they do; what libraries ask for on their
+ * own does not fail.
  *
  * State: how many allocations were asked for since short_memory_fail(), and how many pieces of
  * memory there are. */
 #include "tests/support/short_memory.h"
 
 #include <gsl/gsl_eigen.h>
+#include <gsl/gsl_errno.h>
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_vector.h>
 #include <stdatomic.h>
@@ -115,7 +117,8 @@ void __wrap__ZdlPvm(void *memory, size_t bytes)
     type *__wrap_##make ask;                                                                       \
     type *__wrap_##make ask                                                                        \
     {                                                                                              \
-        return fails() ? NULL : counted(__real_##make give);                                       \
+        if (!fails()) return counted(__real_##make give);                                          \
+        GSL_ERROR_NULL("no memory", GSL_ENOMEM);                                                   \
     }
 #define RELEASE(type, release)                                                                     \
     void __real_##release(type *made);                                                             \

@@ -6,7 +6,6 @@
 
 #include "tests/support/scenarios.h"
 
-#include <gsl/gsl_errno.h>
 #include <omp.h>
 
 /* Walls of all surfaces, one that moves, drives of all kinds, and links that break. */
@@ -171,7 +170,6 @@ int main(void)
         cmocka_unit_test(automata_that_meet_say_that_memory_is_missing),
         cmocka_unit_test(crystals_that_meet_say_that_memory_is_missing),
     };
-    gsl_set_error_handler_off();
     omp_set_num_threads(1); /* allocations come in one order */
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
