@@ -164,15 +164,23 @@ static fw_status draw(const fw_page *page, const columns *all, fw_canvas *canvas
 }
 
 /* What is asked for goes before what fits. */
-static void crop(const fw_page *page, columns *all)
+static fw_status crop(const fw_page *page, columns *all, fw_error *error)
 {
     for (int k = 0; k < all->count; ++k)
         for (int p = 0; p < all->stacks[k].panel_count; ++p) {
             fw_panel *panel = &all->stacks[k].panels[p];
-            panel->x.range =
-                fw_page_range(page->x_range, panel->x.range, all->stacks[k].plan->label);
+            const fw_label label = all->stacks[k].plan->label;
+            const fw_range own = panel->x.range;
+            panel->x.range = fw_page_range(page->x_range, own, label);
             panel->y.range = fw_page_range(page->y_range, panel->y.range, panel->y.label);
+            if (panel->x.range.high < own.low || panel->x.range.low > own.high)
+                return fw_fail(error, FW_BAD_INPUT,
+                               "nothing lies between %g and %g along x, where the picture goes "
+                               "from %.4g to %.4g",
+                               page->x_range.low, page->x_range.high,
+                               fw_label_shown(label, own.low), fw_label_shown(label, own.high));
         }
+    return FW_OK;
 }
 
 fw_status fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *plans, int count,
@@ -187,7 +195,9 @@ fw_status fw_figure_columns(const fw_page *page, const fw_figure_stack_plan *pla
     fw_status status = create(&all, plans, count, error);
     if (status == FW_OK) {
         share_rows(&all);
-        crop(page, &all);
+        status = crop(page, &all, error);
+    }
+    if (status == FW_OK) {
         double spare = size_columns(page, &all);
         double bottom = place_columns(page, &all, spare);
         status = fw_page_open(page, bottom, &canvas, error);

@@ -7,14 +7,57 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* "results/soft/" is called soft. */
-static void name_folder(const char *directory, char name[FW_NAME_SIZE])
+/* --- names --- */
+
+enum { RESULTS_MAX = 1 + FW_PLOT_WITH_MAX };
+
+/* Paths of all results, the own one first, and how much of each name is needed to tell them apart.
+ */
+typedef struct result_names {
+    char *path[RESULTS_MAX]; /* whole, or as it was given */
+    int count, parts;
+} result_names;
+
+/* The last so many parts of a path: "soft", "results/soft". */
+static const char *end_of(const char *path, int parts)
 {
-    size_t length = strlen(directory), begin;
-    while (length > 1 && directory[length - 1] == '/') --length;
-    for (begin = length; begin > 0 && directory[begin - 1] != '/';) --begin;
-    snprintf(name, FW_NAME_SIZE, "%.*s", (int)(length - begin), directory + begin);
+    const char *begin = path + strlen(path);
+    while (begin > path && (begin[-1] != '/' || --parts > 0)) --begin;
+    return begin;
 }
+
+static bool are_told_apart(const result_names *names)
+{
+    for (int n = 1; n < names->count; ++n)
+        for (int m = 0; m < n; ++m)
+            if (strcmp(end_of(names->path[n], names->parts),
+                       end_of(names->path[m], names->parts)) == 0)
+                return false;
+    return true;
+}
+
+static void clear_names(result_names *names)
+{
+    for (int n = 0; n < names->count; ++n) free(names->path[n]);
+}
+
+static fw_status find_names(result_names *names, const fw_plot_result *own,
+                            const fw_plot_picture *picture, fw_error *error)
+{
+    enum { PARTS_MAX = 8 };
+    for (int n = 0; n <= picture->with_count; ++n) {
+        const char *given = n == 0 ? own->directory : picture->with[n - 1];
+        char *path = realpath(given, NULL);
+        if (!path) path = strdup(given);
+        if (!path) return fw_fail_memory(error, "a picture of several results");
+        names->path[names->count++] = path;
+    }
+    for (names->parts = 1; names->parts < PARTS_MAX && !are_told_apart(names);) ++names->parts;
+    if (!are_told_apart(names)) names->parts = 1;
+    return FW_OK;
+}
+
+/* --- other results --- */
 
 static fw_status open_others(fw_plot_compared *c, const fw_plot_series *own,
                              const fw_plot_picture *picture, fw_error *error)
@@ -63,26 +106,22 @@ static bool is_of_bath(const fw_curve *curve)
     return curve->look == FW_CURVE_DASHES && curve->colour == FW_PLOT_BATH_COLOUR;
 }
 
-fw_status fw_plot_compared_find(fw_plot_compared *c, const fw_plot_series *own,
-                                const fw_plot_picture *picture, fw_error *error)
+/* The curves of all results in one panel after the other. */
+static void fill_charts(fw_plot_compared *c, const fw_plot_series *own, const result_names *names)
 {
-    *c = (fw_plot_compared){.count = 0};
-    FW_TRY(open_others(c, own, picture, error));
-    FW_TRY(allocate(c, own, error));
     int used = 0;
     for (int p = 0; p < own->panel_count; ++p) {
         c->charts[p] = own->charts[p];
         c->charts[p].curves = c->curves + used;
         c->charts[p].curve_count = 0;
         for (int n = 0; n <= c->count; ++n) {
-            const fw_plot_series *of = series_of(c, own, n);
-            char name[FW_NAME_SIZE];
-            name_folder(of->result->directory, name);
-            for (int k = 0; k < of->charts[p].curve_count; ++k) {
-                const fw_curve *curve = &of->charts[p].curves[k];
+            const fw_chart *chart = &series_of(c, own, n)->charts[p];
+            for (int k = 0; k < chart->curve_count; ++k) {
+                const fw_curve *curve = &chart->curves[k];
                 if (is_of_bath(curve)) continue;
                 const bool alone = !curve->label || strcmp(curve->label, "measured") == 0;
-                snprintf(c->labels[used], sizeof c->labels[used], "%s%s%s", name, alone ? "" : ": ",
+                snprintf(c->labels[used], sizeof c->labels[used], "%s%s%s",
+                         end_of(names->path[n], names->parts), alone ? "" : ": ",
                          alone ? "" : curve->label);
                 c->curves[used] = *curve;
                 c->curves[used].label = c->labels[used];
@@ -91,7 +130,19 @@ fw_status fw_plot_compared_find(fw_plot_compared *c, const fw_plot_series *own,
             }
         }
     }
-    return FW_OK;
+}
+
+fw_status fw_plot_compared_find(fw_plot_compared *c, const fw_plot_series *own,
+                                const fw_plot_picture *picture, fw_error *error)
+{
+    result_names names = {.count = 0};
+    *c = (fw_plot_compared){.count = 0};
+    FW_TRY(open_others(c, own, picture, error));
+    FW_TRY(allocate(c, own, error));
+    const fw_status status = find_names(&names, own->result, picture, error);
+    if (status == FW_OK) fill_charts(c, own, &names);
+    clear_names(&names);
+    return status;
 }
 
 void fw_plot_compared_clear(fw_plot_compared *c)

@@ -7,7 +7,8 @@
 #include "plot_parts.h"
 
 /* The series of a result and those of others, panel by panel, each curve called by the name of its
- * folder. Cleared also after a failure. */
+ * folder, with as many of those above it as tell the results apart. Cleared also after a failure.
+ */
 typedef struct fw_plot_compared {
     int count;
     fw_plot_result result[FW_PLOT_WITH_MAX]; /* of the others */
