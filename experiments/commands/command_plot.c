@@ -83,6 +83,9 @@ static fw_status read_look(const fw_arguments *a, fw_plot_wish *wish, fw_error *
     if (a->with.count > FW_PLOT_WITH_MAX)
         return fw_fail(error, FW_BAD_INPUT, "--with is given %d times, expected at most %d",
                        a->with.count, FW_PLOT_WITH_MAX);
+    wish->height = (double)a->height;
+    wish->palette = a->palette;
+    wish->in_steps = a->in_steps;
     wish->with = a->with.item;
     wish->with_count = a->with.count;
     return a->style ? fw_plot_style_read(wish, a->style, error) : FW_OK;
@@ -95,7 +98,8 @@ fw_status fw_command_plot(const fw_arguments *arguments, fw_error *error)
     if (!a->output && !a->picture && !a->kind && !a->field && !a->observable && !a->at &&
         !a->range && !a->along && !a->level && !a->logarithmic && !a->width && !a->dots &&
         !a->bare && !a->letter && !a->body && !a->from && !a->until && !a->font_size &&
-        !a->x_range && !a->y_range && !a->style && a->with.count == 0)
+        !a->x_range && !a->y_range && !a->style && !a->height && !a->palette && !a->in_steps &&
+        a->with.count == 0)
         return fw_plot_all(directory, stdout, error);
     plot_lists *lists = calloc(1, sizeof *lists);
     if (!lists) return fw_fail_memory(error, "what to draw");

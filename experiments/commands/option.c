@@ -5,6 +5,7 @@
 
 #include "experiments/commands/command.h"
 #include "experiments/drawing/encoder.h"
+#include "experiments/drawing/palette.h"
 #include "experiments/exchange/export.h"
 #include "experiments/scenario/picture_kind.h"
 #include "experiments/schema/schema.h"
@@ -52,6 +53,13 @@ const fw_option fw_option_width = {
 const fw_option fw_option_dots = {
     "--dpi",       NULL,        "N",         "dots per inch of a PNG file (200)",
     FW_INTO(dots), .least = 20, .most = 2400};
+const fw_option fw_option_height = {
+    "--height",      NULL,        "MM",        "height of all charts together in mm",
+    FW_INTO(height), .least = 10, .most = 1000};
+const fw_option fw_option_palette = {
+    "--palette", NULL, "NAME", FW_PALETTE_NAMES, FW_INTO(palette), .choices = FW_PALETTE_NAMES};
+const fw_option fw_option_in_steps = {"--in-steps", NULL, NULL, "a series over steps, not times",
+                                      FW_INTO(in_steps)};
 const fw_option fw_option_font_size = {"--font-size", NULL, "PT",
                                        "size of the labels in points (8.5); lines go with it",
                                        FW_INTO(font_size)};

@@ -12,7 +12,7 @@
 #include <stdio.h>
 
 /* What the command line said, options and words apart. */
-enum { FW_SETTINGS_MAX = 256, FW_WORDS_MAX = 1024, FW_OPTIONS_MAX = 24 };
+enum { FW_SETTINGS_MAX = 256, FW_WORDS_MAX = 1024, FW_OPTIONS_MAX = 32 };
 
 typedef struct fw_option_list {
     int count;
@@ -33,13 +33,13 @@ typedef struct fw_arguments {
     const char *one_case;
     const char *to; /* the format of export */
     const char *letter;
-    const char *font_size, *x_range, *y_range, *style;
+    const char *palette, *font_size, *x_range, *y_range, *style;
     fw_option_list with;
-    int64_t width, dots; /* mm and dots per inch; 0: not given */
+    int64_t width, height, dots; /* mm and dots per inch; 0: not given */
     bool bare;
     int64_t every, rate; /* frames, and frames in a second; 0: not given */
     bool list;
-    bool quiet, overwrite, no_plot, logarithmic, json, names, full, help;
+    bool in_steps, quiet, overwrite, no_plot, logarithmic, json, names, full, help;
     bool given[FW_OPTIONS_MAX]; /* per option of the command */
 } fw_arguments;
 
@@ -89,8 +89,9 @@ extern const fw_option fw_option_folder, fw_option_picture_file, fw_option_table
     fw_option_list_cases, fw_option_case, fw_option_add, fw_option_json, fw_option_names,
     fw_option_full, fw_option_export_file, fw_option_to, fw_option_every, fw_option_film_file,
     fw_option_film_kind, fw_option_rate, fw_option_report_file, fw_option_rerun_folder,
-    fw_option_width, fw_option_dots, fw_option_bare, fw_option_letter, fw_option_font_size,
-    fw_option_x_range, fw_option_y_range, fw_option_with, fw_option_style, fw_option_help;
+    fw_option_width, fw_option_dots, fw_option_bare, fw_option_letter, fw_option_height,
+    fw_option_palette, fw_option_in_steps, fw_option_font_size, fw_option_x_range,
+    fw_option_y_range, fw_option_with, fw_option_style, fw_option_help;
 
 struct fw_command;
 

@@ -89,7 +89,9 @@ static double size_columns(const fw_page *page, columns *all)
 {
     double taken = 20, width = 0, shrink = 1;
     /* Charts of a narrow page are lower, too. */
-    const double lower = fmin(1, fmax(.6, page->width / fw_page_default().width));
+    const double lower = page->chart_height > 0
+                             ? page->chart_height / fw_stack_charts_height(&all->stacks[0])
+                             : fmin(1, fmax(.6, page->width / fw_page_default().width));
     for (int round = 0; round < 4; ++round) {
         double room = page->width - 2 * FW_PAGE_MARGIN - taken;
         double highest = 0;

@@ -10,6 +10,7 @@ typedef struct fw_page {
     double width;      /* mm; the height follows from what is on it */
     double resolution; /* dots per inch */
     double enlarged;   /* all of it, letters and lines, by this factor; the width above is before */
+    double chart_height;       /* of all charts together, mm; 0: chosen */
     fw_range x_range, y_range; /* of the axes, as shown; no extent: chosen */
     const char *title;         /* may be NULL */
     const char *caption;       /* may be NULL; broken into lines where it is long */

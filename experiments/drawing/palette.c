@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* palette.c - the colours themselves.
- * Keeps no state. Invariant: along the sequential map lightness grows in equal steps, along the
+ * Keeps no state. Invariant: along all maps but one lightness grows in equal steps, along the
  * diverging one it rises to the middle and falls off in the same way. The maps are lines through
  * few points in the colour space Oklab (B. Ottosson, 2020), whose distances are close to perceived
  * ones. Start reading at fw_palette_at(). */
 #include "experiments/drawing/palette.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Okabe & Ito, "Color universal design", 2008; the yellow is left to the end, it is too faint for
  * thin lines. */
@@ -29,6 +30,29 @@ static const oklab diverging[MAP_POINTS] = {{.340, -.020, -.130},
                                             {.955, .000, .000},
                                             {.650, .095, .085},
                                             {.340, .080, .055}};
+
+static const oklab warm[MAP_POINTS] = {{.240, .060, .020},
+                                       {.405, .130, .060},
+                                       {.570, .140, .110},
+                                       {.735, .070, .140},
+                                       {.900, .000, .100}};
+static const oklab grey[MAP_POINTS] = {
+    {.240, 0, 0}, {.415, 0, 0}, {.590, 0, 0}, {.765, 0, 0}, {.940, 0, 0}};
+static const struct {
+    const char *name;
+    const oklab *points;
+} maps[FW_PALETTE_MAPS] = {[FW_PALETTE_AUTO] = {"auto", sequential},
+                           [FW_PALETTE_SEQUENTIAL] = {"sequential", sequential},
+                           [FW_PALETTE_DIVERGING] = {"diverging", diverging},
+                           [FW_PALETTE_WARM] = {"warm", warm},
+                           [FW_PALETTE_GREY] = {"grey", grey}};
+
+fw_palette_map fw_palette_find(const char *name)
+{
+    int map = 0;
+    while (map < FW_PALETTE_MAPS && strcmp(maps[map].name, name) != 0) ++map;
+    return (fw_palette_map)map;
+}
 
 fw_colour fw_palette_kind(int number)
 {
@@ -58,7 +82,7 @@ static fw_colour colour_from_oklab(oklab c)
 
 fw_colour fw_palette_at(fw_palette_map map, double part)
 {
-    const oklab *points = map == FW_PALETTE_DIVERGING ? diverging : sequential;
+    const oklab *points = maps[map].points;
     double place = fmin(fmax(part, 0), 1) * (MAP_POINTS - 1);
     int first = (int)fmin(place, MAP_POINTS - 2);
     double weight = place - first;

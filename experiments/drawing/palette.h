@@ -35,8 +35,16 @@ fw_colour fw_palette_kind(int number);
 typedef enum fw_palette_map {
     FW_PALETTE_AUTO,       /* diverging where values change sign, else sequential */
     FW_PALETTE_SEQUENTIAL, /* dark blue to yellow, lightness linear */
-    FW_PALETTE_DIVERGING   /* blue, nearly white, orange-brown; lightness symmetric */
+    FW_PALETTE_DIVERGING,  /* blue, nearly white, orange-brown; lightness symmetric */
+    FW_PALETTE_WARM,       /* dark red to light yellow, lightness linear */
+    FW_PALETTE_GREY,       /* dark to light, for paper without colours */
+    FW_PALETTE_MAPS
 } fw_palette_map;
+
+/* Names of the maps, AUTO first. */
+#define FW_PALETTE_NAMES "auto, sequential, diverging, warm, grey"
+/* The map of that name; FW_PALETTE_MAPS: there is none. */
+fw_palette_map fw_palette_find(const char *name);
 
 /* Colour at 0 <= part <= 1 of a map (sequential for AUTO); beyond the ends the end's colour. */
 fw_colour fw_palette_at(fw_palette_map map, double part);

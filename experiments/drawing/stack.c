@@ -90,6 +90,14 @@ static double chart_height(const stack_plan *plan, const fw_chart *chart)
     return plan->chart_count == 1 ? 84 : plan->chart_count == 2 ? 52 : 38;
 }
 
+double fw_stack_charts_height(const fw_stack *stack)
+{
+    double height = 0;
+    for (int k = 0; k < stack->plan->chart_count; ++k)
+        height += chart_height(stack->plan, &stack->plan->charts[k]);
+    return height > 0 ? height : 1;
+}
+
 double fw_stack_size(fw_stack *stack, double width, double shrink)
 {
     const stack_plan *plan = stack->plan;

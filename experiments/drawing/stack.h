@@ -36,6 +36,8 @@ void fw_stack_release(fw_stack *stack);
 /* Boxes of this width, charts by the factor `shrink` lower than usual: their heights, ticks, and
  * room to the left. Returns the height of its views together. */
 double fw_stack_size(fw_stack *stack, double width, double shrink);
+/* Of all its charts, before anything makes them lower; > 0. */
+double fw_stack_charts_height(const fw_stack *stack);
 /* Room to the right that numbers take. */
 double fw_stack_overhang(const fw_stack *stack);
 /* Sets all boxes, the first with its legend below `top`; `head` mm are left above the first box,

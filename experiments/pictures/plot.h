@@ -27,6 +27,9 @@ typedef struct fw_plot_wish {
     bool logarithmic;               /* axes of a series' values */
     double range[2];                /* ends of the colours; equal: those of the whole result */
     double width, resolution;       /* mm, dots per inch; 0: 160 and 200 */
+    const char *palette;            /* one of FW_PALETTE_NAMES; NULL: auto */
+    double height;                  /* of charts, in mm; 0: chosen */
+    bool in_steps;                  /* a series over steps, not times */
     double font_size;               /* of labels, in points; 0: 8.5 */
     double x_range[2], y_range[2];  /* of the axes, as they are shown; equal: chosen */
     bool bare;                      /* without title and caption, for a paper's own */

@@ -348,6 +348,7 @@ fw_page fw_plot_page(const fw_plot_wish *wish)
     if (wish->resolution > 0) page.resolution = wish->resolution;
     if (wish->font_size > 0) page.enlarged = wish->font_size / FW_TEXT_SIZE;
     page.width /= page.enlarged;
+    page.chart_height = wish->height / page.enlarged;
     page.x_range = (fw_range){wish->x_range[0], wish->x_range[1]};
     page.y_range = (fw_range){wish->y_range[0], wish->y_range[1]};
     page.bare = wish->bare;
@@ -405,6 +406,8 @@ fw_status fw_plot_choose(fw_plot_choice *choice, const fw_plot_result *result,
     if (fw_picture_rows[kind].frames > 0) FW_TRY(take_frames(d, error));
     if (fw_picture_reads(kind, "observables")) FW_TRY(choose_observables(d, error));
     if (fw_picture_reads(kind, "from")) FW_TRY(take_span(d, error));
+    d->picture->map = wish->palette ? fw_palette_find(wish->palette) : FW_PALETTE_AUTO;
+    d->picture->in_steps = wish->in_steps;
     d->picture->along = wish->along;
     d->picture->with = wish->with;
     d->picture->with_count = wish->with_count;

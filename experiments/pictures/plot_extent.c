@@ -101,7 +101,7 @@ fw_status fw_plot_colours_find(fw_colouring *colouring, const fw_plot_result *re
 {
     const char *field = picture->asked.field.text;
     const double *asked = picture->asked.range;
-    *colouring = (fw_colouring){.label = picture->field};
+    *colouring = (fw_colouring){.label = picture->field, .map = picture->map};
     if (!field) return FW_OK;
     if (asked[0] < asked[1]) {
         colouring->range = (fw_range){asked[0], asked[1]};

@@ -69,6 +69,8 @@ typedef struct fw_plot_picture {
     char field_label[FW_NAME_SIZE]; /* without unit, for sentences */
     char field_axis[2 * FW_NAME_SIZE];
     fw_label field;          /* points to it */
+    fw_palette_map map;      /* wished for; AUTO: that of its kind */
+    bool in_steps;           /* a series over steps, not times */
     const char *along;       /* of a series: what is along x in place of the time; NULL: time */
     const char *const *with; /* folders that a series is compared with */
     int with_count;

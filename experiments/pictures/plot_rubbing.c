@@ -253,8 +253,8 @@ static fw_status draw(const fw_plot_result *result, const fw_plot_picture *pictu
 fw_status fw_plot_draw_slip(const fw_plot_result *result, const fw_plot_picture *picture,
                             fw_error *error)
 {
-    const fw_colouring colouring = {.label = {"part of the steps in which it slid", 0},
-                                    .range = {0, 1}};
+    const fw_colouring colouring = {
+        .label = {"part of the steps in which it slid", 0}, .map = picture->map, .range = {0, 1}};
     return draw(result, picture, FW_FIELD_SLIDING, true, colouring,
                 "Between two frames: 0 sticks, 1 slides all the time. A place between two bodies "
                 "sticks as long as anything there holds it.",
@@ -268,7 +268,7 @@ fw_status fw_plot_draw_heat(const fw_plot_result *result, const fw_plot_picture 
     char label[64];
     const fw_colouring colouring = {.label = fw_plot_label(label, sizeof label, "heat of friction",
                                                            "energy/time", &result->scenario->units),
-                                    .map = FW_PALETTE_SEQUENTIAL};
+                                    .map = picture->map ? picture->map : FW_PALETTE_SEQUENTIAL};
     return draw(result, picture, FW_FIELD_HEAT, false, colouring,
                 "Heat of friction at each particle, between two frames; between two bodies half of "
                 "it comes to either.",

@@ -88,6 +88,7 @@ static fw_status read_times(series *s, const fw_plot_picture *picture, fw_error 
     s->times = fw_array_of_doubles(count);
     if (!s->steps || !s->times) return fw_fail_memory(error, "the times of a picture");
     FW_TRY(fw_playback_read_sample_times(s->result->playback, s->steps, s->times, error));
+    for (size_t k = 0; k < count && picture->in_steps; ++k) s->times[k] = (double)s->steps[k];
     for (size_t k = 0; k < count; ++k) {
         if (s->steps[k] < picture->asked.from) s->first += 1;
         if (s->steps[k] >= picture->asked.from && s->steps[k] <= picture->asked.until)
@@ -389,8 +390,9 @@ static fw_status draw(const series *s, const fw_chart *charts, const fw_plot_pic
     const fw_units *units = &s->result->scenario->units;
     const fw_scenario_run *run = &s->result->scenario->run;
     const fw_figure_mark reversal = {(double)run->reverse_at, "reversal"};
-    const fw_label x =
-        s->along ? s->along_label : fw_plot_time_label(time, sizeof time, by_step, units);
+    const fw_label x = s->along            ? s->along_label
+                       : picture->in_steps ? (fw_label){"time (steps)", 0}
+                                           : fw_plot_time_label(time, sizeof time, by_step, units);
     return fw_figure_series(&picture->page, charts, s->panel_count, x, &reversal,
                             run->reverse_at > 0 && by_step, error);
 }

@@ -105,7 +105,7 @@ static fw_status find_maps(structure_maps *m, const pairs *p, fw_error *error)
                           .range = asked[0] < asked[1] ? (fw_range){asked[0], asked[1]}
                                                        : (fw_range){m->least, 1},
                           .logarithmic = !(asked[0] < asked[1]) || asked[0] > 0,
-                          .map = FW_PALETTE_SEQUENTIAL}};
+                          .map = m->picture->map ? m->picture->map : FW_PALETTE_SEQUENTIAL}};
     }
     return FW_OK;
 }
@@ -332,7 +332,7 @@ fw_status fw_plot_draw_histogram(const fw_plot_result *result, const fw_plot_pic
             .q_label = picture->field,
             .colouring = {.label = {"part of the particles", 0},
                           .trim = .002,
-                          .map = FW_PALETTE_SEQUENTIAL},
+                          .map = picture->map ? picture->map : FW_PALETTE_SEQUENTIAL},
             .curves = &line,
             .curve_count = 1};
         status = fw_figure_map(&picture->page, &plan, error);

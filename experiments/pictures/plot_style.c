@@ -3,13 +3,16 @@
 #include "experiments/pictures/plot_style.h"
 
 typedef struct style {
-    double width, resolution, font_size;
+    double width, height, resolution, font_size;
+
     bool bare;
 } style;
 
 static const fw_key style_keys[] = {
     {"width", AT_NUMBER(style, width), FROM_TO(40, 1000), .default_value = "0",
      .default_meaning = "160", .unit = "mm", .meaning = "of the picture; a column has 86"},
+    {"height", AT_NUMBER(style, height), FROM_TO(10, 1000), .default_value = "0",
+     .default_meaning = "chosen", .unit = "mm", .meaning = "of all charts together"},
     {"dpi", AT_NUMBER(style, resolution), FROM_TO(20, 2400), .default_value = "0",
      .default_meaning = "200", .meaning = "dots per inch of a PNG file"},
     {"font-size", AT_NUMBER(style, font_size), FROM_TO(4, 40), .default_value = "0",
@@ -34,6 +37,7 @@ fw_status fw_plot_style_read(fw_plot_wish *wish, const char *path, fw_error *err
     fw_document_destroy(document);
     if (status != FW_OK) return status;
     if (wish->width == 0) wish->width = read.width;
+    if (wish->height == 0) wish->height = read.height;
     if (wish->resolution == 0) wish->resolution = read.resolution;
     if (wish->font_size == 0) wish->font_size = read.font_size;
     wish->bare |= read.bare;

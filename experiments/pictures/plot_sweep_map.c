@@ -352,6 +352,8 @@ fw_status fw_plot_sweep_map(const fw_plot_sweep *sweep, const fw_plot_wish *wish
     fw_plot_sweep_label(m->column, table, &sweep->scenario->units, true, m->name, sizeof m->name,
                         &m->label);
     fw_colouring colouring = {.label = m->label,
+                              .map =
+                                  wish->palette ? fw_palette_find(wish->palette) : FW_PALETTE_AUTO,
                               .logarithmic = wish->logarithmic || (own && own->logarithmic)};
     const double *range = wish->range[0] < wish->range[1] ? wish->range : own ? own->range : NULL;
     if (range && range[0] < range[1]) colouring.range = (fw_range){range[0], range[1]};

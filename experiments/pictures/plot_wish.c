@@ -30,6 +30,14 @@ fw_status fw_plot_check_wish(const fw_plot_wish *wish, fw_picture_kind kind, fw_
     if ((wish->x_range[0] < wish->x_range[1] || wish->y_range[0] < wish->y_range[1]) &&
         !has_free_axes(kind))
         return refuse_stray(kind, "a chosen part of its axes", error);
+    if (wish->height > 0 && kind != FW_PICTURE_SERIES && kind != FW_PICTURE_LOOP &&
+        kind != FW_PICTURE_PROFILE)
+        return refuse_stray(kind, "charts, whose height could be chosen", error);
+    if (wish->in_steps && kind != FW_PICTURE_SERIES)
+        return refuse_stray(kind, "anything over steps", error);
+    if (wish->palette && fw_palette_find(wish->palette) == FW_PALETTE_MAPS)
+        return fw_fail(error, FW_BAD_INPUT, "there is no palette '%s', expected one of %s",
+                       wish->palette, FW_PALETTE_NAMES);
     if (wish->with_count > 0 && kind != FW_PICTURE_SERIES)
         return refuse_stray(kind, "several results", error);
     if (wish->level && !fw_picture_reads(kind, "level"))

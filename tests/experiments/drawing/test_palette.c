@@ -4,6 +4,8 @@
 
 #include "experiments/drawing/colour_scale.h"
 
+#include <string.h>
+
 /* CIE lightness L* of an sRGB colour (CIE 15, white D65): an independent measure of lightness. */
 static double lightness_of(fw_colour colour)
 {
@@ -22,19 +24,35 @@ static double lightness_at(fw_palette_map map, double part)
     return lightness_of(fw_palette_at(map, part));
 }
 
-static void the_sequential_map_gets_lighter_in_even_steps(void **state)
+static void all_maps_but_one_get_lighter_in_even_steps(void **state)
 {
     (void)state;
     enum { STEPS = 20 };
-    double low = lightness_at(FW_PALETTE_SEQUENTIAL, 0);
-    double high = lightness_at(FW_PALETTE_SEQUENTIAL, 1);
-    assert_true(high - low > 60);
-    for (int k = 0; k < STEPS; ++k) {
-        double step = lightness_at(FW_PALETTE_SEQUENTIAL, (k + 1.) / STEPS) -
-                      lightness_at(FW_PALETTE_SEQUENTIAL, k / (double)STEPS);
-        /* L* and the lightness of Oklab differ by some percent for strong colours. */
-        assert_close(step * STEPS / (high - low), 1, .35);
+    static const fw_palette_map maps[] = {FW_PALETTE_SEQUENTIAL, FW_PALETTE_WARM, FW_PALETTE_GREY};
+    for (int m = 0; m < 3; ++m) {
+        double low = lightness_at(maps[m], 0), high = lightness_at(maps[m], 1);
+        assert_true(high - low > 60);
+        for (int k = 0; k < STEPS; ++k) {
+            double step =
+                lightness_at(maps[m], (k + 1.) / STEPS) - lightness_at(maps[m], k / (double)STEPS);
+            /* L* and the lightness of Oklab differ by some percent for strong colours. */
+            assert_close(step * STEPS / (high - low), 1, .35);
+        }
     }
+    const fw_colour middle = fw_palette_at(FW_PALETTE_GREY, .3);
+    assert_close(middle.red, middle.blue, 1e-3);
+    assert_close(middle.red, middle.green, 1e-3);
+}
+
+static void maps_are_found_by_their_names(void **state)
+{
+    (void)state;
+    char names[] = FW_PALETTE_NAMES, *next = NULL;
+    int map = 0;
+    for (char *name = strtok_r(names, ", ", &next); name; name = strtok_r(NULL, ", ", &next))
+        assert_int_equal(fw_palette_find(name), map++);
+    assert_int_equal(map, FW_PALETTE_MAPS);
+    assert_int_equal(fw_palette_find("rainbow"), FW_PALETTE_MAPS);
 }
 
 static void the_diverging_map_is_lightest_in_the_middle_and_symmetric(void **state)
@@ -131,7 +149,8 @@ static void what_has_no_colour_is_grey(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_sequential_map_gets_lighter_in_even_steps),
+        cmocka_unit_test(all_maps_but_one_get_lighter_in_even_steps),
+        cmocka_unit_test(maps_are_found_by_their_names),
         cmocka_unit_test(the_diverging_map_is_lightest_in_the_middle_and_symmetric),
         cmocka_unit_test(the_ends_of_the_diverging_map_differ_in_blue),
         cmocka_unit_test(kinds_repeat_and_differ),

@@ -311,6 +311,13 @@ static void a_series_is_drawn_along_another_number(void **state)
     assert_memory_equal(drawn->x, plain.charts[1].curves[0].y,
                         (size_t)drawn->count * sizeof(double));
     assert_string_equal(series.along_label.text, plain.charts[1].label.text);
+    fw_plot_series over;
+    const fw_plot_picture steps = {
+        .asked = picture.asked, .observables = names, .observable_count = 1, .in_steps = true};
+    assert_fine(fw_plot_series_find(&over, &result, &steps, &error));
+    for (int k = 0; k < over.charts[0].curves[0].count; ++k)
+        assert_close(over.charts[0].curves[0].x[k], (double)over.steps[k], 0);
+    fw_plot_series_clear(&over);
     fw_plot_series_clear(&plain);
     fw_plot_series_clear(&series);
     fw_plot_result_close(&result);

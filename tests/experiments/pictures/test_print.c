@@ -105,6 +105,9 @@ static void a_style_file_says_how_figures_look(void **state)
     assert_true(large.height != plain.height);
     const png own = draw(folder, "--observable energy --style paper.style --dpi 200");
     assert_int_equal(own.width, 678);
+    const png low = draw(folder, "--observable energy --height 30");
+    const png high = draw(folder, "--observable energy --height 90");
+    assert_in_range(high.height - low.height, 472, 473); /* 60 mm of 200 dots to 25.4 mm */
     write_scenario(folder, "paper.style", "width: 86\nheigth: 3\n");
     seen = run_program(folder, "plot out --style paper.style");
     expect_end(&seen, 2, "paper.style:2:1: unknown key 'heigth'");
@@ -118,6 +121,9 @@ static void a_style_file_says_how_figures_look(void **state)
         {"plot out --x-range 3,2", "--x-range 3,2, expected two numbers"},
         {"plot out --observable energy --x-range 30,40", "nothing lies between 30 and 40 along x"},
         {"plot out --kind structure --y-range 0,1", "does not draw a chosen part of its axes"},
+        {"plot out --kind motion --height 30", "does not draw charts"},
+        {"plot out --kind motion --in-steps", "does not draw anything over steps"},
+        {"plot out --palette rainbow", "there is no palette 'rainbow', expected one of auto, "},
         {"plot out --kind motion --with out", "does not draw several results"},
         {"plot out --kind motion --along energy", "does not draw anything along another number"},
         {"plot out --observable energy --along momentum", "are 2 numbers, expected one"},
