@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* couple.h - normal forces and tractions of an island as the unknowns of one problem, with what
- * each of them does. Shared by couple.c (which finds them),
- * joint_pivot.c (which finds their states) and joint_couple.c (which asks), and by nobody else. */
+ * each of them does. Shared by couple.c (which finds them), joint_pivot.c (which finds their
+ * states) and joint_couple.c (which asks), and by nobody else. */
 #ifndef FW_COUPLE_H
 #define FW_COUPLE_H
 

@@ -97,8 +97,8 @@ fw_status joint_couple(fw_joint *joint, fw_joint_end *ends, fw_joint_row *rows, 
 /* Are all forces of the island few enough for that? */
 bool joint_is_few(const fw_joint_row *rows, const int *list, int count);
 /* By how much friction of the island misses its law, on the present displacements and forces: what
- * goes beyond the cone or, sliding, stays below it, as a part of the widest and times `forces`;
- * what sticks and yet slips, or slides the wrong way, as a part of how far the ends go. */
+ * goes beyond the cone or, sliding, stays below it, as a part of the widest; what sticks and yet
+ * slips, or slides the wrong way, as a part of how far the ends go. */
 double joint_friction_misfit(const fw_joint *joint, const fw_joint_end *ends,
                              const fw_joint_row *rows, const int *list, int count);
 /* What lines want, with the friction that there is. */

@@ -42,6 +42,7 @@ static fw_status constrain_contacts(fw_scene *scene, fw_error *error)
     return scene_constrain_bodies(scene, error);
 }
 
+/* Says in front of the error in which step, and of which body. Returns `status`. */
 static fw_status fail_of_body(const fw_scene *scene, int b, fw_status status, fw_error *error)
 {
     fw_fail_within(error, "step %lld: body %s", (long long)scene->clock.step,

@@ -196,7 +196,8 @@ static void a_push_that_does_not_fit_is_unmatched(void **state)
     fw_piston *piston;
     const fw_piston_def def = {.mass = 2, .drive = {.force = {0.5, -3}}};
     must(fw_piston_create(&piston, "press", &def, &error));
-    fw_piston_advance(piston, (fw_vec2){0, 0}, (fw_vec2){-0.5, 3.25}, (fw_vec2){0, 0}, 0, 0, 0, 0.1);
+    fw_piston_advance(piston, (fw_vec2){0, 0}, (fw_vec2){-0.5, 3.25}, (fw_vec2){0, 0}, 0, 0, 0,
+                      0.1);
     const fw_piston_ledger *a = fw_piston_observe_ledger(piston);
     assert_close(a->unmatched.x, 0, 1e-15);
     assert_close(a->unmatched.y, 0.1 * 0.25, 1e-15);
