@@ -16,7 +16,7 @@ typedef struct forces_panel {
     fw_figure_forces_panel of;
     fw_view_bounds bounds; /* of its particles, original and present */
     bool is_chain;         /* straight and horizontal: everything would lie on one line */
-    double shortest_link;  /* originally; of a body without links its extent */
+    double shortest_link;  /* originally; without links as far as particles are apart */
 } forces_panel;
 
 typedef struct forces_plan {
@@ -41,7 +41,7 @@ static fw_view_bounds bounds_of(const fw_figure_forces_panel *of)
     return bounds;
 }
 
-static double shortest_link(const fw_figure_forces_panel *of, double extent)
+static double shortest_link(const fw_figure_forces_panel *of, double width, double height)
 {
     double shortest = INFINITY;
     for (int k = 0; k < of->link_count; ++k) {
@@ -50,7 +50,11 @@ static double shortest_link(const fw_figure_forces_panel *of, double extent)
             hypot(of->original_x[a] - of->original_x[b], of->original_y[a] - of->original_y[b]);
         if (length > 0) shortest = fmin(shortest, length);
     }
-    return isfinite(shortest) ? shortest : extent > 0 ? extent : 1;
+    if (isfinite(shortest)) return shortest;
+    /* On a square lattice that fills the same rectangle, or on a line as long. */
+    const double line = fmax(width, height) / fmax(of->count - 1, 1);
+    const double apart = fmax(sqrt(width * height / fmax(of->count, 1)), line);
+    return apart > 0 ? apart : 1;
 }
 
 static forces_panel measure(const fw_figure_forces_panel *of)
@@ -60,7 +64,7 @@ static forces_panel measure(const fw_figure_forces_panel *of)
     return (forces_panel){.of = *of,
                           .bounds = bounds,
                           .is_chain = width > 0 && height <= 1e-6 * width,
-                          .shortest_link = shortest_link(of, fmax(width, height))};
+                          .shortest_link = shortest_link(of, width, height)};
 }
 
 static fw_range with_room(fw_range range, double room)

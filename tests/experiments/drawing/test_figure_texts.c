@@ -75,6 +75,36 @@ static void names_of_panels_side_by_side_have_room(void **state)
     }
 }
 
+/* Room around a body is that of a spacing, whether or not there are links. */
+static void particles_without_links_fill_their_panel(void **state)
+{
+    (void)state;
+    enum { SIDE = 9, COUNT = SIDE * SIDE };
+    double x[COUNT], y[COUNT];
+    for (int k = 0; k < COUNT; ++k) {
+        x[k] = k % SIDE;
+        y[k] = k / SIDE;
+    }
+    const fw_figure_force push = {0, {1, 0}, true};
+    const fw_figure_forces_panel panel = {.name = "crystal",
+                                          .count = COUNT,
+                                          .original_x = x,
+                                          .original_y = y,
+                                          .x = x,
+                                          .y = y,
+                                          .forces = &push,
+                                          .force_count = 1};
+    const fw_figure_forces_plan plan = {.panels = &panel, .panel_count = 1};
+    fw_error error;
+    fw_page page = page_with(NULL, NULL);
+    page.file = picture_name("forces-texts", ".png");
+    seen_text_count = 0;
+    assert_int_equal(fw_figure_forces(&page, &plan, &error), FW_OK);
+    assert_non_null(find_seen_text("8", 0));
+    assert_null(find_seen_text("10", 0));
+    assert_null(find_seen_text("\u22122", 0));
+}
+
 /* What cannot be negative is not shown as if it could. */
 static void a_count_that_stays_zero_is_shown_from_zero_up(void **state)
 {
@@ -96,6 +126,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_number_stands_in_the_middle_of_its_cell),
         cmocka_unit_test(names_of_panels_side_by_side_have_room),
+        cmocka_unit_test(particles_without_links_fill_their_panel),
         cmocka_unit_test(a_count_that_stays_zero_is_shown_from_zero_up),
     };
     return cmocka_run_group_tests(tests, make_folder, NULL);
