@@ -30,14 +30,10 @@ static fw_status find_column(const char *name, fw_profile_column *column, fw_err
 }
 
 /* The axis that the scenario has; another one was not measured. */
-static fw_status find_axis(const fw_playback *playback, const fw_arguments *arguments, char *axis,
+static fw_status find_axis(const fw_scenario *scenario, const fw_arguments *arguments, char *axis,
                            fw_error *error)
 {
-    fw_scenario *scenario;
-    FW_TRY(fw_scenario_read(&scenario, arguments->words[0], playback->scenario,
-                            strlen(playback->scenario), NULL, 0, error));
     *axis = scenario->profile.axis ? 'y' : 'x';
-    fw_scenario_destroy(scenario);
     const char *wish = arguments->axis;
     if (!wish || (wish[0] == *axis && wish[1] == '\0')) return FW_OK;
     return fw_fail(error, FW_BAD_INPUT,
@@ -46,16 +42,16 @@ static fw_status find_axis(const fw_playback *playback, const fw_arguments *argu
                    wish, *axis);
 }
 
-static fw_status print_profile(fw_playback *playback, const fw_arguments *arguments,
-                               fw_error *error)
+static fw_status print_profile(fw_playback *playback, const fw_scenario *scenario,
+                               const fw_arguments *arguments, fw_error *error)
 {
     char axis;
     fw_profile_column column;
     fw_profile_table *table;
     FW_TRY(find_column(arguments->field, &column, error));
-    FW_TRY(find_axis(playback, arguments, &axis, error));
+    FW_TRY(find_axis(scenario, arguments, &axis, error));
     FW_TRY(fw_profile_table_read(&table, playback, axis, error));
-    fw_profile_table_print(table, column, stdout);
+    fw_profile_table_print(table, column, &scenario->units, stdout);
     fw_profile_table_destroy(table);
     return FW_OK;
 }
@@ -65,7 +61,13 @@ fw_status fw_command_profile(const fw_arguments *arguments, fw_error *error)
     fw_playback *playback;
     FW_TRY(fw_sweep_refuse(arguments->words[0], error));
     FW_TRY(fw_playback_open(&playback, arguments->words[0], error));
-    const fw_status status = print_profile(playback, arguments, error);
+    fw_scenario *scenario = NULL;
+    fw_status status = fw_scenario_read(&scenario, arguments->words[0], playback->scenario,
+                                        strlen(playback->scenario), NULL, 0, error);
+    if (status == FW_OK) {
+        status = print_profile(playback, scenario, arguments, error);
+        fw_scenario_destroy(scenario);
+    }
     fw_playback_close(playback);
     return status;
 }

@@ -171,10 +171,23 @@ static void print_number(FILE *out, double mean, double error)
     fprintf(out, "  %-20s", text);
 }
 
-static void print_column(const fw_profile_table *table, fw_profile_column column, FILE *out)
+enum { UNIT_TEXT = FW_PHYSICAL_TEXT + 32 };
+
+/* "force", or "force = 4.328 pN". */
+static const char *say_unit(char text[UNIT_TEXT], const fw_units *units, const char *unit)
 {
+    char physical[FW_PHYSICAL_TEXT];
+    fw_units_print(physical, units, unit, 4);
+    snprintf(text, UNIT_TEXT, "%.28s%s%s", unit, physical[0] ? " = " : "", physical);
+    return text;
+}
+
+static void print_column(const fw_profile_table *table, fw_profile_column column,
+                         const fw_units *units, FILE *out)
+{
+    char unit[UNIT_TEXT];
     const fw_profile_column_row *row = &fw_profile_columns[column];
-    fprintf(out, "%s / %s: %s\n", row->name, row->unit, row->meaning);
+    fprintf(out, "%s / %s: %s\n", row->name, say_unit(unit, units, row->unit), row->meaning);
     fprintf(out, "%8c  %-20s  %-20s\n", table->axis, "experiment", "control");
     for (int b = 0; b < table->bin_count; ++b) {
         const fw_outcome *o = &fw_profile_table_column(table, column)[b];
@@ -203,19 +216,23 @@ static void print_all(const fw_profile_table *table, FILE *out)
     }
 }
 
-void fw_profile_table_print(const fw_profile_table *table, fw_profile_column column, FILE *out)
+void fw_profile_table_print(const fw_profile_table *table, fw_profile_column column,
+                            const fw_units *units, FILE *out)
 {
+    const int width = units && fw_units_given(units) ? 26 : 12;
     if (column == FW_PROFILE_COLUMNS)
         print_all(table, out);
     else
-        print_column(table, column, out);
-    fprintf(out, "\n%-40s  %-20s  %-20s  %-12s  %s\n", "layer", "experiment", "control", "unit",
-            "meaning");
+        print_column(table, column, units, out);
+    fprintf(out, "\n%-40s  %-20s  %-20s  %-*s  %s\n", "layer", "experiment", "control", width,
+            "unit", "meaning");
     for (int n = 0; n < FW_LAYER_MEASURES; ++n) {
         const fw_quantity *quantity = &fw_layer_quantities[n];
         fprintf(out, "%-40s", quantity->name);
         print_number(out, table->layer[n].mean, table->layer[n].error);
         print_number(out, table->layer[n].control, table->layer[n].control_error);
-        fprintf(out, "  %-12s  %s\n", quantity->unit, quantity->meaning);
+        char unit[UNIT_TEXT];
+        fprintf(out, "  %-*s  %s\n", width, say_unit(unit, units, quantity->unit),
+                quantity->meaning);
     }
 }

@@ -7,6 +7,7 @@
 
 #include "experiments/measures/layer.h"
 #include "experiments/results/playback.h"
+#include "experiments/units/units.h"
 
 typedef struct fw_profile_table {
     char axis; /* 'x' or 'y' */
@@ -42,6 +43,7 @@ fw_status fw_profile_table_write(const fw_profile_table *table, const char *dire
                                  const char *name, fw_error *error);
 /* For people: one column of the profile beside its control's (FW_PROFILE_COLUMNS: the main ones
  * without control), then the measures of the layer. */
-void fw_profile_table_print(const fw_profile_table *table, fw_profile_column column, FILE *out);
+void fw_profile_table_print(const fw_profile_table *table, fw_profile_column column,
+                            const fw_units *units, FILE *out);
 
 #endif

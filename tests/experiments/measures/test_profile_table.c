@@ -90,8 +90,12 @@ static void people_read_each_number_beside_its_error(void **state)
     fw_outcome *order = fw_profile_table_column(table, FW_PROFILE_ORDER);
     order[1] = (fw_outcome){1.573, .018, 976, 50};
     table->layer[FW_LAYER_FAR] = (fw_outcome){2.5, .25, 12, 1.5};
+    fw_units argon = {
+        .length_text = "0.382 nm", .energy_text = "10.32 meV", .mass_text = "39.948 u"};
+    const char *key;
+    assert_fine(fw_units_complete(&argon, &key, &error));
     FILE *out = tmpfile();
-    fw_profile_table_print(table, FW_PROFILE_ORDER, out);
+    fw_profile_table_print(table, FW_PROFILE_ORDER, &argon, out);
     rewind(out);
     text[fread(text, 1, sizeof text - 1, out)] = '\0';
     fclose(out);
@@ -99,6 +103,7 @@ static void people_read_each_number_beside_its_error(void **state)
     const char *far = strstr(text, "\nlayer-far ");
     assert_non_null(far);
     assert_non_null(strstr(far, "2.50 +- 0.25"));
+    assert_non_null(strstr(far, "force = 4.328 pN"));
     assert_true(strstr(far, "2.50 +- 0.25") < strstr(far, "12.0 +- 1.5"));
     fw_profile_table_destroy(table);
 }
