@@ -22,6 +22,9 @@ enum { CORRECTIONS = 4 };
  * and in states that pivots have found. */
 #define ROUNDING 1e-12
 #define NEARLY   1e-11
+/* Rounding alone, as a part of the forces: where rows that hold contradict each other, forces grow
+ * until the shift makes up for it, and what it takes is more. */
+#define BY_FORCES 1e-14
 /* Of the part with which friction gives nothing. */
 #define SHORT_OF 0.999
 
@@ -187,21 +190,33 @@ static double contradiction(const couple *p, int n, bool both, double part, coup
     return 0;
 }
 
+/* How far what is to hold is off. */
+static double off_hold(const couple *p, int n, double part)
+{
+    const double target = p->state[n] == STICKS ? part * p->target[n] : 0;
+    return is_active(p, n) ? fabs(p->motion[n] - p->wanted[n] - target) : 0;
+}
+
 /* Solves for the present states, and finds the one that is contradicted most. Changes all of those
  * if `all`, or that one. Returns how many are contradicted by more than `tolerance`; -1 where one
  * is that no change of states can mend. */
 static int improve(couple *p, double part, double tolerance, bool all)
 {
-    double size = 0, worst = 0;
+    double way = 0, size = 0, worst = 0;
     int changes = 0, which = -1;
     couple_state what = RESTS;
     solve_states(p, part);
-    for (int n = 0; n < p->count; ++n) size = fmax(size, fmax(fabs(p->x[n]), fabs(p->wanted[n])));
+    for (int n = 0; n < p->count; ++n) {
+        way = fmax(way, fabs(p->wanted[n]));
+        size = fmax(size, fmax(fabs(p->x[n]), way));
+    }
     for (int n = 0; n < p->count; ++n) {
         couple_state other = RESTS;
         const bool both = !couple_is_tangent(p, n) && p->both[n];
         const double beyond = contradiction(p, n, both, part, &other);
-        if (!(beyond > tolerance * size)) continue;
+        if (!(beyond > tolerance * size) &&
+            !(off_hold(p, n, part) > tolerance * way + BY_FORCES * size))
+            continue;
         changes += 1;
         if (both) return -1;
         if (beyond > worst) {
