@@ -78,7 +78,7 @@ static void fill_masses(const fw_automaton *body, gsl_matrix *masses)
     }
 }
 
-/* False without memory; so does general_growth(). */
+/* False without memory, as general_growth(). */
 static bool symmetric_growth(const fw_automaton *body, gsl_matrix *dense, double *growth)
 {
     const size_t size = dense->size1;

@@ -8,6 +8,7 @@
 
 #include "experiments/results/compare.h"
 #include "tests/support/program.h"
+#include "tests/support/small_scenarios.h"
 
 #include <errno.h>
 
@@ -19,22 +20,6 @@ typedef struct failing_line {
     void (*look)(const char *folder, const outcome *seen);
     bool says_times; /* and so never quite the same */
 } failing_line;
-
-static const char quiet_blocks[] =
-    "title: two blocks and a wall\n"
-    "materials: {soft: {lattice-boltzmann: {rest-mass: 0, damping: .05}}}\n"
-    "bodies:\n"
-    "  upper: {material: soft, shape: {rectangle: [4, 3]}, origin: [.3, 3.05], velocity: [.01, "
-    "-.02]}\n"
-    "  lower: {material: soft, shape: {rectangle: [5, 3]}}\n"
-    "contact: {friction: .3}\n"
-    "walls: {floor: {chain: [[-5, -.1], [9, -.1]], surface: {coulomb: .2}}}\n"
-    "forces: {weight: {body: upper, acceleration: [0, -.0005]}}\n"
-    "run: {steps: 60, record-every: 10, measure-every: 10, checkpoint-every: 20}\n"
-    "record: {fields: [strain-yy]}\n"
-    "measure: [energy, momentum]\n"
-    "expect: [{quantity: energy, statistic: largest, above: 0}]\n"
-    "pictures: {motion: {kind: motion, instants: [0, 60]}}\n";
 
 static inline outcome run_failing(const char *folder, const char *line, int place, int reason)
 {

@@ -321,7 +321,7 @@ static inline void assert_presses_go_on_elsewhere(matter of, uint64_t count)
             copy_state(scene, elsewhere);
             run(scene, 100);
             run(elsewhere, 100);
-            assert_true(hash_of(scene) == hash_of(elsewhere));
+            assert_true(hash_of_scene(scene) == hash_of_scene(elsewhere));
             fw_scene_destroy(scene);
             fw_scene_destroy(elsewhere);
         }

@@ -7,6 +7,7 @@
 #include "contact/scene/scene.h"
 #include "core/boltzmann/lb_solid.h"
 #include "tests/support/laws.h"
+#include "tests/support/scene_hash.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -90,18 +91,6 @@ static inline void assert_ledger_closes(const fw_scene *scene, double tolerance)
     assert_close(p.y, wanted.y, 100 * tolerance);
 }
 
-/* Of the whole state. */
-static inline uint64_t hash_of(fw_scene *scene)
-{
-    uint64_t hash = 0;
-    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
-        fw_state_list list = {0};
-        fw_scene_section(scene, n, &list);
-        hash = hash * 31 + fw_state_list_hash(&list);
-    }
-    return hash;
-}
-
 /* Into a scene that was made in the same way. */
 static inline void copy_state(fw_scene *from, fw_scene *to)
 {
@@ -128,7 +117,7 @@ static inline void assert_goes_on_elsewhere(fw_scene *(*make)(void), int ticks, 
         run(first, at);
         copy_state(first, second);
         run(second, ticks - at);
-        assert_true(hash_of(second) == hash_of(whole));
+        assert_true(hash_of_scene(second) == hash_of_scene(whole));
         fw_scene_destroy(first);
         fw_scene_destroy(second);
     }

@@ -5,20 +5,6 @@
 
 #include "tests/support/failed_calls.h"
 
-static const char crystal[] =
-    "title: a crystal with a bath, held\n"
-    "materials: {crystal: {movable-particles: {return-force: {amplitude: 1, axes: corotating}}}}\n"
-    "bodies: {block: {material: crystal, lattice: hexagonal, shape: {rectangle: [6, 5]}, "
-    "temperature: .01}}\n"
-    "dynamics: {time-step: .005, damping: 1, temperature: .01}\n"
-    "grips: {hand: {body: block, side: left, layer: .5, hold: both}}\n"
-    "run: {steps: 20, record-every: 10, measure-every: 5}\n"
-    "record: {fields: [local-order]}\n"
-    "measure: [energy]\n"
-    "profile: {every: 5, bin: 1, middle: 2, far: [0.5, 3]}\n"
-    "study: {seeds: 2}\n"
-    "pictures: {energy: {kind: series, observables: [energy]}}\n";
-
 static const char sheets[] =
     "title: an automaton at two speeds\n"
     "materials: {sheet: {elastic-automaton: {c1: .4, c2: .2, break-at: .02}}}\n"
@@ -44,14 +30,14 @@ static void begin_with(const char *text, const char *line)
 static int begin_blocks(void **state)
 {
     (void)state;
-    begin_with(quiet_blocks, "run file.yaml -o good --quiet --no-plot");
+    begin_with(two_blocks, "run file.yaml -o good --quiet --no-plot");
     return 0;
 }
 
 static int begin_crystal(void **state)
 {
     (void)state;
-    begin_with(crystal, "run file.yaml -o good --quiet --no-plot");
+    begin_with(held_crystal, "run file.yaml -o good --quiet --no-plot");
     return 0;
 }
 

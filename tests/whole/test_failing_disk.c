@@ -12,7 +12,7 @@ static int begin(void **state)
 {
     (void)state;
     make_quick_folder(folder, sizeof folder);
-    write_scenario(folder, "file.yaml", quiet_blocks);
+    write_scenario(folder, "file.yaml", two_blocks);
     const outcome seen = run_program(folder, "run file.yaml -o good --quiet --no-plot");
     expect_end(&seen, 0, "");
     return 0;

@@ -71,7 +71,7 @@ static void assert_same_bytes(fw_scene *(*make)(void), int steps, int every)
         for (; fw_scene_steps(quick) < end; ++calls)
             must(fw_scene_advance(quick, end - fw_scene_steps(quick), &error));
         must(fw_scene_settle(quick, &error));
-        assert_true(hash_of(quick) == hash_of(slow));
+        assert_true(hash_of_scene(quick) == hash_of_scene(slow));
     }
     /* It did touch, and most of the time it did not. */
     const fw_scene *touched = quick;
@@ -110,7 +110,7 @@ static void steps_of_both_kinds_mix(void **state)
         if (round % 3 == 0) run(mixed, 1 + round % 2);
         run(slow, (int)(fw_scene_steps(mixed) - fw_scene_steps(slow)));
         must(fw_scene_settle(mixed, &error));
-        assert_true(hash_of(mixed) == hash_of(slow));
+        assert_true(hash_of_scene(mixed) == hash_of_scene(slow));
     }
     fw_scene_destroy(mixed);
     fw_scene_destroy(slow);
@@ -129,7 +129,7 @@ static void state_from_a_flight_goes_on_elsewhere(void **state)
     while (fw_scene_steps(second) < 1500)
         must(fw_scene_advance(second, 1500 - fw_scene_steps(second), &error));
     must(fw_scene_settle(second, &error));
-    assert_true(hash_of(second) == hash_of(whole));
+    assert_true(hash_of_scene(second) == hash_of_scene(whole));
     fw_scene_destroy(whole);
     fw_scene_destroy(first);
     fw_scene_destroy(second);

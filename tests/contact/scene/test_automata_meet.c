@@ -280,7 +280,7 @@ static void threads_do_not_change_a_bit(void **state)
         begin(scene);
         run(scene, 30);
         assert_true(fw_scene_contact_ledger(scene)->ticks > 10);
-        hash[n] = hash_of(scene);
+        hash[n] = hash_of_scene(scene);
         fw_scene_destroy(scene);
     }
     omp_set_num_threads(before);

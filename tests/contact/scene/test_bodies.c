@@ -160,7 +160,7 @@ static void threads_do_not_change_a_bit(void **state)
         begin(scene);
         run(scene, 60);
         assert_true(fw_scene_contact_ledger(scene)->ticks > 20);
-        hash[n] = hash_of(scene);
+        hash[n] = hash_of_scene(scene);
         fw_scene_destroy(scene);
     }
     omp_set_num_threads(before);

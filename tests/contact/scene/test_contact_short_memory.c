@@ -5,6 +5,7 @@
 #include "tests/support/short_memory.h"
 
 #include "tests/support/scenarios.h"
+#include "tests/support/scene_hash.h"
 
 #include <omp.h>
 
@@ -87,17 +88,6 @@ static const char crystals[] =
     "dynamics: {time-step: .005}\n"
     "run: {steps: 60}\n";
 
-static uint64_t hash_of(fw_scene *scene)
-{
-    uint64_t hash = 0;
-    for (int n = 0; n < fw_scene_section_count(scene); ++n) {
-        fw_state_list list = {0};
-        fw_scene_section(scene, n, &list);
-        hash = hash * 31 + fw_state_list_hash(&list);
-    }
-    return hash;
-}
-
 static fw_status run_scene(fw_experiment *experiment, uint64_t *result, fw_error *failed)
 {
     fw_scene *scene = experiment->scene;
@@ -111,7 +101,7 @@ static fw_status run_scene(fw_experiment *experiment, uint64_t *result, fw_error
     }
     FW_TRY(fw_scene_restored(scene, failed));
     FW_TRY(fw_experiment_step(experiment, failed));
-    *result = hash_of(scene);
+    *result = hash_of_scene(scene);
     return FW_OK;
 }
 

@@ -193,7 +193,7 @@ static void crowds_that_go_on_elsewhere_have_the_same_bytes(void **state)
         copy_state(scene, elsewhere);
         run(scene, 90);
         run(elsewhere, 90);
-        assert_true(hash_of(scene) == hash_of(elsewhere));
+        assert_true(hash_of_scene(scene) == hash_of_scene(elsewhere));
         fw_scene_destroy(scene);
         fw_scene_destroy(elsewhere);
     }

@@ -34,7 +34,7 @@ static void a_free_flight_is_its_steps(void **state)
     }
     must(fw_scene_settle(scenes[1], &error));
     assert_int_equal(calls, 7); /* 6 x 16 + 4 */
-    assert_true(hash_of(scenes[0]) == hash_of(scenes[1]));
+    assert_true(hash_of_scene(scenes[0]) == hash_of_scene(scenes[1]));
     for (int n = 0; n < 2; ++n) fw_scene_destroy(scenes[n]);
 }
 
