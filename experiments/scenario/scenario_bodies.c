@@ -153,8 +153,7 @@ static fw_status read_body(fw_scenario *scenario, const fw_node *node, fw_scenar
         if (stray)
             return fw_scenario_fail(
                 scenario, stray->key_place, error,
-                "bodies.%s has '%s', but its particles are placed freely, not on a "
-                "lattice",
+                "bodies.%s has '%s', but its particles are placed freely, not on a lattice",
                 body->name, stray->key);
     }
     FW_TRY(limit_sites(scenario, body, error));

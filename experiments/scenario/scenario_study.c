@@ -28,9 +28,8 @@ const fw_section fw_profile_section = {
     "`profile`", "a profile",
     "Averages across the scene, in bins of one coordinate, over samples of a phase and over the "
     "seeds of the study: what `fretwork profile` prints. Of movable particles; where there are "
-    "none, "
-    "of all bodies, which have no order and no bonds that break. An automaton knows no return "
-    "force.",
+    "none, of all bodies, which have no order and no bonds that break. An automaton knows no "
+    "return force.",
     .keys = profile_keys};
 
 static const fw_key study_keys[] = {
