@@ -11,6 +11,7 @@
 #include "experiments/text/json.h"
 #include "experiments/text/text.h"
 #include "experiments/units/units.h"
+#include "report.h"
 #include "start_picture.h"
 
 #include <math.h>
@@ -59,16 +60,6 @@ static void print_time(double seconds)
         printf("%.1f h", seconds / 3600);
     else
         printf("%.3g days", seconds / 86400);
-}
-
-/* The other solids know no noise. */
-static bool has_temperature(const fw_scenario *scenario)
-{
-    for (int b = 0; b < scenario->body_count; ++b) {
-        const fw_material_kind kind = scenario->materials[scenario->bodies[b].material].kind;
-        if (kind == FW_MOVABLE_PARTICLES || kind == FW_LINEAR_LATTICE) return true;
-    }
-    return false;
 }
 
 static void print_bodies(const fw_experiment *experiment)
@@ -205,7 +196,7 @@ static fw_status check_run(fw_run *run, const char *name, check_plan *plan,
     print_bodies(experiment);
     if (fw_units_given(&experiment->scenario->units)) {
         printf("  %-14s ", "one unit is");
-        fw_units_list(stdout, &experiment->scenario->units, has_temperature(experiment->scenario));
+        fw_report_units(stdout, experiment->scenario);
         printf("\n");
     }
     print_study(plan->scenario);

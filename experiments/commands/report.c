@@ -7,6 +7,7 @@
 #include "experiments/study/study.h"
 #include "experiments/text/terminal.h"
 #include "experiments/text/text.h"
+#include "experiments/units/units.h"
 
 #include <math.h>
 
@@ -17,6 +18,21 @@ static void suggest_next(const fw_scenario *scenario, const char *directory)
     printf("next: `fretwork table %s` gives the numbers over time, `fretwork plot %s --help` lists "
            "other pictures, `fretwork cite %s` what to cite\n",
            directory, directory, directory);
+}
+
+/* The other solids know no noise. */
+static bool has_temperature(const fw_scenario *scenario)
+{
+    for (int b = 0; b < scenario->body_count; ++b) {
+        const fw_material_kind kind = scenario->materials[scenario->bodies[b].material].kind;
+        if (kind == FW_MOVABLE_PARTICLES || kind == FW_LINEAR_LATTICE) return true;
+    }
+    return false;
+}
+
+void fw_report_units(FILE *out, const fw_scenario *scenario)
+{
+    fw_units_list(out, &scenario->units, has_temperature(scenario));
 }
 
 void fw_report_certificate(FILE *out, const fw_certificate *certificate)
@@ -42,6 +58,11 @@ fw_status fw_report_result(const fw_scenario *scenario, const fw_verdicts *verdi
     fw_text_print_line(stdout, scenario->title);
     printf("\n");
     fw_verdicts_print(stdout, verdicts);
+    if (verdicts->count > 0 && fw_units_given(&scenario->units)) {
+        printf("in reduced units; one unit is ");
+        fw_report_units(stdout, scenario);
+        printf("\n");
+    }
     if (certificate) fw_report_certificate(stdout, certificate);
     /* They were said when they came, and belong to what came out. */
     if (warnings) fw_text_print(stdout, warnings);

@@ -8,6 +8,8 @@
 #include "experiments/study/sweep.h"
 #include "experiments/text/json.h"
 
+/* What one of each unit is in nature, on one line; for a scenario that has units. */
+void fw_report_units(FILE *out, const fw_scenario *scenario);
 /* A line of a run's certificate; none where it says nothing. */
 void fw_report_certificate(FILE *out, const fw_certificate *certificate);
 /* The numbers of what applies, as member `certificate` of an object. */

@@ -461,7 +461,7 @@ function showRun(run, place) {
   const stage = make("div", null), player = section("Motion", stage);
   if (left.length > 0) player.append(make("p", { className: "quiet" }, `To keep this page small the player shows ${left.join(" and ")}; the results have all.`));
   place.append(player);
-  if (run.verdicts) place.append(section("Expected and measured", verdicts(run)));
+  if (run.verdicts) place.append(section(`Expected and measured${motion.lengthUnit === "length" ? "" : ", in reduced units"}`, verdicts(run)));
   if (run.certificate) place.append(section("Certificate", make("p", null, run.certificate)));
   if (run.warnings) place.append(section("Cautions", make("pre", null, run.warnings)));
   if (run.pictures.length > 0) place.append(section("Pictures", ...pictures(run.pictures)));

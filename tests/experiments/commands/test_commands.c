@@ -52,6 +52,22 @@ static void check_tells_what_a_run_takes(void **state)
     remove_folder(folder);
 }
 
+/* Below the table, whose numbers stay reduced. */
+static void a_run_says_what_its_units_are(void **state)
+{
+    (void)state;
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    outcome seen = run_program(folder, "run translate -o bare --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    assert_null(strstr(seen.out, "one unit is"));
+    seen = run_program(folder, "run translate -o with --no-plot --quiet --set "
+                               "'units={length: 1 mm, time: 2 us, mass: 1 mg}'");
+    expect_end(&seen, 0, "");
+    assert_non_null(strstr(seen.out, "\nin reduced units; one unit is length 1 mm, mass 1 mg"));
+    remove_folder(folder);
+}
+
 /* Only where something has one. */
 static void check_tells_of_temperatures_where_there_are_any(void **state)
 {
@@ -296,6 +312,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(check_tells_what_a_run_takes),
+        cmocka_unit_test(a_run_says_what_its_units_are),
         cmocka_unit_test(check_tells_of_temperatures_where_there_are_any),
         cmocka_unit_test(check_warns_and_refuses),
         cmocka_unit_test(what_a_control_cannot_begin_is_refused_before),
