@@ -9,6 +9,7 @@
 #include "contact/geometry/crossing.h"
 #include "scene_parts.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,6 +35,8 @@ typedef struct passage {
 
 fw_status fw_scene_let_meet(fw_scene *scene, int piston, int other, fw_error *error)
 {
+    assert(piston >= 0 && piston < scene->wall_count && scene->walls[piston].piston);
+    assert(other >= 0 && other < scene->wall_count && other != piston);
     scene_met *met = realloc(scene->met, ((size_t)scene->met_count + 1) * sizeof *met);
     if (!met) return fw_fail_memory(error, "pistons that meet");
     scene->met = met;

@@ -4,15 +4,24 @@
  * frame is kept. Keeps no state. */
 #include "lines.h"
 
+#include "experiments/text/number.h"
+
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* Which words of a line are the species and the place. */
 typedef struct columns {
     int species, place; /* -1: there is no species */
 } columns;
+
+/* A width that nothing can have leads beyond all words. */
+static int columns_of(const char *width)
+{
+    int64_t count = 0;
+    const bool fine = fw_integer_read(width, strlen(width), &count) == FW_NUMBER_FINE;
+    return fine && count > 0 && count < FW_WORDS ? (int)count : FW_WORDS;
+}
 
 /* Plain XYZ has the species first. */
 static fw_status find_columns(columns *found, const fw_lines *lines, char *comment, fw_error *error)
@@ -31,7 +40,7 @@ static fw_status find_columns(columns *found, const fw_lines *lines, char *comme
                                  "Properties ends after '%s', expected NAME:KIND:WIDTH", name);
         if (strcmp(name, "species") == 0) found->species = column;
         if (strcmp(name, "pos") == 0 && strcmp(width, "3") == 0) found->place = column;
-        column += atoi(width) > 0 && atoi(width) < FW_WORDS ? atoi(width) : FW_WORDS;
+        column += columns_of(width);
     }
     if (found->place >= 0 && found->place + 3 <= FW_WORDS) return FW_OK;
     return fw_lines_fail(lines, error, "Properties has no 'pos:R:3', the places of the particles");

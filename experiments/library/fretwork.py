@@ -51,7 +51,7 @@ class Diverged(FretworkError, ArithmeticError):
 
 
 class _Error(Structure):
-    _fields_ = [("status", c_int), ("sentence", c_char * 10240)]
+    _fields_ = [("status", c_int), ("sentence", c_char * 10240)]  # FW_SENTENCE_SIZE
 
 
 class _Def(Structure):

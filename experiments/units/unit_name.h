@@ -4,10 +4,10 @@
 #ifndef FW_UNIT_NAME_H
 #define FW_UNIT_NAME_H
 
+#include "units.h"
+
 #include <stdbool.h>
 #include <stddef.h>
-
-#include "units.h"
 
 /* What a unit measures: its powers of metre, second, kilogram and kelvin. */
 typedef struct fw_dimension {
@@ -19,8 +19,6 @@ typedef struct fw_dimension {
 
 bool fw_dimension_equal(fw_dimension one, fw_dimension other);
 
-/* What may be written for a unit of this dimension, for sentences: "m with a prefix from f to M, or
- * A (angstrom)". */
 typedef enum fw_unit_kind {
     FW_UNIT_LENGTH,
     FW_UNIT_TIME,
@@ -28,6 +26,9 @@ typedef enum fw_unit_kind {
     FW_UNIT_ENERGY,
     FW_UNIT_KINDS
 } fw_unit_kind;
+
+/* What may be written for a unit of this kind, for sentences: "a unit of time: s with any prefix".
+ */
 const char *fw_unit_kind_choice(fw_unit_kind kind);
 
 /* The unit of this name; false: there is none of this kind. */

@@ -111,6 +111,8 @@ static void each_fault_of_a_file_has_its_sentence(void **state)
          "a.xyz:4: z is 2, expected 1 as of all before: a plane"},
         {"a.xyz", "1\nProperties=pos:R:2\nCu 0 0 0\n",
          "a.xyz:2: Properties has no 'pos:R:3', the places of the particles"},
+        {"a.xyz", "1\nProperties=id:I:4294967297:pos:R:3\n1 0 0 0\n",
+         "a.xyz:2: Properties has no 'pos:R:3', the places of the particles"},
         {"a.xyz", "1\nProperties=pos:R\nCu 0 0 0\n",
          "a.xyz:2: Properties ends after 'pos', expected NAME:KIND:WIDTH"},
         {"a.data", "t\n2 atoms\n", "a.data:2: the file ends without a section 'Atoms'"},
