@@ -5,6 +5,7 @@
  * fw_tiles_corners(). */
 #include "experiments/drawing/tiles.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -128,7 +129,8 @@ static int cut(fw_vec2 *corners, int count, fw_vec2 other)
 }
 
 /* The points that may limit a tile, seen from its own; returns how many. */
-static int find_neighbours(const fw_tiles *tiles, fw_vec2 centre, fw_vec2 found[NEIGHBOURS_MAX])
+static int find_neighbours(const fw_tiles *tiles, fw_vec2 centre, double reach,
+                           fw_vec2 found[NEIGHBOURS_MAX])
 {
     int count = 0;
     int column = bin_column(tiles, centre.x), row = bin_row(tiles, centre.y);
@@ -138,7 +140,7 @@ static int find_neighbours(const fw_tiles *tiles, fw_vec2 centre, fw_vec2 found[
             for (int k = tiles->first[bin]; k < tiles->first[bin + 1]; ++k) {
                 fw_vec2 other = fw_vec2_subtract(tiles->points[tiles->member[k]], centre);
                 double distance = hypot(other.x, other.y);
-                if (!(distance > 0) || distance >= 2 * tiles->reach) continue;
+                if (!(distance > 0) || distance >= 2 * reach) continue;
                 if (count < NEIGHBOURS_MAX) found[count++] = other;
             }
         }
@@ -160,14 +162,21 @@ static bool has_opposite(const fw_vec2 *neighbours, int count, fw_vec2 neighbour
 
 int fw_tiles_corners(const fw_tiles *tiles, int point, fw_vec2 corners[FW_TILE_CORNERS])
 {
+    return fw_tiles_corners_within(tiles, point, tiles->reach, corners);
+}
+
+int fw_tiles_corners_within(const fw_tiles *tiles, int point, double reach,
+                            fw_vec2 corners[FW_TILE_CORNERS])
+{
+    assert(reach <= tiles->reach);
     fw_vec2 centre = tiles->points[point], neighbours[NEIGHBOURS_MAX];
     if (!is_finite(centre)) return 0;
     int count = ROUND_CORNERS;
     for (int k = 0; k < count; ++k) {
         double angle = 2 * M_PI * (k + .5) / count;
-        corners[k] = (fw_vec2){tiles->reach * cos(angle), tiles->reach * sin(angle)};
+        corners[k] = (fw_vec2){reach * cos(angle), reach * sin(angle)};
     }
-    const int limits = find_neighbours(tiles, centre, neighbours);
+    const int limits = find_neighbours(tiles, centre, reach, neighbours);
     for (int k = 0; k < limits; ++k) {
         count = cut(corners, count, neighbours[k]);
         if (!has_opposite(neighbours, limits, neighbours[k]))

@@ -19,5 +19,8 @@ void fw_tiles_destroy(fw_tiles *tiles);
 /* Corners of the tile of a point, counter-clockwise; returns how many (0: no tile). */
 enum { FW_TILE_CORNERS = 64 };
 int fw_tiles_corners(const fw_tiles *tiles, int point, fw_vec2 corners[FW_TILE_CORNERS]);
+/* The same of a point whose tile reaches less far than those of others. */
+int fw_tiles_corners_within(const fw_tiles *tiles, int point, double reach,
+                            fw_vec2 corners[FW_TILE_CORNERS]);
 
 #endif

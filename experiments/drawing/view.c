@@ -185,10 +185,11 @@ static void draw_as_discs(const fw_view *view, const fw_panel *panel, const fw_c
  */
 static const double cell_reach = .72;
 
-static void draw_cell(const fw_tiles *tiles, int number, const fw_panel *panel, fw_colour colour)
+static void draw_cell(const fw_tiles *tiles, int number, double reach, const fw_panel *panel,
+                      fw_colour colour)
 {
     fw_vec2 corners[FW_TILE_CORNERS];
-    const int count = fw_tiles_corners(tiles, number, corners);
+    const int count = fw_tiles_corners_within(tiles, number, reach, corners);
     for (int c = 0; c < count; ++c) corners[c] = fw_panel_place(panel, corners[c].x, corners[c].y);
     /* A rim closes the seams between opaque cells; between others it would show. */
     if (count > 2)
@@ -211,9 +212,11 @@ static fw_status draw_as_cells(const fw_view *view, const fw_panel *panel,
     fw_tiles *tiles = NULL;
     fw_status status = fw_tiles_create(&tiles, points, count, fmax(reach, 1e-300), error);
     int number = 0;
-    for (int b = 0; b < view->body_count && status == FW_OK; ++b)
+    for (int b = 0; b < view->body_count && status == FW_OK; ++b) {
+        const double own = cell_reach * fw_view_spacing(&view->bodies[b]);
         for (int k = 0; k < view->bodies[b].count; ++k, ++number)
-            draw_cell(tiles, number, panel, colour_of(&view->bodies[b], k, scale));
+            draw_cell(tiles, number, own, panel, colour_of(&view->bodies[b], k, scale));
+    }
     fw_tiles_destroy(tiles);
     free(points);
     return status;
@@ -228,7 +231,8 @@ fw_status fw_view_draw_silhouette(const fw_view_body *body, const fw_panel *pane
     fw_tiles *tiles = NULL;
     const double reach = cell_reach * fw_view_spacing(body);
     fw_status status = fw_tiles_create(&tiles, points, body->count, reach, error);
-    for (int k = 0; k < body->count && status == FW_OK; ++k) draw_cell(tiles, k, panel, colour);
+    for (int k = 0; k < body->count && status == FW_OK; ++k)
+        draw_cell(tiles, k, reach, panel, colour);
     fw_tiles_destroy(tiles);
     free(points);
     return status;

@@ -392,7 +392,8 @@ class Player {
     context.fillText(`${curve.name} (${curve.unit})`, left, 4);
     context.textAlign = "right";
     context.textBaseline = "middle";
-    for (const value of ticks(low, high, 3)) context.fillText(digits(value), left - 6, y(value));
+    const few = ticks(low, high, 3);
+    for (const value of few.length > 1 ? few : ticks(low, high, 6)) context.fillText(digits(value), left - 6, y(value));
     context.textAlign = "center";
     context.textBaseline = "top";
     for (const value of ticks(first, last, width / 110)) context.fillText(digits(value), x(value), top + height + 6);

@@ -243,6 +243,23 @@ static void a_lonely_point_has_a_round_tile(void **state)
     fw_tiles_destroy(tiles);
 }
 
+/* Beside points that are far apart, one of a finer lattice does not grow to their size. */
+static void a_tile_ends_at_its_own_reach(void **state)
+{
+    (void)state;
+    const fw_vec2 points[] = {{0, 0}, {1, 0}, {0, 1}, {1, 1}, {.5, -3}, {4.5, -3}};
+    fw_vec2 corners[FW_TILE_CORNERS];
+    fw_tiles *tiles;
+    assert_int_equal(fw_tiles_create(&tiles, points, 6, 2.9, NULL), FW_OK);
+    for (int k = 0; k < 4; ++k) {
+        int count = fw_tiles_corners(tiles, k, corners);
+        assert_true(k > 1 || area_of(corners, count) > 1.2);
+        count = fw_tiles_corners_within(tiles, k, .72, corners);
+        assert_close(area_of(corners, count), 1, 1e-12);
+    }
+    fw_tiles_destroy(tiles);
+}
+
 static void points_in_a_heap_are_done_with_soon(void **state)
 {
     (void)state;
@@ -386,6 +403,7 @@ int main(void)
         cmocka_unit_test(the_forbidden_side_of_walls_is_grey),
         cmocka_unit_test(tiles_of_a_lattice_fill_its_plane),
         cmocka_unit_test(a_lonely_point_has_a_round_tile),
+        cmocka_unit_test(a_tile_ends_at_its_own_reach),
         cmocka_unit_test(points_in_a_heap_are_done_with_soon),
         cmocka_unit_test(a_file_is_replaced_as_a_whole),
         cmocka_unit_test(a_full_disk_leaves_what_was_there),
