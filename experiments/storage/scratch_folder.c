@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scratch_folder.c - a folder for files on their way.
- * Keeps no state. */
+/* scratch_folder.c - a folder for files on their way. Keeps no state. */
 #include "experiments/storage/scratch_folder.h"
 
 #include <errno.h>

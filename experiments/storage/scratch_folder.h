@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* scratch_folder.h - a folder for files on their way, where the system keeps such.
- */
+/* scratch_folder.h - a folder for files on their way, where the system keeps such. */
 #ifndef FW_SCRATCH_FOLDER_H
 #define FW_SCRATCH_FOLDER_H
 

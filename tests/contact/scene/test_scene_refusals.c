@@ -303,6 +303,27 @@ static void a_body_that_is_nowhere_is_refused(void **state)
     fw_scene_destroy(scene);
 }
 
+static fw_status explode(fw_solid *solid, const fw_constraint *constraints, int count,
+                         fw_error *failed)
+{
+    (void)solid, (void)constraints, (void)count;
+    return fw_fail(failed, FW_DIVERGED, "it explodes");
+}
+
+/* With step and body; and where nobody wants the sentence, as it is. */
+static void a_solid_that_fails_in_a_step_ends_it(void **state)
+{
+    (void)state;
+    fw_scene *scene = rubbing();
+    fw_solid *solid = fw_scene_body(scene, 1);
+    fw_solid_model failing = *solid->model;
+    failing.advance = explode;
+    solid->model = &failing;
+    assert_refused(fw_scene_step(scene, &error), FW_DIVERGED, ": body sheet: it explodes");
+    assert_int_equal(fw_scene_step(scene, NULL), FW_DIVERGED);
+    fw_scene_destroy(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -316,6 +337,7 @@ int main(void)
         cmocka_unit_test(what_rubs_on_nothing_is_refused),
         cmocka_unit_test(what_touches_no_facet_is_refused),
         cmocka_unit_test(a_body_that_is_nowhere_is_refused),
+        cmocka_unit_test(a_solid_that_fails_in_a_step_ends_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
