@@ -368,7 +368,7 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
         if (follows && !joint->coupled)
             FW_TRY(joint_settle(joint, ends, rows, list, count, moving, &settled, &change, error));
     }
-    joint_find_slips(ends, rows, list, count);
+    joint_stick_what_rests(ends, rows, list, count);
     joint_rub_driven(joint, ends, rows, list, count);
     outcome->islands += 1;
     outcome->unconverged += !arrived || !solved || joint_any_barred(rows, list, count);

@@ -307,6 +307,19 @@ bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *
     return any;
 }
 
+/* Where something else holds a particle along the face no law says what friction bears: at its
+ * limit or not, what has no slip has not broken loose. */
+void joint_stick_what_rests(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                            int count)
+{
+    joint_find_slips(ends, rows, list, count);
+    for (int n = 0; n < count; ++n) {
+        fw_joint_rub *rub = &rows[list[n]].rub;
+        if (!(rub->coefficient > 0) || rub->barred || !(rub->limit > 0)) continue;
+        rub->stuck |= fabs(rub->slip) <= ROUNDING * span_of(ends, &rows[list[n]]);
+    }
+}
+
 /* Traction times slip. */
 static double power_of_row(const fw_joint_end *ends, const fw_joint_row *row)
 {

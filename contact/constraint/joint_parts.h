@@ -112,6 +112,9 @@ void joint_share_out(const fw_joint *joint, fw_joint_end *ends, fw_joint_row *ro
                      int count, int moving);
 /* How far points slide along segments on the present displacements. */
 void joint_find_slips(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
+/* The same; and what does not slide is stuck. */
+void joint_stick_what_rests(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
+                            int count);
 /* Rows that slip at their static limit slide from now on. Returns whether there are any. */
 bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
 /* Does friction of the island give energy, as a whole? And bars those rows that do. */

@@ -292,6 +292,36 @@ static void contradictions_of_what_sticks_press_nothing(void **state)
     }
 }
 
+/* A particle that something else holds along a piston's face: whatever it bears, it has not broken
+ * loose. */
+static void what_is_held_along_a_face_has_not_broken_loose(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < 200; ++trial) {
+        const uint64_t seed = 5000 + (uint64_t)trial;
+        problem p = {0};
+        for (int n = 0; n < 2; ++n)
+            add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0.1 * random_of(seed, n), n > 0 ? -0.2 : 0.1},
+                    seed);
+        p.ends[1].wide = true;
+        p.ends[1].free.x = p.ends[1].displacement.x = 0;
+        p.ends[1].mobility = (fw_sym2){0, 0, 0.1};
+        for (int n = 0; n < 2; ++n)
+            p.rows[p.row_count++] = (fw_joint_row){.kind = FW_JOINT_PLANE,
+                                                   .end = {0, -1},
+                                                   .normal = {n > 0, n == 0},
+                                                   .both = true,
+                                                   .fresh = true};
+        add_rough_plane(&p, 0, 1, (fw_vec2){0, -1}, 0);
+        p.rows[2].rub.coefficient = 0.3;
+        solve(&p);
+        const fw_joint_rub *rub = &p.rows[2].rub;
+        assert_true(fabs(rub->slip) < 1e-15);
+        assert_true(fabs(rub->traction) <= fw_joint_cone(&p.rows[2]) * (1 + 1e-12));
+        assert_true(rub->stuck);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -299,6 +329,7 @@ int main(void)
         cmocka_unit_test(islands_that_follow_obey_coulombs_law),
         cmocka_unit_test(friction_that_only_holds_is_kept),
         cmocka_unit_test(what_cannot_all_stick_slides),
+        cmocka_unit_test(what_is_held_along_a_face_has_not_broken_loose),
         cmocka_unit_test(contradictions_of_what_sticks_press_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
