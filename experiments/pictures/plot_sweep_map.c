@@ -313,6 +313,8 @@ static fw_status make_map(map *m, const fw_plot_wish *wish, const fw_scenario_pi
     if (m->bisected) x = 1 - sweep->scenario->study.sweep.bisected;
     m->p = sides[x];
     m->q = sides[1 - x];
+    m->p.label.text = m->p.name;
+    m->q.label.text = m->q.name;
     FW_TRY(status);
     name_values(&m->p);
     FW_TRY(m->bisected ? fill_raster(m, error) : fill_grid(m, error));
