@@ -53,6 +53,7 @@ void __real_free(void *memory);
 /* C++'s new and delete. */
 void *__real__Znwm(size_t bytes);
 void __real__ZdlPvm(void *memory, size_t bytes);
+void __real__ZdlPv(void *memory);
 
 void *__wrap_malloc(size_t bytes);
 void *__wrap_malloc(size_t bytes)
@@ -109,6 +110,14 @@ void __wrap__ZdlPvm(void *memory, size_t bytes)
 {
     pieces -= memory != NULL;
     __real__ZdlPvm(memory, bytes);
+}
+
+/* What clang calls, which tells no size. */
+void __wrap__ZdlPv(void *memory);
+void __wrap__ZdlPv(void *memory)
+{
+    pieces -= memory != NULL;
+    __real__ZdlPv(memory);
 }
 
 /* GSL's makers, which give back what they made by a function of the same kind. */
