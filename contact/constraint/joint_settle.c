@@ -156,29 +156,17 @@ static double rest_of(const settle *s, int n)
     return row->bound - fw_joint_motion(row, s->ends) - row->compliance * row->lambda;
 }
 
-static void swap_rows(settle *s, size_t a, size_t b)
+/* Two rows, whose entries are 1 apart and which are `size` apart themselves, or two columns, the
+ * other way round; with their places in the order. */
+static void swap_lines(settle *s, int *order, size_t one, size_t other, size_t apart, size_t step)
 {
-    const size_t n = (size_t)s->size;
-    const int order = s->row_order[a];
-    s->row_order[a] = s->row_order[b];
-    s->row_order[b] = order;
-    for (size_t j = 0; j < n; ++j) {
-        const double swap = s->factor[a * n + j];
-        s->factor[a * n + j] = s->factor[b * n + j];
-        s->factor[b * n + j] = swap;
-    }
-}
-
-static void swap_columns(settle *s, size_t a, size_t b)
-{
-    const size_t n = (size_t)s->size;
-    const int order = s->column_order[a];
-    s->column_order[a] = s->column_order[b];
-    s->column_order[b] = order;
-    for (size_t i = 0; i < n; ++i) {
-        const double swap = s->factor[i * n + a];
-        s->factor[i * n + a] = s->factor[i * n + b];
-        s->factor[i * n + b] = swap;
+    const int place = order[one];
+    order[one] = order[other];
+    order[other] = place;
+    for (size_t k = 0; k < (size_t)s->size; ++k) {
+        const double swap = s->factor[one * apart + k * step];
+        s->factor[one * apart + k * step] = s->factor[other * apart + k * step];
+        s->factor[other * apart + k * step] = swap;
     }
 }
 
@@ -207,8 +195,8 @@ static void factorise(settle *s)
         const size_t p = (size_t)s->rank;
         size_t row = p, column = p;
         if (!(find_pivot(s, &row, &column) > PIVOT_LEAST)) return;
-        if (row != p) swap_rows(s, row, p);
-        if (column != p) swap_columns(s, column, p);
+        if (row != p) swap_lines(s, s->row_order, row, p, n, 1);
+        if (column != p) swap_lines(s, s->column_order, column, p, 1, n);
         for (size_t i = p + 1; i < n; ++i) {
             const double part = a[i * n + p] / a[p * n + p];
             a[i * n + p] = part;
