@@ -301,8 +301,7 @@ static void name_view(fw_plot_view *view, const fw_plot_result *result, int64_t 
     fw_ticks_print_number(step, sizeof step, (double)result->steps[frame], 15);
     const bool same = result->times[frame] == (double)result->steps[frame];
     const fw_physical unit = fw_units_physical(&result->scenario->units, "time");
-    fw_ticks_print_number(time, sizeof time,
-                          result->times[frame] * (unit.factor > 0 ? unit.factor : 1), 6);
+    fw_ticks_print_number(time, sizeof time, fw_physical_value(&unit, result->times[frame]), 6);
     snprintf(view->name, sizeof view->name,
              same && unit.factor == 0 ? "step %s" : "step %s, time %s%s%s", step, time,
              unit.factor > 0 ? " " : "", unit.text);

@@ -51,8 +51,7 @@ static void add_name(side *s, double place, double value)
     s->names[s->name_count++] = (fw_axis_name){place, text};
 }
 
-static fw_status make_side(side *s, const fw_sweep_table *table, int axis, const fw_units *units,
-                           fw_error *error)
+static fw_status make_side(side *s, const fw_sweep_table *table, int axis, fw_error *error)
 {
     s->axis = axis;
     s->values = fw_array_of_doubles((size_t)table->row_count);
@@ -66,9 +65,15 @@ static fw_status make_side(side *s, const fw_sweep_table *table, int axis, const
         s->values[at] = value;
         s->count += 1;
     }
-    s->label = fw_plot_label(s->name, sizeof s->name, table->axes[axis].name,
-                             table->axes[axis].unit, units);
     return FW_OK;
+}
+
+/* Once it is where it stays: its label points into it. */
+static void name_side(side *s, const fw_plot_sweep *sweep)
+{
+    const fw_sweep_axis *axis = &sweep->table.axes[s->axis];
+    s->label =
+        fw_plot_label(s->name, sizeof s->name, axis->name, axis->unit, &sweep->scenario->units);
 }
 
 static void name_values(side *s)
@@ -305,17 +310,16 @@ static fw_status make_map(map *m, const fw_plot_wish *wish, const fw_scenario_pi
         status = fw_fail(error, FW_BAD_INPUT,
                          "a map lies over two parameters, and %s is a number of the sweep",
                          wish->along ? wish->along : own->along_quantity);
-    const fw_units *units = &sweep->scenario->units;
-    if (status == FW_OK) status = make_side(&sides[0], &sweep->table, 0, units, error);
-    if (status == FW_OK) status = make_side(&sides[1], &sweep->table, 1, units, error);
+    if (status == FW_OK) status = make_side(&sides[0], &sweep->table, 0, error);
+    if (status == FW_OK) status = make_side(&sides[1], &sweep->table, 1, error);
     m->bisected = sweep->scenario->study.sweep.tolerance > 0;
     int x = along.axis >= 0 ? along.axis : sides[1].count > sides[0].count;
     if (m->bisected) x = 1 - sweep->scenario->study.sweep.bisected;
     m->p = sides[x];
     m->q = sides[1 - x];
-    m->p.label.text = m->p.name;
-    m->q.label.text = m->q.name;
     FW_TRY(status);
+    name_side(&m->p, sweep);
+    name_side(&m->q, sweep);
     name_values(&m->p);
     FW_TRY(m->bisected ? fill_raster(m, error) : fill_grid(m, error));
     return make_level(m, wish, own, error);

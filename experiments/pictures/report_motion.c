@@ -281,12 +281,12 @@ static void write_times(const player *p)
     fw_json_begin(p->json, "times", '[');
     for (int64_t f = 0; f < p->thin.frames; ++f)
         fw_json_number(p->json, NULL,
-                       p->result->times[f * p->thin.every] * (time.factor > 0 ? time.factor : 1));
+                       fw_physical_value(&time, p->result->times[f * p->thin.every]));
     fw_json_end(p->json, ']');
     fw_json_text(p->json, "timeUnit", time.text);
     const fw_physical length = fw_units_physical(&p->result->scenario->units, "length");
     fw_json_text(p->json, "lengthUnit", length.factor > 0 ? length.text : "length");
-    fw_json_number(p->json, "lengthFactor", length.factor > 0 ? length.factor : 1);
+    fw_json_number(p->json, "lengthFactor", fw_physical_value(&length, 1));
     fw_json_begin(p->json, "box", '[');
     fw_json_number(p->json, NULL, p->box.x.low);
     fw_json_number(p->json, NULL, p->box.x.high);

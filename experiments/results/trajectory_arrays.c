@@ -1,21 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* trajectory_arrays.c - what a results file holds of the run as a whole: profiles, the certificate,
- * tables of analyses; and the units of all that it holds. Keeps no state. */
+ * tables of analyses. Keeps no state. */
 #include "trajectory_layout.h"
+
+#include "experiments/results/unit_attribute.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-void fw_layout_attach_unit(fw_hdf5 *file, const fw_trajectory_def *def, const char *path,
-                           const char *unit)
-{
-    char physical[FW_PHYSICAL_TEXT];
-    fw_hdf5_attach_text(file, path, "unit", unit);
-    fw_units_print(physical, def->units, unit, 10);
-    if (physical[0]) fw_hdf5_attach_text(file, path, "physical", physical);
-}
 
 /* Arrays of the run as a whole. They are no observables of H5MD: readers expect a row per frame of
  * these. */
@@ -43,7 +36,7 @@ void fw_layout_make_arrays(fw_hdf5 *file, const fw_trajectory_def *def)
             fw_hdf5_give_up(file, "the arrays of a run");
         }
         free(unknown);
-        fw_layout_attach_unit(file, def, path, array->unit);
+        fw_unit_attach(file, def->units, path, array->unit);
         fw_hdf5_attach_text(file, path, "meaning", array->meaning);
         if (array->columns > 1)
             fw_hdf5_attach_text(file, path, "columns",
@@ -65,7 +58,7 @@ void fw_layout_make_tables(fw_hdf5 *file, const fw_trajectory_def *def)
             snprintf(path, sizeof path, "parameters/analysis/%s/%s", group->name, table->name);
             fw_dataset made = fw_hdf5_make_array(file, path, FW_F64, table->rank, extent);
             fw_hdf5_write(file, made, FW_F64, 0, extent[0], table->values);
-            fw_layout_attach_unit(file, def, path, table->unit);
+            fw_unit_attach(file, def->units, path, table->unit);
             fw_hdf5_attach_text(file, path, "meaning", table->meaning);
         }
     }

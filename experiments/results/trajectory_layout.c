@@ -4,6 +4,7 @@
 #include "trajectory_layout.h"
 
 #include "experiments/results/provenance.h"
+#include "experiments/results/unit_attribute.h"
 #include "experiments/storage/series.h"
 
 #include <math.h>
@@ -134,7 +135,7 @@ static void make_masses(fw_hdf5 *file, const fw_trajectory_def *def, uint64_t co
         for (int i = 0; i < def->bodies[body].count; ++i) *next++ = def->bodies[body].mass[i];
     fw_dataset mass = fw_hdf5_make_array(file, "particles/trajectory/mass", FW_F64, 1, &count);
     fw_hdf5_write(file, mass, FW_F64, 0, count, masses);
-    fw_layout_attach_unit(file, def, "particles/trajectory/mass", "mass");
+    fw_unit_attach(file, def->units, "particles/trajectory/mass", "mass");
     free(masses);
 }
 
@@ -254,18 +255,18 @@ void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def)
 void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def)
 {
     char path[FW_NAME_SIZE + 64], physical[FW_PHYSICAL_TEXT];
-    fw_layout_attach_unit(file, def, "particles/trajectory/position", "length");
+    fw_unit_attach(file, def->units, "particles/trajectory/position", "length");
     if (def->units && fw_units_given(def->units)) {
         fw_units_print(physical, def->units, "time", 10);
         fw_hdf5_attach_text(file, "observables", "time", physical);
     }
     if (def->velocity)
-        fw_layout_attach_unit(file, def, "particles/trajectory/velocity", "length/time");
-    if (def->force) fw_layout_attach_unit(file, def, "particles/trajectory/force", "force");
+        fw_unit_attach(file, def->units, "particles/trajectory/velocity", "length/time");
+    if (def->force) fw_unit_attach(file, def->units, "particles/trajectory/force", "force");
     for (int i = 0; i < def->field_count; ++i) {
         snprintf(path, sizeof path, "particles/trajectory/%s", def->fields[i].name);
         fw_hdf5_attach_text(file, path, "meaning", def->fields[i].meaning);
-        fw_layout_attach_unit(file, def, path, def->fields[i].unit);
+        fw_unit_attach(file, def->units, path, def->fields[i].unit);
     }
     for (int i = 0; i < def->observable_count; ++i) {
         for (int all = 0; all < 2; ++all) {
@@ -273,7 +274,7 @@ void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def)
             snprintf(path, sizeof path, "%s/%s", group, def->observables[i].name);
             fw_hdf5_attach_text(file, path, "meaning", def->observables[i].meaning);
             snprintf(path, sizeof path, "%s/%s/value", group, def->observables[i].name);
-            fw_layout_attach_unit(file, def, path, def->observables[i].unit);
+            fw_unit_attach(file, def->units, path, def->observables[i].unit);
         }
     }
 }

@@ -18,9 +18,6 @@ void fw_layout_make(fw_hdf5 *file, const fw_trajectory_def *def);
 /* Its parts: the arrays of the run as a whole, and the tables of its analyses. */
 void fw_layout_make_arrays(fw_hdf5 *file, const fw_trajectory_def *def);
 void fw_layout_make_tables(fw_hdf5 *file, const fw_trajectory_def *def);
-/* The unit of what lies at `path`, and what one of it is in nature. */
-void fw_layout_attach_unit(fw_hdf5 *file, const fw_trajectory_def *def, const char *path,
-                           const char *unit);
 /* Attributes of the series' elements, once these are there. */
 void fw_layout_describe(fw_hdf5 *file, const fw_trajectory_def *def);
 

@@ -3,6 +3,7 @@
  * with a row per case and seed. Keeps no state. Start reading at fw_sweep_seeds_write_hdf5(). */
 #include "sweep_seeds.h"
 
+#include "experiments/results/unit_attribute.h"
 #include "experiments/storage/folder.h"
 #include "experiments/storage/hdf5_file.h"
 #include "experiments/storage/manifest.h"
@@ -38,14 +39,6 @@ static void put(fw_hdf5 *file, const char *path, fw_element element, int count, 
     fw_hdf5_release(made);
 }
 
-static void put_unit(fw_hdf5 *file, const char *path, const fw_sweep_table *table, const char *unit)
-{
-    char physical[FW_PHYSICAL_TEXT];
-    fw_hdf5_attach_text(file, path, "unit", unit);
-    fw_units_print(physical, table->units, unit, 10);
-    if (physical[0]) fw_hdf5_attach_text(file, path, "physical", physical);
-}
-
 /* Of each row the value of its case. */
 static void put_parameters(fw_hdf5 *file, const fw_sweep_table *table, const char *group,
                            int per_case, double *room)
@@ -57,7 +50,7 @@ static void put_parameters(fw_hdf5 *file, const fw_sweep_table *table, const cha
             room[r] = table->values[r / per_case * table->axis_count + a];
         join(path, group, table->axes[a].name, "");
         put(file, path, FW_F64, table->row_count * per_case, room);
-        put_unit(file, path, table, table->axes[a].unit);
+        fw_unit_attach(file, table->units, path, table->axes[a].unit);
     }
 }
 
@@ -83,7 +76,7 @@ static void put_cases(fw_hdf5 *file, const fw_sweep_seeds *seeds, double *room)
                      {"expected", column->expected},
                      {"within", column->within}};
         fw_hdf5_make_group(file, join(path, "cases/numbers", column->name, ""));
-        put_unit(file, path, table, column->unit);
+        fw_unit_attach(file, table->units, path, column->unit);
         for (size_t p = 0; p < sizeof parts / sizeof parts[0]; ++p)
             put(file, join(path, "cases/numbers", column->name, parts[p].name), FW_F64,
                 table->row_count, parts[p].values);
@@ -105,7 +98,7 @@ static void put_seeds(fw_hdf5 *file, const fw_sweep_seeds *seeds, double *room)
     for (int c = 0; c < table->column_count; ++c) {
         join(path, "seeds/numbers", table->columns[c].name, "");
         put(file, path, FW_F64, seeds->row_count, seeds->columns[c]);
-        put_unit(file, path, table, table->columns[c].unit);
+        fw_unit_attach(file, table->units, path, table->columns[c].unit);
     }
 }
 

@@ -49,6 +49,12 @@ typedef struct fw_physical {
 } fw_physical;
 fw_physical fw_units_physical(const fw_units *units, const char *unit);
 
+/* The value in that unit; as it is where there is none. */
+static inline double fw_physical_value(const fw_physical *physical, double value)
+{
+    return physical->factor > 0 ? physical->factor * value : value;
+}
+
 /* "0.74 eV", with so many digits; "" where there is nothing to say. */
 enum { FW_PHYSICAL_TEXT = FW_UNIT_TEXT + 32 };
 void fw_units_print(char text[FW_PHYSICAL_TEXT], const fw_units *units, const char *unit,
