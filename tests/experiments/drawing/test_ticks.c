@@ -2,10 +2,11 @@
 /* test_ticks.c - ranges, the round numbers in them, and numbers in print. */
 #include "tests/support/laws.h"
 
-#include "experiments/drawing/ticks.h"
+#include "experiments/drawing/axis.h"
 #include "experiments/text/range.h"
 
 #include <float.h>
+#include <stdlib.h>
 #include <string.h>
 
 static fw_ticks ticks_of(double low, double high, bool logarithmic, int wanted)
@@ -177,6 +178,24 @@ static void every_range_has_room_to_draw(void **state)
     }
 }
 
+/* What stands at a tick is its value times the factor of the label, and is round. */
+static void an_axis_shows_its_values_times_a_factor(void **state)
+{
+    (void)state;
+    for (int logarithmic = 0; logarithmic < 2; ++logarithmic) {
+        fw_axis axis = {.range = {.3, 21}, .logarithmic = logarithmic, .label = {"x (nm)", .4}};
+        fw_axis_prepare(&axis, 100, true);
+        assert_true(axis.ticks.count >= 2);
+        for (int k = 0; k < axis.ticks.count; ++k) {
+            assert_close(axis.ticks.at[k] * .4, atof(axis.ticks.label[k]), 1e-12);
+            assert_true(axis.ticks.at[k] >= .3 && axis.ticks.at[k] <= 21);
+        }
+        assert_true(axis.ticks.minor_count > 0);
+        for (int k = 0; k < axis.ticks.minor_count; ++k)
+            assert_true(axis.ticks.minor[k] >= .3 - 1e-9 && axis.ticks.minor[k] <= 21 + 1e-9);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -189,6 +208,7 @@ int main(void)
         cmocka_unit_test(ranges_pass_over_what_is_not_finite),
         cmocka_unit_test(a_trimmed_range_leaves_out_the_wild_ones),
         cmocka_unit_test(every_range_has_room_to_draw),
+        cmocka_unit_test(an_axis_shows_its_values_times_a_factor),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,6 +50,15 @@ static png read_png(const char *folder, const char *name)
                  big_endian(head + 45), head[49]};
 }
 
+/* A new folder with a result to draw. */
+static void make_result(char *folder, size_t size)
+{
+    make_quick_folder(folder, size);
+    write_scenario(folder, "file.yaml", scenario);
+    const outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+}
+
 static png draw(const char *folder, const char *options)
 {
     char line[256];
@@ -63,10 +72,8 @@ static void figures_have_the_width_and_dots_asked_for(void **state)
 {
     (void)state;
     char folder[64];
-    make_quick_folder(folder, sizeof folder);
-    write_scenario(folder, "file.yaml", scenario);
-    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
-    expect_end(&seen, 0, "");
+    outcome seen;
+    make_result(folder, sizeof folder);
     const png usual = draw(folder, "");
     assert_int_equal(usual.width, 1260); /* 160 mm of 200 dots to 25.4 mm */
     assert_int_equal(usual.dots_x, 7874);
@@ -91,10 +98,8 @@ static void a_style_file_says_how_figures_look(void **state)
 {
     (void)state;
     char folder[64];
-    make_quick_folder(folder, sizeof folder);
-    write_scenario(folder, "file.yaml", scenario);
-    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
-    expect_end(&seen, 0, "");
+    outcome seen;
+    make_result(folder, sizeof folder);
     const png plain = draw(folder, "--observable energy --width 86");
     write_scenario(folder, "paper.style", "width: 86\ndpi: 100\nfont-size: 17\nbare: true\n");
     const png styled = draw(folder, "--observable energy --style paper.style");
