@@ -81,7 +81,7 @@ fw_status fw_wall_offset(const fw_wall_def *def, double distance, fw_vec2 *point
         /* Counter-clockwise, its inside lies to the left. */
         return move_pieces(def, true, area_of(def) > 0 ? -out : out, distance, points, error);
     case FW_CHAIN:
-        return move_pieces(def, def->closed, 1, distance, points, error);
+        break;
     }
-    return FW_OK;
+    return move_pieces(def, def->closed, 1, distance, points, error);
 }

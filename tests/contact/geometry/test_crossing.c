@@ -175,6 +175,28 @@ static void face_that_bends_over_lets_no_point_round_its_corner(void **state)
     assert_false(fw_crossing_round_end(p, below, corner, 1e-6, &at_from));
 }
 
+/* Closed form: they start 3 apart, come by 4 in the step and touch at 1; within that from the start
+ * they pass at once, but for rounding, and only where they come closer. */
+static void points_pass_within_a_distance(void **state)
+{
+    (void)state;
+    const struct {
+        double x, y, motion;
+        bool passes;
+        double when;
+    } rows[] = {{3, 0, -4, true, 0.5},    {3, 0, -1.9, false, 0},  {3, 1.001, -4, false, 0},
+                {0.9, 0, -0.1, true, 0},  {0.9, 0, 0.1, false, 0}, {0.9, 0, 0, false, 0},
+                {-0.9, 0, 0.1, true, 0},  {3, 0, 4, false, 0},     {3, 0.6, -4, true, 0.55},
+                {3, 1.001, -40, false, 0}};
+    for (size_t n = 0; n < sizeof rows / sizeof rows[0]; ++n) {
+        const fw_moving_point moving = {{10 + rows[n].x, rows[n].y}, {rows[n].motion + 0.3, 0.2}},
+                              there = {{10, 0}, {0.3, 0.2}};
+        double when = 2;
+        assert_int_equal(fw_crossing_of_circle(moving, there, 1, &when), rows[n].passes);
+        if (rows[n].passes) assert_close(when, rows[n].when, 1e-9);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -184,6 +206,7 @@ int main(void)
         cmocka_unit_test(ends_belong_to_both_segments_that_meet_there),
         cmocka_unit_test(tips_meet_only_in_one_line),
         cmocka_unit_test(lines_keep_points_on_their_side),
+        cmocka_unit_test(points_pass_within_a_distance),
         cmocka_unit_test(face_that_bends_over_lets_no_point_round_its_corner),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

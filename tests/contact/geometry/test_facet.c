@@ -88,6 +88,24 @@ static void box_bars_from_the_last_bit_on(void **state)
     fw_wall_destroy(box);
 }
 
+/* Any direction leads out of a circle from its centre: one is chosen. */
+static void normals_of_a_circle_are_of_unit_length(void **state)
+{
+    (void)state;
+    for (int side = 0; side < 2; ++side) {
+        fw_wall *wall = circle_at((fw_vec2){7, 8}, 5, (fw_side)side);
+        const fw_facet *facet = fw_wall_facet(wall, 0);
+        const double out = side == FW_INSIDE ? -1 : 1;
+        const fw_vec2 normal = fw_facet_normal(facet, (fw_vec2){-3, 4}),
+                      middle = fw_facet_normal(facet, (fw_vec2){0, 0});
+        assert_close(normal.x, -0.6 * out, 1e-15);
+        assert_close(normal.y, 0.8 * out, 1e-15);
+        assert_close(middle.x, 1, 0);
+        assert_close(middle.y, 0, 0);
+        fw_wall_destroy(wall);
+    }
+}
+
 /* n . (r - a) with a unit normal rounded to eps: a few eps of the distance and the coordinates. */
 static void gap_to_a_slanting_side_is_its_distance(void **state)
 {
@@ -379,6 +397,7 @@ static void boxes_leave_out_what_is_no_number(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(normals_of_a_circle_are_of_unit_length),
         cmocka_unit_test(gap_to_a_box_is_one_subtraction),
         cmocka_unit_test(box_bars_from_the_last_bit_on),
         cmocka_unit_test(gap_to_a_slanting_side_is_its_distance),

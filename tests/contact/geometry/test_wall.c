@@ -358,9 +358,27 @@ static void chains_have_a_back(void **state)
     }
 }
 
+/* What has no name is told without one, and has an empty one. */
+static void walls_need_no_name(void **state)
+{
+    (void)state;
+    const fw_vec2 points[] = {{0, 0}, {3, 0}};
+    fw_wall_def def = fw_wall_def_default();
+    def.name = NULL;
+    fw_wall *wall = made(&def);
+    assert_string_equal(fw_wall_name(wall), "");
+    fw_wall_destroy(wall);
+    def.points = points;
+    assert_refused(&def, "wall '': the box from [0, 0] to [3, 0] is empty, expected corners that "
+                         "differ in x and in y");
+    def.point_count = 1;
+    assert_refused(&def, "wall '': a box of 1 point, expected two opposite corners");
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(walls_need_no_name),
         cmocka_unit_test(polygon_is_the_same_in_either_sense),
         cmocka_unit_test(resting_wall_has_no_displacement_at_all),
         cmocka_unit_test(wall_follows_its_path),

@@ -3,17 +3,21 @@
  * are those of steps one by one. */
 #include "tests/support/scenes.h"
 
-static void add_box(fw_scene *scene, double size, fw_surface surface)
+/* As a box, or as the polygon of its corners. */
+static void add_room(fw_scene *scene, double size, fw_surface surface, fw_wall_shape_kind shape)
 {
     fw_wall_def def = fw_wall_def_default();
-    const fw_vec2 corners[] = {{0, 0}, {size, size}};
-    def.points = corners;
+    const fw_vec2 corners[] = {{0, 0}, {size, 0}, {size, size}, {0, size}};
+    const fw_vec2 ends[] = {{0, 0}, {size, size}};
+    def.shape = shape;
+    def.points = shape == FW_BOX ? ends : corners;
+    def.point_count = shape == FW_BOX ? 2 : 4;
     def.surface = surface;
     def.name = "box";
     must(fw_scene_add_wall(scene, &def, &error));
 }
 
-static fw_scene *in_a_box(fw_surface surface)
+static fw_scene *in_a_room(fw_surface surface, fw_wall_shape_kind shape)
 {
     fw_scene *scene = empty_scene(1e4);
     add_body(scene, (body_options){.columns = 20,
@@ -22,10 +26,15 @@ static fw_scene *in_a_box(fw_surface surface)
                                    .velocity = {0.05, 0.03},
                                    .rest_mass = 1,
                                    .form = FW_LB_DISPLACEMENTS});
-    add_box(scene, 130, surface);
+    add_room(scene, 130, surface, shape);
     fw_scene_keep_forces(scene);
     begin(scene);
     return scene;
+}
+
+static fw_scene *in_a_box(fw_surface surface)
+{
+    return in_a_room(surface, FW_BOX);
 }
 
 static fw_scene *in_a_smooth_box(void)
@@ -41,6 +50,11 @@ static fw_scene *in_a_rough_box(void)
 static fw_scene *in_a_soft_box(void)
 {
     return in_a_box((fw_surface){.law = FW_PENALTY, .stiffness = 0.5});
+}
+
+static fw_scene *in_a_soft_polygon(void)
+{
+    return in_a_room((fw_surface){.law = FW_PENALTY, .stiffness = 0.5}, FW_POLYGON);
 }
 
 /* Two bodies that run into each other, and rub. */
@@ -90,6 +104,24 @@ static void flight_in_a_box_is_the_same_to_the_bit(void **state)
     assert_same_bytes(in_a_smooth_box, 3000, 100);
     assert_same_bytes(in_a_rough_box, 3000, 97);
     assert_same_bytes(in_a_soft_box, 3000, 60);
+}
+
+/* A path may be known to keep away from a soft box by its corners, of a polygon each is asked. */
+static void a_soft_polygon_acts_as_the_box_of_its_corners(void **state)
+{
+    (void)state;
+    assert_same_bytes(in_a_soft_polygon, 1500, 60);
+    fw_scene *box = in_a_soft_box(), *polygon = in_a_soft_polygon();
+    run(box, 1500);
+    run(polygon, 1500);
+    const fw_wall_ledger *one = fw_scene_wall_ledger(box, 0),
+                         *other = fw_scene_wall_ledger(polygon, 0);
+    assert_true(one->impulse.x < -1);
+    assert_close(other->impulse.x, one->impulse.x, 0);
+    assert_close(other->work, one->work, 0);
+    assert_true(hash_of_scene(box) == hash_of_scene(polygon));
+    fw_scene_destroy(box);
+    fw_scene_destroy(polygon);
 }
 
 static void bodies_that_meet_are_the_same_to_the_bit(void **state)
@@ -168,6 +200,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(flight_in_a_box_is_the_same_to_the_bit),
+        cmocka_unit_test(a_soft_polygon_acts_as_the_box_of_its_corners),
         cmocka_unit_test(bodies_that_meet_are_the_same_to_the_bit),
         cmocka_unit_test(steps_of_both_kinds_mix),
         cmocka_unit_test(state_from_a_flight_goes_on_elsewhere),

@@ -211,6 +211,8 @@ static void bad_pistons_are_refused(void **state)
     } bad[] = {{{.mass = 0}, "mass 0"},
                {{.mass = -1}, "mass -1"},
                {{.mass = NAN}, "mass"},
+               {{.mass = INFINITY}, "mass inf"},
+               {{.mass = 1, .damping = INFINITY}, "damping inf"},
                {{.mass = 1, .damping = -0.1}, "damping -0.1"},
                {{.mass = 1, .drive = {.tether = {-1, 0}}}, "tether"},
                {{.mass = 1, .drive = {.force = {INFINITY, 0}}}, "not finite"},

@@ -199,18 +199,122 @@ static void crowds_that_go_on_elsewhere_have_the_same_bytes(void **state)
     }
 }
 
-static void pistons_that_start_in_each_other_are_refused(void **state)
+/* Of any shape, with what moves it or at rest. */
+typedef struct shape {
+    fw_wall_shape_kind kind;
+    fw_side side;
+    int point_count;
+    fw_vec2 points[4];
+    double radius;
+} shape;
+
+static void add_shape(fw_scene *scene, const char *name, const shape *s,
+                      const fw_piston_def *piston)
+{
+    fw_wall_def def = fw_wall_def_default();
+    def.name = name;
+    def.shape = s->kind;
+    def.side = s->side;
+    def.points = s->points;
+    def.point_count = s->point_count;
+    def.radius = s->radius;
+    must(piston ? fw_scene_add_piston(scene, &def, piston, &error)
+                : fw_scene_add_wall(scene, &def, &error));
+}
+
+static const shape tip = {FW_POLYGON, FW_OUTSIDE, 3, {{-1, -2}, {1, -2}, {0, 0}}, 0},
+                   ring = {FW_CIRCLE, FW_INSIDE, 1, {{0, 2998}}, 3000},
+                   disc = {FW_CIRCLE, FW_OUTSIDE, 1, {{0, 0.04}}, 1},
+                   ball = {FW_CIRCLE, FW_OUTSIDE, 1, {{0, 2.04}}, 1},
+                   plate = {FW_CHAIN, FW_INSIDE, 2, {{3, 1.04}, {-3, 1.04}}, 0},
+                   block = {FW_BOX, FW_OUTSIDE, 2, {{-2, 0}, {2, 1}}, 0},
+                   tall = {FW_BOX, FW_OUTSIDE, 2, {{0, -2}, {1, 3}}, 0},
+                   small = {FW_BOX, FW_OUTSIDE, 2, {{0, 0.2}, {0.5, 0.5}}, 0},
+                   beside = {FW_BOX, FW_OUTSIDE, 2, {{2, 0}, {3, 1}}, 0},
+                   line_in = {FW_CHAIN, FW_INSIDE, 2, {{5, 0.5}, {1, 0.5}}, 0},
+                   line_out = {FW_CHAIN, FW_INSIDE, 2, {{1, 0.5}, {5, 0.5}}, 0},
+                   disc_beside = {FW_CIRCLE, FW_OUTSIDE, 1, {{2.5, 0.5}}, 1},
+                   wide = {FW_CIRCLE, FW_OUTSIDE, 1, {{0, 0}}, 4};
+
+/* Whoever has the corner, and whether a circle is hollow: what stands turns back what falls on it,
+ * once, however often and from whichever side the pair is told. */
+static void what_falls_on_what_stands_comes_back(void **state)
+{
+    (void)state;
+    const shape *const pairs[][2] = {{&plate, &tip}, {&disc, &ring}, {&ball, &tip}};
+    for (size_t n = 0; n < sizeof pairs / sizeof pairs[0]; ++n)
+        for (int told = 1; told <= 3; ++told) {
+            fw_scene *scene = scene_of_pistons();
+            const fw_piston_def falls = {.mass = 3, .velocity = {0, -0.1}};
+            add_shape(scene, "falls", pairs[n][0], &falls);
+            add_shape(scene, "stands", pairs[n][1], NULL);
+            add_shape(scene, "far", &(shape){FW_CIRCLE, FW_OUTSIDE, 1, {{50, 50}}, 1}, &falls);
+            must(fw_scene_let_meet(scene, 0, 1, &error));
+            must(fw_scene_let_meet(scene, 0, 2, &error));
+            if (told > 1) must(fw_scene_let_meet(scene, 0, 1, &error));
+            if (told > 2) must(fw_scene_let_meet(scene, 2, 0, &error));
+            begin(scene);
+            run(scene, 7);
+            assert_close(velocity_of_piston(scene, 0).y, -0.1, 1e-15);
+            run(scene, 20);
+            assert_close(velocity_of_piston(scene, 0).x, 0, 1e-12);
+            assert_close(velocity_of_piston(scene, 0).y, 0.1, 1e-12);
+            assert_close(ledger_of(scene, 0)->met.y, 2 * 3 * 0.1, 1e-12);
+            assert_close(velocity_of_piston(scene, 2).y, -0.1, 1e-15);
+            assert_ledger_balances(scene, 1e-12);
+            fw_scene_destroy(scene);
+        }
+}
+
+/* Nothing can turn back what is held on its path: two that are go through each other. */
+static void pistons_on_paths_do_not_feel_each_other(void **state)
 {
     (void)state;
     fw_scene *scene = scene_of_pistons();
-    const fw_piston_def piston = {.mass = 3};
-    add_block(scene, "flat", (fw_vec2){-2, 0}, (fw_vec2){2, 1}, smooth, &piston);
-    add_block(scene, "tall", (fw_vec2){0, -2}, (fw_vec2){1, 3}, smooth, &piston);
+    fw_piston_def held = {.mass = 3, .drive = {.prescribed_x = true, .prescribed_y = true}};
+    add_shape(scene, "stays", &block, &held);
+    held.drive.path = (fw_path){.velocity = {-0.1, 0}, .until = INFINITY};
+    add_shape(scene, "comes", &beside, &held);
     must(fw_scene_let_meet(scene, 0, 1, &error));
-    assert_int_equal(fw_scene_begin(scene, &error), FW_BAD_INPUT);
-    assert_string_equal(error.sentence, "piston flat starts in wall tall, which it meets; expected "
-                                        "shapes that do not overlap");
+    begin(scene);
+    run(scene, 10);
+    assert_close(ledger_of(scene, 1)->displacement.x, -1, 1e-12);
+    for (int w = 0; w < 2; ++w) {
+        assert_close(ledger_of(scene, w)->met.x, 0, 0);
+        assert_close(ledger_of(scene, w)->displacement.y, 0, 0);
+    }
     fw_scene_destroy(scene);
+}
+
+/* A corner, an end, a circle's edge in the other, or edges that cross: each from both sides. */
+static void pistons_that_start_in_each_other_are_refused(void **state)
+{
+    (void)state;
+    const struct {
+        const shape *one, *other;
+        bool overlap;
+    } rows[] = {{&block, &tall, true},        {&block, &small, true},   {&block, &line_in, true},
+                {&block, &line_out, true},    {&block, &beside, false}, {&ring, &disc, false},
+                {&block, &disc_beside, true}, {&ring, &wide, true}};
+    for (size_t n = 0; n < sizeof rows / sizeof rows[0]; ++n)
+        for (int turned = 0; turned < 2; ++turned) {
+            fw_scene *scene = scene_of_pistons();
+            const fw_piston_def piston = {.mass = 3};
+            add_shape(scene, "one", rows[n].one, &piston);
+            add_shape(scene, "other", rows[n].other, &piston);
+            must(fw_scene_let_meet(scene, turned, 1 - turned, &error));
+            if (!rows[n].overlap) {
+                begin(scene);
+            } else {
+                assert_int_equal(fw_scene_begin(scene, &error), FW_BAD_INPUT);
+                assert_string_equal(error.sentence,
+                                    turned ? "piston other starts in wall one, which it meets; "
+                                             "expected shapes that do not overlap"
+                                           : "piston one starts in wall other, which it meets; "
+                                             "expected shapes that do not overlap");
+            }
+            fw_scene_destroy(scene);
+        }
 }
 
 int main(void)
@@ -220,6 +324,8 @@ int main(void)
         cmocka_unit_test(pistons_that_press_each_other_move_as_one),
         cmocka_unit_test(crowds_of_pistons_keep_everything_and_stay_out),
         cmocka_unit_test(crowds_that_go_on_elsewhere_have_the_same_bytes),
+        cmocka_unit_test(what_falls_on_what_stands_comes_back),
+        cmocka_unit_test(pistons_on_paths_do_not_feel_each_other),
         cmocka_unit_test(pistons_that_start_in_each_other_are_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

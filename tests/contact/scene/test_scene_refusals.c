@@ -43,6 +43,35 @@ static void periods_and_tethers_are_not_negative(void **state)
                        bad[n].words);
 }
 
+/* At the start and where a phase changes it: what was there stays. */
+static void what_drives_is_checked_each_time(void **state)
+{
+    (void)state;
+    const fw_drive bad = {.period = -1}, fine = {.force = {1, 2}};
+    const char *const words = ": period -1, expected 0 or more";
+    const int held = 4;
+    fw_scene *scene = empty_scene(100);
+    add_sheet(scene, 3, 3, (fw_vec2){0, 0}, 1, 1);
+    fw_grip_def hand = {.name = "hand", .particles = &held, .particle_count = 1, .drive = bad};
+    assert_refused(fw_scene_add_grip(scene, 0, &hand, &error), FW_BAD_INPUT, words);
+    assert_int_equal(fw_scene_grip_count(scene), 0);
+    hand.drive = fine;
+    assert_fine(fw_scene_add_grip(scene, 0, &hand, &error));
+    assert_refused(fw_grip_set_drive(fw_scene_grip(scene, 0), &bad, &error), FW_BAD_INPUT, words);
+    begin(scene);
+    run(scene, 1);
+    assert_close(fw_grip_observe_ledger(fw_scene_grip(scene, 0))->impulse.y, 2, 1e-15);
+    fw_scene_destroy(scene);
+
+    fw_piston *piston;
+    const fw_piston_def def = {.mass = 1, .damping = 0.5, .drive = fine};
+    assert_fine(fw_piston_create(&piston, "press", &def, &error));
+    assert_refused(fw_piston_set_drive(piston, &bad, 0, &error), FW_BAD_INPUT, words);
+    assert_refused(fw_piston_set_drive(piston, &fine, -2, &error), FW_BAD_INPUT,
+                   "piston press: damping -2, expected 0 or more");
+    fw_piston_destroy(piston);
+}
+
 static void a_piston_has_no_velocity_where_it_is_held(void **state)
 {
     (void)state;
@@ -329,6 +358,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_number_of_a_drive_is_finite),
         cmocka_unit_test(periods_and_tethers_are_not_negative),
+        cmocka_unit_test(what_drives_is_checked_each_time),
         cmocka_unit_test(a_piston_has_no_velocity_where_it_is_held),
         cmocka_unit_test(bodies_move_in_the_same_ticks),
         cmocka_unit_test(each_particle_has_one_grip_and_each_grip_a_name),
