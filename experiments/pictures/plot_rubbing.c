@@ -44,7 +44,7 @@ static fw_status check_fields(const fw_plot_result *result, const char *field, f
 static fw_status choose_span(rubbing *r, fw_error *error)
 {
     const fw_scenario_picture *asked = &r->picture->asked;
-    const int64_t count = r->result->playback->frame_count;
+    const int64_t count = r->result->playback->frame_count, last = r->result->steps[count - 1];
     r->from = 0;
     r->until = count - 1;
     while (r->from < r->until && r->result->steps[r->from] < asked->from) r->from += 1;
@@ -60,7 +60,7 @@ static fw_status choose_span(rubbing *r, fw_error *error)
                    "%s: friction is drawn between frames, expected at least two of them from step "
                    "%lld to %lld",
                    r->result->directory, (long long)asked->from,
-                   (long long)r->result->steps[count - 1]);
+                   (long long)(asked->until < last ? asked->until : last));
 }
 
 static bool rubs_in_span(const rubbing *r, int particle)

@@ -210,10 +210,10 @@ static fw_status draw(const fw_plot_sweep *result, const fw_plot_wish *wish,
     char path[FW_PATH_SIZE], name[FW_NAME_BYTES + 8];
     const char *map = fw_picture_rows[FW_PICTURE_MAP].name;
     const bool is_map = own ? own->kind == FW_PICTURE_MAP : wish->kind && !strcmp(wish->kind, map);
+    const fw_picture_kind kind = is_map ? FW_PICTURE_MAP : FW_PICTURE_SWEEP;
+    FW_TRY(fw_plot_check_wish(wish, kind, error));
     snprintf(name, sizeof name, "%.*s.png", FW_NAME_BYTES,
-             own      ? own->name
-             : is_map ? map
-                      : "sweep");
+             own ? own->name : fw_picture_rows[kind].name);
     FW_TRY(fw_path_join(path, result->directory, name, error));
     fw_page page = fw_plot_page(wish);
     page.file = wish->file ? wish->file : path;
@@ -264,15 +264,7 @@ static fw_status check_wish(const char *directory, const fw_plot_wish *wish, fw_
                        "%s holds a sweep; pictures of kind %s are drawn in the folders of its "
                        "cases, here those of kind sweep or map",
                        directory, wish->kind);
-    const bool map = wish->kind && strcmp(wish->kind, "map") == 0;
-    const bool cropped = wish->x_range[0] < wish->x_range[1] || wish->y_range[0] < wish->y_range[1];
-    const char *stray = wish->field            ? "a field"
-                        : wish->step_count > 0 ? "steps"
-                        : wish->with_count > 0 ? "other results"
-                        : map && cropped       ? "a chosen part of the axes of a map"
-                                               : NULL;
-    if (!stray) return FW_OK;
-    return fw_fail(error, FW_BAD_INPUT, "a picture of a sweep does not draw %s", stray);
+    return FW_OK;
 }
 
 fw_status fw_plot_sweep_one(const char *directory, const fw_plot_wish *wish, FILE *out,
@@ -288,12 +280,18 @@ fw_status fw_plot_sweep_one(const char *directory, const fw_plot_wish *wish, FIL
     return status;
 }
 
-/* The pictures of single runs, in the folder of each case. One case that fails does not keep the
- * others from being drawn. */
-static fw_status draw_cases(const fw_plot_sweep *result, FILE *out, fw_error *error)
+/* The first of several failures is told. */
+static void keep_first(fw_status *status, fw_error *error, fw_status done, const fw_error *own)
+{
+    if (*status != FW_OK || done == FW_OK) return;
+    *status = done;
+    *error = *own;
+}
+
+/* The pictures of single runs, in the folder of each case. */
+static void draw_cases(const fw_plot_sweep *result, FILE *out, fw_status *status, fw_error *error)
 {
     const fw_scenario *scenario = result->scenario;
-    fw_status status = FW_OK;
     bool any = false;
     for (int n = 0; n < scenario->picture_count; ++n)
         any |= fw_plot_is_of_case(&scenario->pictures[n]);
@@ -303,9 +301,25 @@ static fw_status draw_cases(const fw_plot_sweep *result, FILE *out, fw_error *er
         fw_scenario_case_name(scenario, n, name);
         fw_status done = fw_path_join(folder, result->directory, name, &own);
         if (done == FW_OK) done = fw_plot_all(folder, out, &own);
-        if (status == FW_OK && done != FW_OK) *error = own;
-        if (status == FW_OK) status = done;
+        keep_first(status, error, done, &own);
     }
+}
+
+/* One picture that fails does not keep the others from being drawn. */
+static fw_status draw_all(const fw_plot_sweep *result, FILE *out, fw_error *error)
+{
+    const fw_scenario *scenario = result->scenario;
+    fw_status status = FW_OK;
+    int tried = 0;
+    for (int n = 0; n < scenario->picture_count; ++n) {
+        fw_error own = {0};
+        if (fw_plot_is_of_case(&scenario->pictures[n])) continue;
+        const fw_status done = draw(result, &(fw_plot_wish){0}, &scenario->pictures[n], out, &own);
+        keep_first(&status, error, done, &own);
+        tried += 1;
+    }
+    if (tried == 0) status = draw(result, &(fw_plot_wish){0}, NULL, out, error);
+    draw_cases(result, out, &status, error);
     return status;
 }
 
@@ -313,14 +327,7 @@ fw_status fw_plot_sweep_all(const char *directory, FILE *out, fw_error *error)
 {
     fw_plot_sweep result;
     fw_status status = open_sweep(&result, directory, error);
-    int drawn = 0;
-    for (int n = 0; status == FW_OK && n < result.scenario->picture_count; ++n) {
-        if (fw_plot_is_of_case(&result.scenario->pictures[n])) continue;
-        status = draw(&result, &(fw_plot_wish){0}, &result.scenario->pictures[n], out, error);
-        drawn += 1;
-    }
-    if (status == FW_OK && drawn == 0) status = draw(&result, &(fw_plot_wish){0}, NULL, out, error);
-    if (status == FW_OK) status = draw_cases(&result, out, error);
+    if (status == FW_OK) status = draw_all(&result, out, error);
     close_sweep(&result);
     return status;
 }

@@ -176,11 +176,12 @@ fw_status fw_plot_sweep_level_of_bisection(fw_sweep_level *line, double level,
         for (int n = 0; n < count; ++n) {
             const double at = rows[n].values[plan->bisected], own = rows[n].error;
             if (rows[n].level != level || rows[n].values[other] != others[c] ||
-                line->mark_count == other_count || !is_of_column(&rows[n], column))
+                line->count == other_count || !is_of_column(&rows[n], column))
                 continue;
             const double place = plan->logarithmic ? log10(at) : at;
             add_point(line, c, place);
-            add_mark(line, c, place, NAN, plan->logarithmic ? own / at / log(10) : own);
+            if (isfinite(at))
+                add_mark(line, c, place, NAN, plan->logarithmic ? own / at / log(10) : own);
         }
     free(rows);
     return status;

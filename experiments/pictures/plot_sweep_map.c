@@ -234,8 +234,14 @@ static fw_status make_level(map *m, const fw_plot_wish *wish, const fw_scenario_
     if (!m->bisected)
         return fw_plot_sweep_level_of_grid(&m->level, level, m->p.count, m->rows, m->values,
                                            m->errors, error);
-    return fw_plot_sweep_level_of_bisection(&m->level, level, m->sweep, m->column, m->p.values,
-                                            m->p.count, error);
+    FW_TRY(fw_plot_sweep_level_of_bisection(&m->level, level, m->sweep, m->column, m->p.values,
+                                            m->p.count, error));
+    if (m->level.count == 0 && (wish->level || has_level(m, wish, own)))
+        return fw_fail(error, FW_BAD_INPUT,
+                       "%s: the sweep was not bisected for %s of %.6g, and has no line there",
+                       m->sweep->directory, m->column->name, level);
+    m->has_level = m->level.count > 0;
+    return FW_OK;
 }
 
 static void write_caption(const map *m, char *caption, size_t size)

@@ -67,7 +67,8 @@ typedef struct fw_sweep_level {
 fw_status fw_plot_sweep_level_of_grid(fw_sweep_level *line, double level, int columns, int rows,
                                       const double *values, const double *errors, fw_error *error);
 /* As thresholds.csv has it: x counts the values of the other parameter, y is that of the bisected
- * one, its logarithm to base 10 where it is bisected so. */
+ * one, its logarithm to base 10 where it is bisected so; NaN and no mark where it does not pass the
+ * level. No points: it was not bisected for that level. */
 fw_status fw_plot_sweep_level_of_bisection(fw_sweep_level *line, double level,
                                            const fw_plot_sweep *sweep,
                                            const fw_sweep_column *column, const double *others,

@@ -13,10 +13,16 @@ static bool has_free_axes(fw_picture_kind kind)
 {
     static const fw_picture_kind kinds[] = {
         FW_PICTURE_MOTION, FW_PICTURE_CONTACT, FW_PICTURE_FIELD, FW_PICTURE_STRIP,
-        FW_PICTURE_SERIES, FW_PICTURE_PROFILE, FW_PICTURE_LOOP};
+        FW_PICTURE_SERIES, FW_PICTURE_PROFILE, FW_PICTURE_LOOP,  FW_PICTURE_SWEEP};
     for (size_t n = 0; n < sizeof kinds / sizeof *kinds; ++n)
         if (kinds[n] == kind) return true;
     return false;
+}
+
+static bool has_charts(fw_picture_kind kind)
+{
+    return kind == FW_PICTURE_SERIES || kind == FW_PICTURE_LOOP || kind == FW_PICTURE_PROFILE ||
+           kind == FW_PICTURE_SWEEP;
 }
 
 fw_status fw_plot_check_wish(const fw_plot_wish *wish, fw_picture_kind kind, fw_error *error)
@@ -30,8 +36,7 @@ fw_status fw_plot_check_wish(const fw_plot_wish *wish, fw_picture_kind kind, fw_
     if ((wish->x_range[0] < wish->x_range[1] || wish->y_range[0] < wish->y_range[1]) &&
         !has_free_axes(kind))
         return refuse_stray(kind, "a chosen part of its axes", error);
-    if (wish->height > 0 && kind != FW_PICTURE_SERIES && kind != FW_PICTURE_LOOP &&
-        kind != FW_PICTURE_PROFILE)
+    if (wish->height > 0 && !has_charts(kind))
         return refuse_stray(kind, "charts, whose height could be chosen", error);
     if (wish->in_steps && kind != FW_PICTURE_SERIES)
         return refuse_stray(kind, "anything over steps", error);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* test_figure_plans.c - what each kind of picture hands to its figure, looked at on its way there:
- * the figures of this program are replaced (see tests/CMakeLists.txt). What is drawn is what the
- * results hold, of the right frame, body and particle. */
+ * views, histograms, profiles and films; the others are in test_figure_numbers.c. What is drawn is
+ * what the results hold, of the right frame, body and particle. */
 #include "tests/support/laws.h"
 
 #include "experiments/pictures/film.h"
@@ -9,30 +9,19 @@
 #include "experiments/pictures/plot_parts.h"
 #include "tests/support/beams.h"
 #include "tests/support/program.h"
+#include "tests/support/seen_figures.h"
 
 #include "tests/support/plotted_run.h"
 
 enum { SHEET = 9, ROD = 4, ALL = SHEET + ROD };
 
 static fw_playback *playback;
-static int looks;
 static int64_t film_steps[64];
-static void (*look)(const void *plan);
 
-#define REPLACED(name, plan_type)                                                                  \
-    fw_status __real_##name(const fw_page *page, const plan_type *plan, fw_error *e);              \
-    fw_status __wrap_##name(const fw_page *page, const plan_type *plan, fw_error *e);              \
-    fw_status __wrap_##name(const fw_page *page, const plan_type *plan, fw_error *e)               \
-    {                                                                                              \
-        ++looks;                                                                                   \
-        if (!look) return __real_##name(page, plan, e);                                            \
-        look(plan);                                                                                \
-        return FW_OK;                                                                              \
-    }
-REPLACED(fw_figure_field, fw_figure_field_plan)
-REPLACED(fw_figure_strip, fw_figure_strip_plan)
-REPLACED(fw_figure_map, fw_figure_map_plan)
-REPLACED(fw_figure_pairs, fw_figure_pairs_plan)
+SEEN_FIGURE(fw_figure_field, fw_figure_field_plan)
+SEEN_FIGURE(fw_figure_strip, fw_figure_strip_plan)
+SEEN_FIGURE(fw_figure_map, fw_figure_map_plan)
+SEEN_FIGURE(fw_figure_pairs, fw_figure_pairs_plan)
 
 /* Of a film, which is drawn. */
 fw_status __real_fw_figure_motion(const fw_page *page, const fw_figure_motion_plan *plan,
@@ -43,31 +32,15 @@ fw_status __wrap_fw_figure_motion(const fw_page *page, const fw_figure_motion_pl
                                   fw_error *e)
 {
     if (looks < 64) film_steps[looks] = plan->views[plan->view_count - 1].step;
-    ++looks;
-    if (!look) return __real_fw_figure_motion(page, plan, e);
-    look(plan);
-    return FW_OK;
-}
-
-static void draw_from(const char *directory, const fw_plot_wish *wish, void (*asked)(const void *))
-{
-    FILE *nowhere = fopen("/dev/null", "w");
-    assert_non_null(nowhere);
-    look = asked;
-    looks = 0;
-    assert_fine(fw_plot_one(directory, wish, nowhere, &error));
-    assert_int_equal(looks, 1);
-    fclose(nowhere);
+    see_figure(page, plan);
+    return look ? FW_OK : __real_fw_figure_motion(page, plan, e);
 }
 
 static void draw(const char *kind, const char *field, const int64_t *steps, int count,
                  void (*asked)(const void *))
 {
-    const fw_plot_wish wish = {.file = "/tmp/fretwork-never-drawn.png",
-                               .kind = kind,
-                               .field = field,
-                               .steps = steps,
-                               .step_count = count};
+    const fw_plot_wish wish = {
+        .file = NEVER_DRAWN, .kind = kind, .field = field, .steps = steps, .step_count = count};
     assert_fine(fw_playback_open(&playback, folder, &error));
     draw_from(folder, &wish, asked);
     fw_playback_close(playback);
@@ -314,7 +287,7 @@ static void map_of_an_analysis_has_its_axes(void **state)
 {
     (void)state;
     char directory[64];
-    const fw_plot_wish wish = {.file = "/tmp/fretwork-never-drawn.png", .picture = "map"};
+    const fw_plot_wish wish = {.file = NEVER_DRAWN, .picture = "map"};
     make_folder(directory, sizeof directory);
     run_scenario(stability, directory);
     draw_from(directory, &wish, look_at_map);
@@ -423,10 +396,10 @@ static void profile_and_loop_are_of_their_own_sides(void **state)
         run_program(beams_folder, "run file.yaml -o . --quiet --no-plot --set study.seeds=1 "
                                   "--set run.record-every=100 --set expect=[]");
     assert_int_equal(seen.code, 0);
-    const fw_plot_wish profile = {.file = "/tmp/fretwork-never-drawn.png", .kind = "profile"};
+    const fw_plot_wish profile = {.file = NEVER_DRAWN, .kind = "profile"};
     assert_fine(fw_plot_one(beams_folder, &profile, nowhere, &error));
     assert_int_equal(columns_drawn, 1);
-    const fw_plot_wish loop = {.file = "/tmp/fretwork-never-drawn.png", .kind = "loop"};
+    const fw_plot_wish loop = {.file = NEVER_DRAWN, .kind = "loop"};
     assert_fine(fw_plot_one(beams_folder, &loop, nowhere, &error));
     assert_int_equal(curves_drawn, 1);
     fclose(nowhere);

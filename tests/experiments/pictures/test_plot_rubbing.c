@@ -6,22 +6,12 @@
 
 #include "contact/scene/scene.h"
 #include "tests/support/plotted_run.h"
+#include "tests/support/sliding_block.h"
 
-#define SCENE                                                                                      \
-    "title: A block slides until it sticks\n"                                                      \
-    "materials: {felt: {lattice-boltzmann: {rest-mass: 0.5, damping: 0.01}}}\n"                    \
-    "bodies:\n"                                                                                    \
-    "  block: {material: felt, shape: {rectangle: [6, 3]}, velocity: [0.05, 0]}\n"                 \
-    "  far: {material: felt, shape: {rectangle: [2, 2]}, origin: [20, 9]}\n"                       \
-    "walls: {floor: {chain: [[-100, 0], [100, 0]], surface: {coulomb: 0.3}}}\n"                    \
-    "forces: {weight: {body: block, acceleration: [0, -0.002]}}\n"                                 \
-    "run: {steps: 300, record-every: 20}\n"                                                        \
-    "measure: [friction-heat]\n"
-
-static const char with_maps[] = SCENE "pictures:\n"
-                                      "  where: {kind: slip, body: block}\n"
-                                      "  warm: {kind: heat, range: [0, 0.1]}\n"
-                                      "  presses: {kind: contact}\n";
+static const char with_maps[] = SLIDING_BLOCK "pictures:\n"
+                                              "  where: {kind: slip, body: block}\n"
+                                              "  warm: {kind: heat, range: [0, 0.1]}\n"
+                                              "  presses: {kind: contact}\n";
 
 static fw_plot_result result;
 
@@ -85,7 +75,7 @@ static void maps_are_drawn_and_refused(void **state)
     fclose(out);
     char other[64];
     make_folder(other, sizeof other);
-    run_scenario(SCENE, other);
+    run_scenario(SLIDING_BLOCK, other);
     assert_refused(fw_plot_one(other, &(fw_plot_wish){.kind = "slip"}, stdout, &error),
                    FW_BAD_INPUT, "friction was not recorded particle by particle");
     assert_refused(fw_plot_one(other, &(fw_plot_wish){.kind = "contact"}, stdout, &error),

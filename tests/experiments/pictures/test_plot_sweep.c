@@ -168,6 +168,12 @@ static void seeds_have_rows_whose_means_are_those_of_the_cases(void **state)
         expect_end(&seen, 0, "");
     }
     shell(folder, "cmp energy.png energy-line.png && ! cmp -s heat.png heat-line.png");
+    /* A picture that cannot be written keeps no other one from being drawn. */
+    shell(folder, "cp it/map.png map.png && rm it/*.png && mkdir it/against.png");
+    seen = run_program(folder, "plot it");
+    assert_int_not_equal(seen.code, 0);
+    assert_non_null(strstr(seen.err, "against.png"));
+    shell(folder, "cmp it/map.png map.png && rmdir it/against.png");
     seen = run_program(folder, "plot it --kind map --along thermostat-heat");
     expect_end(&seen, 2,
                "a map lies over two parameters, and thermostat-heat is a number of the sweep");
