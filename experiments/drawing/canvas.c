@@ -187,6 +187,7 @@ fw_status fw_canvas_save(fw_canvas *canvas, fw_error *error)
         cairo_surface_finish(canvas->surface);
         status = cairo_surface_status(canvas->surface);
     }
+    if (status == CAIRO_STATUS_NO_MEMORY) return fw_fail_memory(error, "a picture");
     if (status) {
         return fw_fail(error, FW_SYSTEM_FAILED, "cannot draw '%s': %s", canvas->name,
                        cairo_status_to_string(status));

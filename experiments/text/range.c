@@ -5,7 +5,8 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
+#include <stdint.h>
+#include <string.h>
 
 fw_range fw_range_empty(void)
 {
@@ -26,31 +27,45 @@ void fw_range_include(fw_range *range, const double *values, long count, bool po
     }
 }
 
-static int by_value(const void *a, const void *b)
+/* Doubles in the order of their values as whole numbers: those below 0 count downwards. */
+static uint64_t order_of(double value)
 {
-    double p = *(const double *)a, q = *(const double *)b;
-    return (p > q) - (p < q);
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits >> 63 ? ~bits : bits | UINT64_C(1) << 63;
+}
+
+static double value_of(uint64_t order)
+{
+    const uint64_t bits = order >> 63 ? order ^ UINT64_C(1) << 63 : ~order;
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+/* The value of those that count with so many of them before it, bit by bit: sorting them would ask
+ * for memory. */
+static double value_of_rank(const double *values, long count, long rank, bool positive_only)
+{
+    uint64_t order = 0;
+    for (int bit = 63; bit >= 0; --bit) {
+        const uint64_t tried = order | UINT64_C(1) << bit;
+        long before = 0;
+        for (long k = 0; k < count; ++k)
+            before += counts(values[k], positive_only) && order_of(values[k]) < tried;
+        if (before <= rank) order = tried;
+    }
+    return value_of(order);
 }
 
 fw_range fw_range_of_most(const double *values, long count, double trim, bool positive_only)
 {
-    fw_range range = fw_range_empty();
-    double *sorted = count > 0 ? malloc((size_t)count * sizeof *sorted) : NULL;
-    if (!sorted) {
-        fw_range_include(&range, values, count, positive_only);
-        return range;
-    }
     long kept = 0;
-    for (long k = 0; k < count; ++k) {
-        if (counts(values[k], positive_only)) sorted[kept++] = values[k];
-    }
-    if (kept > 0) {
-        qsort(sorted, (size_t)kept, sizeof *sorted, by_value);
-        long beyond = (long)(fmin(trim, .5) * (double)(kept - 1));
-        range = (fw_range){sorted[beyond], sorted[kept - 1 - beyond]};
-    }
-    free(sorted);
-    return range;
+    for (long k = 0; k < count; ++k) kept += counts(values[k], positive_only);
+    if (kept == 0) return fw_range_empty();
+    const long beyond = (long)(fmin(trim, .5) * (double)(kept - 1));
+    return (fw_range){value_of_rank(values, count, beyond, positive_only),
+                      value_of_rank(values, count, kept - 1 - beyond, positive_only)};
 }
 
 fw_range fw_range_without_rounding(fw_range range)

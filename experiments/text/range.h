@@ -22,7 +22,7 @@ static inline bool fw_range_is_empty(fw_range range)
 void fw_range_include(fw_range *range, const double *values, long count, bool positive_only);
 
 /* The interval [low, high] that leaves at most the part `trim` of the finite values beyond each
- * end. Falls back on all of them without memory to sort. */
+ * end. */
 fw_range fw_range_of_most(const double *values, long count, double trim, bool positive_only);
 
 /* The middle alone of a range that is narrower than a 1e-10th of its values: differences that come

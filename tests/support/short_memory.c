@@ -33,7 +33,7 @@ long short_memory_pieces(void)
     return pieces;
 }
 
-static bool fails(void)
+bool short_memory_fails_here(void)
 {
     return wanted > 0 && ++asked == wanted;
 }
@@ -49,6 +49,8 @@ void *__real_calloc(size_t count, size_t bytes);
 void *__real_realloc(void *memory, size_t bytes);
 void *__real_aligned_alloc(size_t alignment, size_t bytes);
 char *__real_strdup(const char *text);
+char *__real_strndup(const char *text, size_t most);
+char *__real_realpath(const char *path, char *found);
 void __real_free(void *memory);
 /* C++'s new and delete. */
 void *__real__Znwm(size_t bytes);
@@ -58,32 +60,45 @@ void __real__ZdlPv(void *memory);
 void *__wrap_malloc(size_t bytes);
 void *__wrap_malloc(size_t bytes)
 {
-    return fails() ? NULL : counted(__real_malloc(bytes));
+    return short_memory_fails_here() ? NULL : counted(__real_malloc(bytes));
 }
 
 void *__wrap_calloc(size_t count, size_t bytes);
 void *__wrap_calloc(size_t count, size_t bytes)
 {
-    return fails() ? NULL : counted(__real_calloc(count, bytes));
+    return short_memory_fails_here() ? NULL : counted(__real_calloc(count, bytes));
 }
 
 void *__wrap_realloc(void *memory, size_t bytes);
 void *__wrap_realloc(void *memory, size_t bytes)
 {
-    if (fails()) return NULL;
+    if (short_memory_fails_here()) return NULL;
     return memory ? __real_realloc(memory, bytes) : counted(__real_realloc(NULL, bytes));
 }
 
 void *__wrap_aligned_alloc(size_t alignment, size_t bytes);
 void *__wrap_aligned_alloc(size_t alignment, size_t bytes)
 {
-    return fails() ? NULL : counted(__real_aligned_alloc(alignment, bytes));
+    return short_memory_fails_here() ? NULL : counted(__real_aligned_alloc(alignment, bytes));
 }
 
 char *__wrap_strdup(const char *text);
 char *__wrap_strdup(const char *text)
 {
-    return fails() ? NULL : counted(__real_strdup(text));
+    return short_memory_fails_here() ? NULL : counted(__real_strdup(text));
+}
+
+char *__wrap_strndup(const char *text, size_t most);
+char *__wrap_strndup(const char *text, size_t most)
+{
+    return short_memory_fails_here() ? NULL : counted(__real_strndup(text, most));
+}
+
+/* Of those that ask it for the memory, too. */
+char *__wrap_realpath(const char *path, char *found);
+char *__wrap_realpath(const char *path, char *found)
+{
+    return short_memory_fails_here() ? NULL : counted(__real_realpath(path, found));
 }
 
 void __wrap_free(void *memory);
@@ -101,7 +116,7 @@ void *__wrap__Znwm(size_t bytes)
 #ifdef FW_NEW_CANNOT_FAIL
     return counted(__real__Znwm(bytes));
 #else
-    return fails() ? __real__Znwm(PTRDIFF_MAX) : counted(__real__Znwm(bytes));
+    return short_memory_fails_here() ? __real__Znwm(PTRDIFF_MAX) : counted(__real__Znwm(bytes));
 #endif
 }
 
@@ -126,7 +141,7 @@ void __wrap__ZdlPv(void *memory)
     type *__wrap_##make ask;                                                                       \
     type *__wrap_##make ask                                                                        \
     {                                                                                              \
-        if (!fails()) return counted(__real_##make give);                                          \
+        if (!short_memory_fails_here()) return counted(__real_##make give);                        \
         GSL_ERROR_NULL("no memory", GSL_ENOMEM);                                                   \
     }
 #define RELEASE(type, release)                                                                     \

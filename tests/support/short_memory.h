@@ -15,6 +15,8 @@
 void short_memory_fail(long which);
 /* Has it? */
 bool short_memory_failed(void);
+/* For what else a test lets fail, in the order of the allocations: does it fail here? */
+bool short_memory_fails_here(void);
 /* Pieces of memory that are there. */
 long short_memory_pieces(void);
 
@@ -43,7 +45,7 @@ static inline int fail_each_allocation(const char *name, attempt_function *attem
             fail_msg("%s, allocation %ld: %ld pieces of memory are left behind", name, which,
                      short_memory_pieces() - before);
         if (status != FW_OK && (!failed || status != FW_SYSTEM_FAILED || error.status != status ||
-                                !strstr(error.sentence, "not enough memory for ")))
+                                !strstr(error.sentence, "not enough memory ")))
             fail_msg("%s, allocation %ld: status %d: %s", name, which, (int)status, error.sentence);
         if (status == FW_OK && result != expected)
             fail_msg("%s, allocation %ld: goes on to another result", name, which);

@@ -156,6 +156,19 @@ static void a_trimmed_range_leaves_out_the_wild_ones(void **state)
     fw_range range = fw_range_of_most(values, 1001, .01, false);
     assert_close(range.low, 10, 0);
     assert_close(range.high, 990, 0);
+    /* On both sides of 0, equal ones, and what is no number: by hand. */
+    const double signs[] = {-3, NAN, 0, -1e-300, 5, -3, INFINITY, 1e-3, -7, 5};
+    range = fw_range_of_most(signs, 10, .2, false);
+    assert_close(range.low, -3, 0);
+    assert_close(range.high, 5, 0);
+    range = fw_range_of_most(signs, 10, .5, true);
+    assert_close(range.low, 5, 0);
+    range = fw_range_of_most(signs, 10, 0, false);
+    assert_close(range.low, -7, 0);
+    range = fw_range_of_most(signs, 10, .45, false);
+    assert_close(range.low, -1e-300, 0);
+    assert_close(range.high, 0, 0);
+    assert_true(fw_range_is_empty(fw_range_of_most(signs + 8, 1, 0, true)));
 }
 
 static void every_range_has_room_to_draw(void **state)

@@ -5,6 +5,7 @@
 
 #include "experiments/drawing/palette.h"
 #include "experiments/study/sweep_table.h"
+#include "tests/support/flying_sheets.h"
 #include "tests/support/program.h"
 #include "tests/support/seen_figures.h"
 
@@ -12,17 +13,6 @@ SEEN_FIGURE(fw_figure_map, fw_figure_map_plan)
 SEEN_FIGURE(fw_figure_stack, fw_figure_stack_plan)
 
 static char sweep_folder[64];
-
-/* A sheet that flies from x0 with v for 40 steps: its centre comes to x0 + 1.5 + 40 v. */
-#define FLIGHT(parameters, expected)                                                               \
-    "title: a sheet flies\n"                                                                       \
-    "parameters: {v: .1, x0: 0}\n"                                                                 \
-    "materials: {rubber: {lattice-boltzmann: {}}}\n"                                               \
-    "bodies: {sheet: {material: rubber, shape: {rectangle: [4, 4]}, origin: [x0, 0],\n"            \
-    "  velocity: [v, 0]}}\n"                                                                       \
-    "run: {steps: 40, record-every: 40, measure-every: 40}\n"                                      \
-    "study: {sweep: {parameters: {" parameters "}}}\n"                                             \
-    "expect: [{quantity: centre-of-mass, component: x, " expected "}]\n"
 
 static fw_sweep_table table;
 
