@@ -115,15 +115,17 @@ static fw_dimension times(fw_dimension one, fw_dimension other, double power)
 static bool read_product(const char **text, fw_dimension *is);
 
 /* "^2", "^-1", "^(1/2)", or nothing. */
-static double read_power(const char **text)
+static bool read_power(const char **text, double *power)
 {
-    if (**text != '^') return 1;
+    *power = 1;
+    if (**text != '^') return true;
     const bool part = (*text)[1] == '(';
-    const char *end;
-    double power = fw_number_scan(*text + (part ? 2 : 1), &end);
-    if (part && *end == '/') power /= fw_number_scan(end + 1, &end);
-    *text = end + (part && *end == ')');
-    return power;
+    const char *begin = *text + (part ? 2 : 1), *end;
+    *power = fw_number_scan(begin, &end);
+    if (part && *end == '/') *power /= fw_number_scan(end + 1, &end);
+    if (end == begin || !isfinite(*power) || (part && *end != ')')) return false;
+    *text = end + part;
+    return true;
 }
 
 static bool read_factor(const char **text, fw_dimension *is)
@@ -152,8 +154,9 @@ static bool read_product(const char **text, fw_dimension *is)
     *is = (fw_dimension){0};
     for (;;) {
         fw_dimension factor;
-        if (!read_factor(text, &factor)) return false;
-        *is = times(*is, factor, sign * read_power(text));
+        double power;
+        if (!read_factor(text, &factor) || !read_power(text, &power)) return false;
+        *is = times(*is, factor, sign * power);
         *text += strspn(*text, " ");
         if (**text == '\0' || **text == ')') return true;
         sign = **text == '/' ? -1 : 1;

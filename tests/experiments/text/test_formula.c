@@ -34,6 +34,9 @@ static void formulas_stand_for_their_values(void **state)
         {"A.b={A: 1, AA: 2}", "A.b={A: 1, AA: 2}", false, false},
         {"a.b=[AB, A2, _A, 1e3]", "a.b=[AB, A2, _A, 1e3]", false, false},
         {"a.A", "a.A", false, false},
+        {"a.b={A:\tA}", "a.b={A:\t2.5}", true, false},
+        {"a.b=A:", "a.b=A:", false, false},
+        {"a.b=[2e3*A, 2e+3*A, 1e-1]", "a.b=[5000, 5000, 1e-1]", true, false},
     };
     (void)state;
     for (size_t n = 0; n < sizeof rows / sizeof rows[0]; ++n) {
@@ -63,6 +66,8 @@ static void wrong_formulas_get_their_sentence(void **state)
         {"sqrt(m", "the formula 'sqrt(m' cannot be read to its end"},
         {"m)", "the formula 'm)' cannot be read from its character 2 on, ')'"},
         {"m=3", "the formula 'm=3' has a single '=', expected none"},
+        {"=m", "the formula '=m' has a single '=', expected none"},
+        {"m <= 4 = 1", "the formula 'm <= 4 = 1' has a single '=', expected none"},
         {"0.1/speed",
          "the formula '0.1/speed' is infinite where speed=0, expected a finite number"},
         {"sqrt(speed-m)", "the formula 'sqrt(speed-m)' is not a number where speed=0, m=4, "
@@ -76,6 +81,10 @@ static void wrong_formulas_get_their_sentence(void **state)
                          FW_BAD_INPUT);
         assert_string_equal(error.sentence, rows[n].sentence);
     }
+    char lengthy[1002];
+    memset(lengthy, '1', 1001);
+    assert_refused(fw_formula_evaluate(lengthy, 1001, variables, 2, &value, &error), FW_BAD_INPUT,
+                   "has 1001 bytes, expected at most 1000");
 }
 
 static void names_of_formulas_are_taken(void **state)

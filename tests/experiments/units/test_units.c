@@ -56,14 +56,30 @@ static void what_has_no_name_is_composed(void **state)
     assert_physical(&units, "energy/time", 10.3236 / 2.1564, "meV/ps");
     assert_physical(&units, "mass^(1/2)", sqrt(39.948), "u^(1/2)");
     assert_physical(&units, "(spacings/step)^2", pow(.3405 / 2.1564, 2), "nm^2/ps^2");
+    assert_physical(&units, "length^(2)", .3405 * .3405, "nm^2");
+    assert_physical(&units, "time^-1", 1 / 2.1564, "1/ps");
 }
 
 static void pure_numbers_angles_and_counts_stay(void **state)
 {
     (void)state;
     const fw_units units = argon(), none = {.length = 0};
-    const char *const plain[] = {"1",     "",        "degrees", "radians", "steps",
-                                 "sites", "seconds", "lengths", "length/", "(length"};
+    const char *const plain[] = {"1",
+                                 "",
+                                 "degrees",
+                                 "radians",
+                                 "steps",
+                                 "sites",
+                                 "seconds",
+                                 "lengths",
+                                 "length/",
+                                 "(length",
+                                 "(length/",
+                                 "length^(2",
+                                 "length^ time",
+                                 "length^(1/0)",
+                                 "length^(x)",
+                                 "energy/k_B/time"};
     for (size_t n = 0; n < sizeof plain / sizeof *plain; ++n)
         assert_true(fw_units_physical(&units, plain[n]).factor == 0);
     assert_true(fw_units_physical(&none, "length").factor == 0);
@@ -130,7 +146,13 @@ static void what_is_no_size_is_refused(void **state)
          "units.depth is in '', expected a unit of length: m with any prefix, cm, or A (0.1 nm)"},
         {{.length_text = "1e100 m", .mass_text = "1 u", .time_text = "1 s"},
          "length",
-         "units.length is '1e100 m', expected between 1e-60 and 1e60 SI units"}};
+         "units.length is '1e100 m', expected between 1e-60 and 1e60 SI units"},
+        {{.length_text = "1.e-100 m", .mass_text = "1 u", .time_text = "1 s"},
+         "length",
+         "units.length is '1.e-100 m', expected between 1e-60 and 1e60 SI units"},
+        {{.length_text = "1 m", .mass_text = "1. eV", .time_text = "1 s"},
+         "mass",
+         "units.mass is in 'eV', expected a unit of mass: g or Da with any prefix, or u"}};
     for (size_t n = 0; n < sizeof wrong / sizeof *wrong; ++n) {
         fw_units units = wrong[n].units;
         const char *key = NULL;
