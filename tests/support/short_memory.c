@@ -13,6 +13,7 @@
 #include <gsl/gsl_matrix.h>
 #include <gsl/gsl_vector.h>
 #include <stdatomic.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 static atomic_long asked, wanted, pieces;
@@ -51,6 +52,7 @@ void *__real_aligned_alloc(size_t alignment, size_t bytes);
 char *__real_strdup(const char *text);
 char *__real_strndup(const char *text, size_t most);
 char *__real_realpath(const char *path, char *found);
+FILE *__real_open_memstream(char **text, size_t *size);
 void __real_free(void *memory);
 /* C++'s new and delete. */
 void *__real__Znwm(size_t bytes);
@@ -99,6 +101,16 @@ char *__wrap_realpath(const char *path, char *found);
 char *__wrap_realpath(const char *path, char *found)
 {
     return short_memory_fails_here() ? NULL : counted(__real_realpath(path, found));
+}
+
+/* Whoever opens it has its text to release. */
+FILE *__wrap_open_memstream(char **text, size_t *size);
+FILE *__wrap_open_memstream(char **text, size_t *size)
+{
+    if (short_memory_fails_here()) return NULL;
+    FILE *stream = __real_open_memstream(text, size);
+    pieces += stream != NULL;
+    return stream;
 }
 
 void __wrap_free(void *memory);

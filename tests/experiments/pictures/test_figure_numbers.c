@@ -95,6 +95,60 @@ static void forces_are_those_of_the_last_step(void **state)
     fw_playback_close(playback);
 }
 
+/* A chain and a gas without forces that were recorded: arrows of the chain's links alone, at both
+ * ends of each that is longer than at rest; a link from the stiff site to the others is stiff. */
+static void look_at_links(const void *plan)
+{
+    const fw_figure_forces_plan *forces = plan;
+    const fw_figure_forces_panel *chain = &forces->panels[0], *gas = &forces->panels[1];
+    static const double stiffness[] = {1, 5, 5, 1}, from[] = {0, 1, 2, 3};
+    assert_int_equal(gas->force_count, 0);
+    assert_int_equal(chain->force_count, 8);
+    for (int k = 0; k < 8; k += 2) {
+        const int a = chain->forces[k].particle, b = chain->forces[k + 1].particle;
+        const double longer = chain->x[b] - chain->x[a] - 1;
+        assert_close(a, from[k / 2], 0);
+        assert_int_equal(b, a + 1);
+        assert_close(chain->forces[k].force.x, stiffness[k / 2] * longer, 1e-12);
+        assert_close(chain->forces[k + 1].force.x, -stiffness[k / 2] * longer, 1e-12);
+    }
+    assert_non_null(strstr(chain->name, ": 4 long at rest, "));
+    expect_caption("External forces were not recorded (record.force): only those of the links");
+}
+
+static void forces_of_links_need_no_record(void **state)
+{
+    (void)state;
+    static const int64_t steps[33] = {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10,
+                                      11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21,
+                                      22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32};
+    make_quick_folder(other, sizeof other);
+    run_scenario(
+        "title: a chain and a gas\n"
+        "materials: {felt: {lattice-boltzmann: {}}, gas: {movable-particles: {strength: 0}}}\n"
+        "bodies:\n"
+        "  chain:\n"
+        "    material: felt\n"
+        "    shape: {rectangle: [5, 1]}\n"
+        "    displacement: [{random: 0.1}]\n"
+        "    link-stiffness: [{sites: [[2, 0]], links: across, value: 5}]\n"
+        "  gas: {material: gas, lattice: hexagonal, origin: [0, 9], shape: {rectangle: "
+        "[3, 3]}}\n"
+        "dynamics: {time-step: 1}\n"
+        "run: {steps: 32, record-every: 1}\n",
+        other);
+    const fw_plot_wish first = {
+        .file = NEVER_DRAWN, .kind = "forces", .steps = steps, .step_count = 1};
+    draw_from(other, &first, look_at_links);
+    const fw_plot_wish many = {.kind = "forces", .steps = steps, .step_count = 33};
+    assert_refused(look_at(other, &many, look_at_links), FW_BAD_INPUT,
+                   "66 panels of forces (bodies times steps), expected at most 64");
+    const fw_plot_wish seven = {.kind = "structure", .steps = steps, .step_count = 7};
+    assert_refused(look_at(other, &seven, look_at_links), FW_BAD_INPUT,
+                   "7 instants in one picture, expected at most 6");
+    remove_folder(other);
+}
+
 /* --- series --- */
 
 static void look_at_series(const void *plan)
@@ -156,13 +210,21 @@ static void reversal_is_marked(void **state)
          "nothing was measured from step 7 to step 9"},
         {{.kind = "series", .observables = momentum, .observable_count = 1, .from = 13},
          "step 13, but the results hold the steps 0 to 12"},
+        {{.kind = "series",
+          .observables = momentum,
+          .observable_count = 1,
+          .logarithmic = true,
+          .until = 5},
+         "momentum goes from -1.2 to 0, expected values above 0 on a logarithmic axis"},
+        {{.kind = "slip"}, "friction was not recorded particle by particle"},
+        {{.kind = "loop"}, "slip was not measured, expected the results of a scenario with a "},
         {{.kind = "analysis"}, "the scenario has no analysis to draw"},
     };
     make_quick_folder(other, sizeof other);
     run_scenario(
         "title: there and back\n"
         "materials: {felt: {lattice-boltzmann: {}}}\n"
-        "bodies: {sheet: {material: felt, shape: {rectangle: [3, 3]}, velocity: [.1, 0]}}\n"
+        "bodies: {sheet: {material: felt, shape: {rectangle: [3, 3]}, velocity: [-.1, 0]}}\n"
         "run: {steps: 12, reverse-at: 5, record-every: 6, measure-every: 6}\n"
         "measure: [momentum]\n",
         other);
@@ -238,6 +300,49 @@ static void friction_is_drawn_where_it_was(void **state)
     assert_refused(look_at(other, &one_frame, look_at_friction), FW_BAD_INPUT,
                    "friction is drawn between frames, expected at least two of them from step 25 "
                    "to 35");
+    remove_folder(other);
+}
+
+/* The left side of a block that has a gap, on a wall: its places are named, as they are shown. */
+static void look_at_uneven_places(const void *plan)
+{
+    const fw_figure_map_plan *map = plan;
+    static const char *const names[] = {"0", "2", "6", "8"};
+    assert_int_equal(map->rows, 4);
+    assert_string_equal(map->q_label.text, "y at rest, along block (nm)");
+    assert_close(map->q_first, 0, 0);
+    assert_close(map->q_step, 1, 0);
+    assert_int_equal(map->q_name_count, 4);
+    for (int n = 0; n < 4; ++n) {
+        assert_close(map->q_names[n].at, n, 0);
+        assert_string_equal(map->q_names[n].name, names[n]);
+    }
+    /* From step 40 to 100, the frame behind which comes early. */
+    assert_int_equal(map->columns, 3);
+    assert_close(map->p_first, 2.5 * map->p_step, 1e-12);
+    assert_int_equal(map->colouring.map, FW_PALETTE_WARM);
+}
+
+static void uneven_places_have_names(void **state)
+{
+    (void)state;
+    make_quick_folder(other, sizeof other);
+    run_scenario("title: a block with a gap slides up a wall\n"
+                 "units: {length: 2 nm, time: 1 ps, mass: 1 u}\n"
+                 "materials: {felt: {lattice-boltzmann: {rest-mass: 0.5, damping: 0.01}}}\n"
+                 "bodies:\n"
+                 "  block:\n"
+                 "    material: felt\n"
+                 "    velocity: [0, 0.05]\n"
+                 "    shape: {mask: \"###\\n###\\n.##\\n###\\n###\\n\"}\n"
+                 "walls: {side: {chain: [[0, 99], [0, -99]], surface: {coulomb: 0.3}}}\n"
+                 "forces: {weight: {body: block, acceleration: [-0.002, 0]}}\n"
+                 "run: {steps: 110, record-every: 20}\n"
+                 "pictures: {where: {kind: heat}}\n",
+                 other);
+    draw_from(other,
+              &(fw_plot_wish){.file = NEVER_DRAWN, .kind = "heat", .from = 30, .palette = "warm"},
+              look_at_uneven_places);
     remove_folder(other);
 }
 
@@ -323,9 +428,11 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(forces_are_those_of_the_last_step),
+        cmocka_unit_test(forces_of_links_need_no_record),
         cmocka_unit_test(series_are_what_was_measured),
         cmocka_unit_test(reversal_is_marked),
         cmocka_unit_test(friction_is_drawn_where_it_was),
+        cmocka_unit_test(uneven_places_have_names),
         cmocka_unit_test(curves_of_analyses_are_their_numbers),
     };
     return cmocka_run_group_tests(tests, make_run, remove_run);
