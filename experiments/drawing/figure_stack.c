@@ -165,6 +165,15 @@ static fw_status draw(const fw_page *page, const columns *all, fw_canvas *canvas
     return FW_OK;
 }
 
+/* On a logarithmic axis there is no place for what is not above 0. */
+static fw_status check_logarithmic(const fw_axis *axis, char name, fw_range asked, fw_error *error)
+{
+    if (!axis->logarithmic || axis->range.low > 0) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT,
+                   "the %c axis is logarithmic and cannot go from %g to %g, expected both above 0",
+                   name, asked.low, asked.high);
+}
+
 /* What is asked for goes before what fits. */
 static fw_status crop(const fw_page *page, columns *all, fw_error *error)
 {
@@ -175,6 +184,8 @@ static fw_status crop(const fw_page *page, columns *all, fw_error *error)
             const fw_range own = panel->x.range;
             panel->x.range = fw_page_range(page->x_range, own, label);
             panel->y.range = fw_page_range(page->y_range, panel->y.range, panel->y.label);
+            FW_TRY(check_logarithmic(&panel->x, 'x', page->x_range, error));
+            FW_TRY(check_logarithmic(&panel->y, 'y', page->y_range, error));
             if (panel->x.range.high < own.low || panel->x.range.low > own.high)
                 return fw_fail(error, FW_BAD_INPUT,
                                "nothing lies between %g and %g along x, where the picture goes "

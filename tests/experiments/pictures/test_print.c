@@ -125,6 +125,8 @@ static void a_style_file_says_how_figures_look(void **state)
         {"plot out --letter '(a.'", "--letter (a., expected a letter or two"},
         {"plot out --x-range 3,2", "--x-range 3,2, expected two numbers"},
         {"plot out --observable energy --x-range 30,40", "nothing lies between 30 and 40 along x"},
+        {"plot out --observable energy --logarithmic --y-range 0,1",
+         "the y axis is logarithmic and cannot go from 0 to 1, expected both above 0"},
         {"plot out --kind structure --y-range 0,1", "does not draw a chosen part of its axes"},
         {"plot out --kind motion --height 30", "does not draw charts"},
         {"plot out --kind motion --in-steps", "does not draw anything over steps"},
