@@ -3,7 +3,8 @@
  * (LD_PRELOAD). A place is what the program's own functions, a few calls deep, stood at when they
  * called; places are numbered as they appear, and the one with number FW_FAIL_AT is wanted. When it
  * is reached the file FW_FAILED tells who called (for `addr2line -f -e PROGRAM`). Other
- * programs, which it starts, are left alone.
+ * programs, which it starts, are left alone, and so is what the compiler lets it do at its end (the
+ * counters of tests/coverage).
  *
  * State: the places seen so far. */
 #ifndef FW_FAILING_PLACE_H
@@ -106,12 +107,26 @@ static void tell_who(void)
     close(file);
 }
 
+static void stop(void)
+{
+    wanted = 0;
+}
+
+/* What is registered last is called first: here, in the midst of the program, before what it does
+ * at its end. */
+static void stop_at_end(void)
+{
+    static bool registered;
+    if (!registered) registered = atexit(stop) == 0;
+}
+
 /* Is the program for the first time at the place that is wanted? */
 static bool is_wanted(uint64_t kind)
 {
     if (inside || wanted <= 0) return false;
     inside = true;
     pthread_mutex_lock(&lock);
+    stop_at_end();
     const bool reached = add_place(place_now(kind)) && place_count == wanted;
     pthread_mutex_unlock(&lock);
     if (reached) tell_who();
