@@ -10,7 +10,6 @@
 #include "experiments/text/text.h"
 #include "scenario_parts.h"
 
-#include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -320,10 +319,8 @@ fw_status fw_scenario_print(const fw_scenario *scenario, char **text, fw_error *
     *text = NULL;
     size_t length;
     FILE *out = open_memstream(text, &length);
-    if (!out) return fw_fail(error, FW_SYSTEM_FAILED, "the scenario as run: %s", strerror(errno));
-    fw_status status = fw_document_print(scenario->document, out, error);
-    if (fclose(out) != 0 && status == FW_OK)
-        status = fw_fail(error, FW_SYSTEM_FAILED, "the scenario as run: %s", strerror(errno));
+    fw_status status = out ? fw_document_print(scenario->document, out, error) : FW_OK;
+    if (!out || fclose(out) != 0) status = fw_fail_memory(error, "the scenario as run");
     if (status != FW_OK) {
         free(*text);
         *text = NULL;

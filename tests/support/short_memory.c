@@ -4,10 +4,14 @@
  * one allocation each and call its handler of errors as they do; what libraries ask for on their
  * own does not fail.
  *
- * State: how many allocations were asked for since short_memory_fail(), and how many pieces of
- * memory there are. */
+ * State: how many allocations were asked for since short_memory_fail() or short_memory_list(),
+ * which of them are listed, and how many pieces of memory there are. */
+#define _GNU_SOURCE /* dl_iterate_phdr */
 #include "tests/support/short_memory.h"
 
+#include "place.h"
+
+#include <errno.h>
 #include <gsl/gsl_eigen.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_matrix.h>
@@ -16,7 +20,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* What takes the place of an allocation is in each place as well. */
+enum { DEPTH = 6 };
+
 static atomic_long asked, wanted, pieces;
+static bool listing;
+static long listed[PLACES_MAX], listed_count;
 
 void short_memory_fail(long which)
 {
@@ -34,8 +43,27 @@ long short_memory_pieces(void)
     return pieces;
 }
 
+void short_memory_list(void)
+{
+    begin_places();
+    asked = listed_count = 0;
+    listing = true;
+}
+
+long short_memory_listed(const long **numbers)
+{
+    listing = false;
+    *numbers = listed;
+    return listed_count;
+}
+
 bool short_memory_fails_here(void)
 {
+    if (listing) {
+        ++asked;
+        if (add_place(place_now(0, DEPTH))) listed[listed_count++] = asked;
+        return false;
+    }
     return wanted > 0 && ++asked == wanted;
 }
 
@@ -53,6 +81,7 @@ char *__real_strdup(const char *text);
 char *__real_strndup(const char *text, size_t most);
 char *__real_realpath(const char *path, char *found);
 FILE *__real_open_memstream(char **text, size_t *size);
+FILE *__real_fdopen(int descriptor, const char *mode);
 void __real_free(void *memory);
 /* C++'s new and delete. */
 void *__real__Znwm(size_t bytes);
@@ -111,6 +140,15 @@ FILE *__wrap_open_memstream(char **text, size_t *size)
     FILE *stream = __real_open_memstream(text, size);
     pieces += stream != NULL;
     return stream;
+}
+
+/* The stream goes with fclose(), and is not counted. */
+FILE *__wrap_fdopen(int descriptor, const char *mode);
+FILE *__wrap_fdopen(int descriptor, const char *mode)
+{
+    if (!short_memory_fails_here()) return __real_fdopen(descriptor, mode);
+    errno = ENOMEM;
+    return NULL;
 }
 
 void __wrap_free(void *memory);
