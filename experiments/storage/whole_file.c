@@ -215,7 +215,7 @@ fw_status fw_whole_file_begin(fw_whole_file **file, const char *name, fw_error *
             close(handle);
         }
         release(begun);
-        return fail_writing(name, handle < 0 ? reason : ENOMEM, error);
+        return handle < 0 ? fail_writing(name, reason, error) : fw_fail_memory(error, name);
     }
     *file = begun;
     return FW_OK;
