@@ -94,6 +94,11 @@ typedef struct fw_solid_ledger {
 /* Adds what passed in a part of a step to the ledger. */
 void fw_solid_ledger_add(fw_solid_ledger *ledger, const fw_solid_ledger *part);
 
+/* How particles move, a number for each of them. */
+typedef struct fw_motions {
+    double *x, *y, *velocity_x, *velocity_y;
+} fw_motions;
+
 /* A quantity per particle, for pictures and files. */
 typedef struct fw_field {
     const char *name; /* NULL ends a table */
@@ -124,8 +129,12 @@ typedef struct fw_solid_model {
     fw_status (*advance_free)(fw_solid *solid, int ticks, fw_error *error);
     /* Makes x, y of all particles from the rest of the state. NULL: they are the state. */
     void (*place)(fw_solid *solid);
-    /* The same of boundary particles alone. NULL where `place` is, or where `reach` is. */
+    /* The same of boundary particles alone. NULL where `place` is; there where `reach` or
+     * `stays_within` is. */
     void (*place_boundary)(fw_solid *solid);
+    /* Do all particles surely lie within `limit` of `centre` in x and y, wherever x, y of the head
+     * are? As quick as may be; false: it is not known. NULL: only x, y tell. */
+    bool (*stays_within)(const fw_solid *solid, fw_vec2 centre, double limit);
     /* No boundary particle moves further than that within so many ticks from now on, if nothing
      * acts on the solid; a reversal of time on the way changes nothing. INFINITY: who knows. NULL:
      * nobody ever knows. The solid is unaltered. */
@@ -143,6 +152,9 @@ typedef struct fw_solid_model {
     fw_sym2 (*mass)(const fw_solid *solid);
     /* Velocities of all particles, in length per unit of time. */
     void (*velocities)(const fw_solid *solid, double *x, double *y);
+    /* What `place` and `velocities` make, of `count` particles from `first` on, without either: for
+     * whoever looks once. NULL: they are there as arrays. */
+    void (*motions)(const fw_solid *solid, int first, int count, const fw_motions *out);
     /* Masses of all particles (half the trace where they are matrices). */
     void (*masses)(const fw_solid *solid, double *mass);
     /* Appends every array that changes while the solid runs. Writing saved values back into the

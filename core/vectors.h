@@ -268,6 +268,12 @@ FW_INLINE fw_mask fw_and(fw_mask a, fw_mask b)
     return (fw_mask)(a & b);
 }
 
+/* |v| */
+FW_INLINE fw_vector fw_size(fw_vector v)
+{
+    return (fw_vector)((fw_integers)v & INT64_MAX);
+}
+
 FW_INLINE fw_vector fw_larger(fw_vector a, fw_vector b)
 {
 #if defined(__AVX512F__)

@@ -171,14 +171,32 @@ fw_status fw_scene_advance(fw_scene *scene, int64_t most, fw_error *error)
     return step_free(scene, (int)(most < left ? most : left), error);
 }
 
+static fw_status settle(const fw_scene *scene, scene_body *body, fw_error *error)
+{
+    fw_solid *solid = body->solid;
+    if (!solid->model->place) return FW_OK;
+    fw_solid_place(solid);
+    const int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
+    return lost < 0 ? FW_OK : report_lost(scene, body, lost, error);
+}
+
 fw_status fw_scene_settle(fw_scene *scene, fw_error *error)
+{
+    for (int b = 0; b < scene->body_count; ++b) FW_TRY(settle(scene, &scene->bodies[b], error));
+    return FW_OK;
+}
+
+/* Loads do work on all particles, wherever they are. */
+fw_status fw_scene_settle_boundaries(fw_scene *scene, fw_error *error)
 {
     for (int b = 0; b < scene->body_count; ++b) {
         fw_solid *solid = scene->bodies[b].solid;
-        if (!solid->model->place) continue;
-        fw_solid_place(solid);
-        const int lost = fw_solid_find_lost(solid, scene->middle, scene->limit);
-        if (lost >= 0) return report_lost(scene, &scene->bodies[b], lost, error);
+        const fw_solid_model *model = solid->model;
+        if (model->stays_within && !solid->loaded &&
+            model->stays_within(solid, scene->middle, scene->limit))
+            model->place_boundary(solid);
+        else
+            FW_TRY(settle(scene, &scene->bodies[b], error));
     }
     return FW_OK;
 }

@@ -130,7 +130,11 @@ fw_status fw_scene_step(fw_scene *scene, fw_error *error);
  * fw_scene_settle() only; nothing else of the scene waits for it. */
 fw_status fw_scene_advance(fw_scene *scene, int64_t most, fw_error *error);
 fw_status fw_scene_settle(fw_scene *scene, fw_error *error);
-/* Whoever advances settles at least at all multiples of so many steps: what is lost is found. */
+/* The same, sooner, where nobody looks at positions but those of boundary particles: what is lost
+ * is found, and inside of bodies positions may stay as they are. */
+fw_status fw_scene_settle_boundaries(fw_scene *scene, fw_error *error);
+/* Whoever advances settles either at least at all multiples of so many steps: what is lost is
+ * found. */
 enum { FW_SCENE_SETTLES_EVERY = 16 };
 
 /* The largest energy or work so far, by the ledger at the start and after each step: what errors of

@@ -137,68 +137,6 @@ static void advance(const lb_grid_arrays *a, const lb_run *runs, int run_count, 
         advance_mass(a, runs, run_count, north, south, false, ledger);
 }
 
-/* f_{d+2}(l) = (x_m(t) - x_l(t-1))/2 */
-FW_INLINE fw_vector_pair half_difference(fw_vector_pair ahead, fw_vector_pair behind)
-{
-    return (fw_vector_pair){0.5 * (ahead.x - behind.x), 0.5 * (ahead.y - behind.y)};
-}
-
-/* (f.f)/2 */
-FW_INLINE fw_vector half_square(fw_vector_pair f)
-{
-    return 0.5 * (f.x * f.x + f.y * f.y);
-}
-
-FW_INLINE void terms_of_part(const lb_grid_arrays *a, int place, int part, const int distance[],
-                             int at, bool energies, lb_field_terms *terms)
-{
-    const fw_vector_pair ahead = fw_load_pair(a->ahead_x, a->ahead_y, place);
-    const fw_vector_pair behind = fw_load_pair(a->behind_x, a->behind_y, place);
-    fw_vector_pair field[FW_DIRECTIONS];
-    for (int d = 0; d < FW_DIRECTIONS; ++d) {
-        const int beside = place + distance[d];
-        const fw_mask linked = fw_mask_of(a->links[place / FW_BLOCK][d], part);
-        const fw_vector_pair here =
-            half_difference(fw_load_pair(a->ahead_x, a->ahead_y, beside), behind);
-        field[d] = (fw_vector_pair){fw_keep(linked, here.x), fw_keep(linked, here.y)};
-        if (d > FW_NORTH || !energies) continue;
-        /* Both fields of the link: their difference is its stretch. */
-        const fw_vector_pair there =
-            half_difference(ahead, fw_load_pair(a->behind_x, a->behind_y, beside));
-        fw_store(terms->elastic[d] + at, fw_keep(linked, half_square(subtract(here, there))));
-        fw_store(terms->kinetic[d] + at, fw_keep(linked, half_square(add(here, there))));
-    }
-    const fw_vector_pair psi =
-        add(add(field[FW_EAST], field[FW_WEST]), add(field[FW_NORTH], field[FW_SOUTH]));
-    fw_store(terms->psi_x + at, psi.x);
-    fw_store(terms->psi_y + at, psi.y);
-}
-
-FW_INLINE void all_terms(const lb_grid_arrays *arrays, int place, int count, int north, int south,
-                         bool energies, lb_field_terms *out)
-{
-    const lb_grid_arrays a = *arrays;
-    const int distance[FW_DIRECTIONS] = {1, north, -1, south};
-    assert(place % FW_BLOCK == 0 && count <= LB_TERMS_MAX);
-    for (int k = 0; k < count; k += FW_BLOCK)
-        for (int part = 0; part < FW_PARTS; ++part) {
-            const int at = k + part * FW_WIDTH;
-            terms_of_part(&a, place + at, part, distance, at, energies, out);
-        }
-}
-
-static void terms(const lb_grid_arrays *arrays, int place, int count, int north, int south,
-                  lb_field_terms *out)
-{
-    all_terms(arrays, place, count, north, south, true, out);
-}
-
-static void momenta(const lb_grid_arrays *arrays, int place, int count, int north, int south,
-                    lb_field_terms *out)
-{
-    all_terms(arrays, place, count, north, south, false, out);
-}
-
 FW_INLINE fw_vector square(fw_vector_pair v)
 {
     return v.x * v.x + v.y * v.y;
@@ -224,5 +162,5 @@ static void add_squares(const lb_grid_arrays *arrays, int place, int count, int 
     }
 }
 
-const lb_displacement_kernels FW_KERNELS_HERE(lb_displacements) = {
-    .advance = advance, .terms = terms, .momenta = momenta, .add_squares = add_squares};
+const lb_displacement_kernels FW_KERNELS_HERE(lb_displacements) = {.advance = advance,
+                                                                   .add_squares = add_squares};

@@ -7,10 +7,7 @@
 #include "core/lattice.h"
 #include "core/solid.h"
 
-enum {
-    LB_BLOCK = 8,      /* places that the kernels take at a time */
-    LB_TERMS_MAX = 528 /* places whose terms have room together */
-};
+enum { LB_BLOCK = 8 /* places that the kernels take at a time */ };
 
 /* Places begin..end of the grid, both multiples of LB_BLOCK. `plain`: a particle in every place,
  * all with four links and the mass that most of the body has. */
@@ -32,24 +29,11 @@ typedef struct lb_grid_arrays {
     double mu;
 } lb_grid_arrays;
 
-/* Of places one after the other: what their links to the east and north add to the energies, and
- * sum f (Eq 2), without rest fields. */
-typedef struct lb_field_terms {
-    double elastic[2][LB_TERMS_MAX], kinetic[2][LB_TERMS_MAX];
-    double psi_x[LB_TERMS_MAX], psi_y[LB_TERMS_MAX];
-} lb_field_terms;
-
 typedef struct lb_displacement_kernels {
     /* One step of a row whose neighbours to the north and south lie at those distances; what passed
      * is put in the ledger. */
     void (*advance)(const lb_grid_arrays *arrays, const lb_run *runs, int run_count, int north,
                     int south, fw_solid_ledger *passed);
-    /* Of at least `count` places from one on that is a multiple of LB_BLOCK. */
-    void (*terms)(const lb_grid_arrays *arrays, int place, int count, int north, int south,
-                  lb_field_terms *terms);
-    /* Only sum f of them. */
-    void (*momenta)(const lb_grid_arrays *arrays, int place, int count, int north, int south,
-                    lb_field_terms *terms);
     /* Adds to sums[k], for each of `count` places from one on that is a multiple of LB_BLOCK,
      *     sum_links |2 f - V|^2 + weight |2 f_0/M0 - V|^2,
      * which is four times the sum of squares of what a body has beyond a motion with velocity V. */

@@ -50,7 +50,8 @@ static void mark_plain(lb_solid *lb, uint8_t *plain)
         plain[l] = same(lb_get(&lb->inverse, l), lb_get(&lb->inverse, first));
     }
     if (first < 0) return;
-    form->plain_mobility = fw_sym2_scale(lb->mu, lb_get(&lb->inverse, first));
+    form->plain_inverse = lb_get(&lb->inverse, first);
+    form->plain_mobility = fw_sym2_scale(lb->mu, form->plain_inverse);
     form->plain_mass = lb_get(&lb->mass, first);
 }
 
@@ -178,49 +179,9 @@ static void advance_row(const lb_solid *lb, const lb_grid_arrays *arrays, int ro
                   passed);
 }
 
-void lb_displacements_terms(const lb_solid *lb, int row, int place, int count,
-                            lb_field_terms *terms)
+lb_grid_arrays lb_displacements_arrays(const lb_solid *lb)
 {
-    const lb_grid_arrays arrays = arrays_of(lb, lb->parity, false);
-    const lb_row *here = &lb->form.grid.rows[row];
-    FW_KERNELS_CHOSEN(lb_displacements)
-        ->terms(&arrays, place, count, here->north, here->south, terms);
-}
-
-/* V = M^-1 sum f, of particles at consecutive places. */
-static void velocities_of(const lb_solid *lb, int row, int place, int particle, int count,
-                          double *restrict x, double *restrict y)
-{
-    const int from = place % LB_BLOCK;
-    const double *restrict inverse = lb->inverse.xx + particle;
-    const lb_grid_arrays arrays = arrays_of(lb, lb->parity, false);
-    const lb_row *here = &lb->form.grid.rows[row];
-    lb_field_terms terms;
-    FW_KERNELS_CHOSEN(lb_displacements)
-        ->momenta(&arrays, place - from, from + count, here->north, here->south, &terms);
-    for (int k = 0; k < count; ++k) {
-        const fw_vec2 psi = {terms.psi_x[from + k], terms.psi_y[from + k]};
-        const fw_vec2 v = fw_sym2_apply(fw_sym2_scalar(inverse[k]), psi);
-        x[particle + k] = v.x;
-        y[particle + k] = v.y;
-    }
-}
-
-bool lb_displacements_velocities(const lb_solid *lb, double *x, double *y)
-{
-    enum { TOGETHER = LB_TERMS_MAX - LB_BLOCK };
-    const lb_grid *grid = &lb->form.grid;
-    if (lb->resting || lb->inverse.xy) return false;
-#pragma omp parallel for schedule(static) if (lb->head.count > ALONE)
-    for (int row = 0; row < grid->row_count; ++row)
-        for (int n = grid->rows[row].stretch; n < grid->rows[row + 1].stretch; ++n) {
-            const lb_stretch s = grid->stretches[n];
-            for (int k = 0; k < s.count; k += TOGETHER) {
-                const int count = s.count - k < TOGETHER ? s.count - k : TOGETHER;
-                velocities_of(lb, row, s.place + k, s.particle + k, count, x, y);
-            }
-        }
-    return true;
+    return arrays_of(lb, lb->parity, false);
 }
 
 void lb_displacements_add_squares(const lb_solid *lb, int row, int place, int count,
@@ -249,36 +210,48 @@ static void load_rows(lb_solid *lb)
 
 /* --- positions --- */
 
-/* r = site + (common + u) */
-static void place_stretch(double *restrict r, const double *restrict site, double common,
-                          const double *restrict ahead, const double *restrict behind, int count)
+lb_particle_arrays lb_displacements_particles(const lb_solid *lb)
 {
-#pragma omp simd
-    for (int k = 0; k < count; ++k) r[k] = site[k] + (common + 0.5 * (ahead[k] + behind[k]));
-}
-
-/* `count` particles from l on, which lie at consecutive places. */
-static void place(lb_solid *lb, int l, int count)
-{
-    displacement_form *form = &lb->form;
-    const int at = form->grid.place[l];
-    place_stretch(lb->head.x + l, form->site_x + l, form->common.x, form->x[0] + at,
-                  form->x[1] + at, count);
-    place_stretch(lb->head.y + l, form->site_y + l, form->common.y, form->y[0] + at,
-                  form->y[1] + at, count);
+    const displacement_form *form = &lb->form;
+    return (lb_particle_arrays){.site_x = form->site_x,
+                                .site_y = form->site_y,
+                                .mass = lb->mass.xx,
+                                .inverse = lb->inverse.xx,
+                                .plain = !lb->resting, /* no rest masses */
+                                .plain_mass = form->plain_mass.xx,
+                                .plain_inverse = form->plain_inverse.xx,
+                                .common = form->common};
 }
 
 void lb_displacements_place(lb_solid *lb)
 {
-    const lb_grid *grid = &lb->form.grid;
+    const displacement_form *form = &lb->form;
+    const lb_grid_arrays arrays = lb_displacements_arrays(lb);
+    const lb_particle_arrays particles = lb_displacements_particles(lb);
 #pragma omp parallel for schedule(static) if (lb->head.count > ALONE)
-    for (int n = 0; n < grid->stretch_count; ++n)
-        place(lb, grid->stretches[n].particle, grid->stretches[n].count);
+    for (int n = 0; n < form->grid.stretch_count; ++n) {
+        const lb_stretch s = form->grid.stretches[n];
+        FW_KERNELS_CHOSEN(lb_looks)->positions(&arrays, &particles, s, lb->head.x + s.particle,
+                                               lb->head.y + s.particle);
+    }
+}
+
+fw_vec2 lb_displacements_position(const lb_solid *lb, int l)
+{
+    const displacement_form *form = &lb->form;
+    const int at = form->grid.place[l];
+    return (fw_vec2){form->site_x[l] + (form->common.x + 0.5 * (form->x[0][at] + form->x[1][at])),
+                     form->site_y[l] + (form->common.y + 0.5 * (form->y[0][at] + form->y[1][at]))};
 }
 
 void lb_displacements_place_boundary(lb_solid *lb)
 {
-    for (int n = 0; n < lb->head.boundary_count; ++n) place(lb, lb->head.boundary[n], 1);
+    for (int n = 0; n < lb->head.boundary_count; ++n) {
+        const int l = lb->head.boundary[n];
+        const fw_vec2 at = lb_displacements_position(lb, l);
+        lb->head.x[l] = at.x;
+        lb->head.y[l] = at.y;
+    }
 }
 
 /* Takes whole units of length out of all displacements, so that those of a body that has moved

@@ -3,6 +3,7 @@
 #ifndef FW_LB_DISPLACEMENTS_H
 #define FW_LB_DISPLACEMENTS_H
 
+#include "lb_look_kernels.h"
 #include "lb_state.h"
 
 /* Makes the grid and its arrays, once links and masses are known, of a shape that lb_grid_pays().
@@ -20,17 +21,15 @@ fw_status lb_displacements_advance(lb_solid *lb, const fw_constraint *constraint
                                    fw_error *error);
 /* Ticks without constraints, under the loads as they stand: the same bytes as one by one. */
 void lb_displacements_advance_free(lb_solid *lb, int ticks);
-/* What the links of `count` places of a row, from a multiple of LB_BLOCK on, add to energies and
- * momentum; 0 where there are none. */
-void lb_displacements_terms(const lb_solid *lb, int row, int place, int count,
-                            lb_field_terms *terms);
-/* Velocities of all particles. False, and nothing done, where they have rest fields or masses that
- * are no multiples of one. */
-bool lb_displacements_velocities(const lb_solid *lb, double *x, double *y);
-/* The same of `add_squares` (lb_displacement_kernels.h). */
+/* As they are now, without loads. */
+lb_grid_arrays lb_displacements_arrays(const lb_solid *lb);
+lb_particle_arrays lb_displacements_particles(const lb_solid *lb);
+/* `add_squares` (lb_displacement_kernels.h) of the present fields. */
 void lb_displacements_add_squares(const lb_solid *lb, int row, int place, int count,
                                   fw_vec2 velocity, double weight, double *sums);
-/* Makes all positions, and those of boundary particles. */
+/* r = site + (common + u) of a particle, and as the head has it: of all, and of boundary particles.
+ */
+fw_vec2 lb_displacements_position(const lb_solid *lb, int l);
 void lb_displacements_place(lb_solid *lb);
 void lb_displacements_place_boundary(lb_solid *lb);
 

@@ -7,6 +7,7 @@
 #include "lb_displacements.h"
 #include "lb_layout.h"
 #include "lb_measure.h"
+#include "lb_motion.h"
 #include "lb_reach.h"
 #include "lb_step.h"
 
@@ -288,28 +289,6 @@ static double angular_momentum(const fw_solid *solid, int first, int count)
     return sum;
 }
 
-static fw_vec2 centre_of_mass(const fw_solid *solid)
-{
-    const lb_solid *lb = (const lb_solid *)solid;
-    /* Relative to the first particle, so that a far origin costs no digits. */
-    fw_vec2 base = fw_solid_position(solid, 0), sum = {0, 0};
-    for (int l = 0; l < solid->count; ++l)
-        sum = fw_vec2_add(sum, fw_sym2_apply(lb_get(&lb->mass, l),
-                                             fw_vec2_subtract(fw_solid_position(solid, l), base)));
-    return fw_vec2_add(base, fw_sym2_apply(fw_sym2_invert(lb_mass(solid)), sum));
-}
-
-static void velocities(const fw_solid *solid, double *x, double *y)
-{
-    const lb_solid *lb = (const lb_solid *)solid;
-    if (lb->displaced && lb_displacements_velocities(lb, x, y)) return;
-    for (int l = 0; l < solid->count; ++l) {
-        fw_vec2 v = fw_sym2_apply(lb_get(&lb->inverse, l), lb_psi(lb, l));
-        x[l] = v.x;
-        y[l] = v.y;
-    }
-}
-
 static void masses(const fw_solid *solid, double *out)
 {
     const lb_solid *lb = (const lb_solid *)solid;
@@ -399,9 +378,11 @@ const fw_solid_model fw_lb_solid_model = {
     .energies = lb_energies,
     .momentum = lb_momentum,
     .angular_momentum = angular_momentum,
-    .centre_of_mass = centre_of_mass,
+    .centre_of_mass = lb_centre_of_mass,
     .mass = lb_mass,
-    .velocities = velocities,
+    .velocities = lb_velocities,
+    .motions = lb_motions,
+    .stays_within = lb_stays_within,
     .masses = masses,
     .state = state,
     .restored = restored,

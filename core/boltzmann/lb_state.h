@@ -64,7 +64,7 @@ typedef struct displacement_form {
     double *x[2], *y[2]; /* x(t) in [parity], x(t-1) in the other */
     double *force_x, *force_y;
     matrices mobility, mass; /* mu M^-1; M only if mu < 1 */
-    fw_sym2 plain_mobility, plain_mass;
+    fw_sym2 plain_mobility, plain_mass, plain_inverse;
     double *site_x, *site_y; /* of each particle */
     fw_vec2 common;          /* part of all displacements: r = site + (common + u) */
     fw_solid_ledger *passed; /* of each row in each of up to LB_DEPTH steps */

@@ -71,6 +71,7 @@ static void add_terms(const lb_solid *lb, const lb_field_terms *terms, int from,
 static void sum_displacements(const lb_solid *lb, lb_sums *sums)
 {
     const lb_grid *grid = &lb->form.grid;
+    const lb_grid_arrays arrays = lb_displacements_arrays(lb);
     fw_energies block = {0, 0};
     lb_field_terms terms;
     for (int row = 0; row < grid->row_count; ++row)
@@ -80,7 +81,9 @@ static void sum_displacements(const lb_solid *lb, lb_sums *sums)
                 const int particle = s.particle + k, room = BLOCK - particle % BLOCK;
                 const int place = s.place + k, from = place % LB_BLOCK;
                 count = s.count - k < room ? s.count - k : room;
-                lb_displacements_terms(lb, row, place - from, from + count, &terms);
+                FW_KERNELS_CHOSEN(lb_looks)->terms(&arrays, place - from, from + count,
+                                                   grid->rows[row].north, grid->rows[row].south,
+                                                   &terms);
                 add_terms(lb, &terms, from, particle, count, &block, &sums->momentum);
                 if (count < room && particle + count < lb->head.count) continue;
                 sums->energies.elastic += block.elastic;

@@ -13,6 +13,8 @@ typedef struct lb_sums {
     fw_vec2 momentum;
     bool mass_known; /* of a body that cannot break */
     fw_sym2 mass;
+    bool sites_known;
+    fw_vec2 lowest_site, highest_site;
 } lb_sums;
 
 fw_energies lb_energies(const fw_solid *solid);

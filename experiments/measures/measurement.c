@@ -67,6 +67,13 @@ int64_t fw_measurement_row_count(const fw_scenario *scenario)
     return fw_scenario_count_samples(scenario, 0, scenario->run.steps);
 }
 
+bool fw_measurement_needs_positions(const fw_measurement *measurement)
+{
+    for (int n = 0; n < measurement->probe_count; ++n)
+        if (measurement->probes[n].quantity->needs != FW_NEEDS_NO_POSITIONS) return true;
+    return false;
+}
+
 const double *fw_measurement_take(fw_measurement *measurement, const fw_experiment *experiment)
 {
     assert(measurement->count < measurement->capacity);

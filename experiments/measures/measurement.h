@@ -50,6 +50,9 @@ bool fw_measurement_is_due(const fw_scenario *scenario, int64_t step);
 /* How many rows a whole run takes. */
 int64_t fw_measurement_row_count(const fw_scenario *scenario);
 
+/* Does a row look at positions inside of bodies? */
+bool fw_measurement_needs_positions(const fw_measurement *measurement);
+
 /* Measures one row; returns it (width numbers). */
 const double *fw_measurement_take(fw_measurement *measurement, const fw_experiment *experiment);
 /* Measures what is so called, at present and apart from the series: "energy", "energy.sheet",

@@ -109,7 +109,7 @@ static void follow_profile(fw_observer *observer, int64_t step)
     fw_rubbing_follow(&observer->rubbing, observer->experiment, step);
 }
 
-fw_status fw_observer_advance(fw_observer *observer, int64_t most, fw_error *error)
+fw_status fw_observer_move(fw_observer *observer, int64_t most, fw_error *error)
 {
     fw_scene *scene = observer->experiment->scene;
     const int64_t end = fw_scene_steps(scene) + most;
@@ -118,8 +118,19 @@ fw_status fw_observer_advance(fw_observer *observer, int64_t most, fw_error *err
     /* Where the scene took several steps at once, only damping and fracture were at work: the
      * energies in between lie between those before and after. */
     follow_energy(observer);
-    if (step == end || step % FW_SCENE_SETTLES_EVERY == 0 || observer->profile)
+    if (observer->profile) {
         FW_TRY(fw_scene_settle(scene, error));
-    if (observer->profile) follow_profile(observer, step);
+        follow_profile(observer, step);
+    } else if (step != end && step % FW_SCENE_SETTLES_EVERY == 0) {
+        FW_TRY(fw_scene_settle_boundaries(scene, error));
+    }
     return FW_OK;
+}
+
+fw_status fw_observer_advance(fw_observer *observer, int64_t most, fw_error *error)
+{
+    fw_scene *scene = observer->experiment->scene;
+    const int64_t end = fw_scene_steps(scene) + most;
+    FW_TRY(fw_observer_move(observer, most, error));
+    return fw_scene_steps(scene) == end ? fw_scene_settle(scene, error) : FW_OK;
 }

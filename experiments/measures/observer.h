@@ -31,11 +31,14 @@ void fw_observer_destroy(fw_observer *observer);
 /* What changes beside the scene, for checkpoints. */
 void fw_observer_state(fw_observer *observer, fw_state_list *list);
 
-/* Enters the present in the certificate; to be called where positions are right. */
+/* Enters the present in the certificate; to be called where positions of boundaries are right. */
 void fw_observer_certify(fw_observer *observer);
 
 /* 1 to `most` steps of the experiment, as fw_scene_advance(), followed. All positions are right
  * after `most` of them; in between they wait for fw_scene_settle(). */
 fw_status fw_observer_advance(fw_observer *observer, int64_t most, fw_error *error);
+/* The same, but after `most` steps, too, positions wait for fw_scene_settle() or
+ * fw_scene_settle_boundaries(), which the caller calls. */
+fw_status fw_observer_move(fw_observer *observer, int64_t most, fw_error *error);
 
 #endif

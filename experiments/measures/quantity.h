@@ -23,6 +23,7 @@ typedef enum fw_scope {
 /* What must be there for it to be measured. */
 typedef enum fw_needs {
     FW_NEEDS_NOTHING,
+    FW_NEEDS_NO_POSITIONS, /* nothing, and positions inside of bodies need not be right */
     FW_NEEDS_TWO_GRIPS,
     FW_NEEDS_TWO_CRYSTALS, /* bodies of movable particles */
     FW_NEEDS_PROFILE

@@ -106,6 +106,7 @@ bool fw_subject_exists(const fw_observer *observer, const fw_quantity *quantity)
     const fw_solid *particles = fw_experiment_particles(observer->experiment);
     switch (quantity->needs) {
     case FW_NEEDS_NOTHING:
+    case FW_NEEDS_NO_POSITIONS:
         return true;
     case FW_NEEDS_TWO_GRIPS:
         return fw_scene_grip_count(observer->experiment->scene) >= 2;

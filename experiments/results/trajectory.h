@@ -134,6 +134,10 @@ typedef struct fw_frame_body {
     const double *velocity_x, *velocity_y;
     const double *force_x, *force_y;
     const double *const *fields; /* in the order of the definition */
+    /* Not NULL: positions and velocities are what this solid's model tells by `motions` of its
+     * particles from `first` on, in place of the arrays; for frames that hold velocities. */
+    const struct fw_solid *solid;
+    int first;
 } fw_frame_body;
 
 /* Adds a frame of all bodies, in the order of the definition. */

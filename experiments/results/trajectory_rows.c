@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* trajectory_rows.c - frames, samples and the end of a results file. State and invariant: see
  * trajectory.c. Start reading at fw_trajectory_write_frame(). */
+#include "core/solid.h"
 #include "experiments/results/provenance.h"
+#include "frame_kernels.h"
 #include "trajectory_head.h"
 #include "trajectory_layout.h"
 #include "trajectory_parts.h"
@@ -9,6 +11,13 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+
+/* A body of fewer particles is not worth a second thread; rows of more than MANY are larger than
+ * the nearest caches. */
+enum { ALONE = 16384, MANY = 65536 };
+
+/* Between arrays that would else begin at the same place of their pages. */
+enum { APART = 40 };
 
 /* Observables as H5MD's readers take them, row k with frame k: those of the sample that was taken
  * at the frame's step; not a number where none was. */
@@ -23,24 +32,79 @@ static void write_moments(fw_trajectory *trajectory, int64_t step)
     }
 }
 
+/* Where the rows of one body go; NULL: frames do not hold them. */
+typedef struct frame_rows {
+    double *position, *velocity, *force;
+    bool past_cache;
+} frame_rows;
+
+static double *behind(double *rows, int count)
+{
+    return rows ? rows + 3 * (size_t)count : NULL;
+}
+
+static void put(const frame_rows *rows, double *to, const double *x, const double *y, int count)
+{
+    if (to) FW_KERNELS_CHOSEN(fw_frames)->rows(x, y, count, rows->past_cache, to);
+}
+
+/* Particles first .. first + count - 1 of a body. */
+static void write_block(const fw_frame_body *body, int first, int count, const frame_rows *rows)
+{
+    double made[4][FW_FRAME_BLOCK + APART];
+    const double *x = body->x, *y = body->y, *velocity_x = body->velocity_x,
+                 *velocity_y = body->velocity_y;
+    int from = first;
+    if (body->solid) {
+        const fw_motions motions = {made[0], made[1], made[2], made[3]};
+        body->solid->model->motions(body->solid, body->first + first, count, &motions);
+        x = made[0], y = made[1], velocity_x = made[2], velocity_y = made[3];
+        from = 0;
+    }
+    put(rows, behind(rows->position, first), x + from, y + from, count);
+    if (rows->velocity)
+        put(rows, behind(rows->velocity, first), velocity_x + from, velocity_y + from, count);
+    if (rows->force)
+        put(rows, behind(rows->force, first), body->force_x + first, body->force_y + first, count);
+}
+
+static void write_body(const fw_frame_body *body, int count, const frame_rows *rows)
+{
+#pragma omp parallel if (count > ALONE)
+    {
+#pragma omp for schedule(static)
+        for (int first = 0; first < count; first += FW_FRAME_BLOCK) {
+            const int left = count - first;
+            write_block(body, first, left < FW_FRAME_BLOCK ? left : FW_FRAME_BLOCK, rows);
+        }
+        if (rows->past_cache) FW_KERNELS_CHOSEN(fw_frames)->settle();
+    }
+}
+
+static double *fill(fw_trajectory *trajectory, int quantity)
+{
+    return quantity < 0 ? NULL : fw_series_fill(trajectory->frames, quantity);
+}
+
+static void write_vectors(fw_trajectory *trajectory, const fw_frame_body *bodies)
+{
+    frame_rows rows = {.position = fill(trajectory, trajectory->position),
+                       .velocity = fill(trajectory, trajectory->velocity),
+                       .force = fill(trajectory, trajectory->force),
+                       .past_cache = trajectory->particle_count > MANY};
+    for (int body = 0; body < trajectory->body_count; ++body) {
+        const int count = trajectory->counts[body];
+        write_body(&bodies[body], count, &rows);
+        rows.position = behind(rows.position, count);
+        rows.velocity = behind(rows.velocity, count);
+        rows.force = behind(rows.force, count);
+    }
+}
+
 fw_status fw_trajectory_write_frame(fw_trajectory *trajectory, int64_t step, double time,
                                     const fw_frame_body *bodies, fw_error *error)
 {
-    const int kinds[] = {trajectory->position, trajectory->velocity, trajectory->force};
-    for (int kind = 0; kind < 3; ++kind) {
-        if (kinds[kind] < 0) continue;
-        double *restrict to = fw_series_fill(trajectory->frames, kinds[kind]);
-        for (int body = 0; body < trajectory->body_count; ++body) {
-            const fw_frame_body *from = &bodies[body];
-            const double *x = kind == 0 ? from->x : kind == 1 ? from->velocity_x : from->force_x;
-            const double *y = kind == 0 ? from->y : kind == 1 ? from->velocity_y : from->force_y;
-            for (int i = 0; i < trajectory->counts[body]; ++i, to += 3) {
-                to[0] = x[i];
-                to[1] = y[i];
-                to[2] = 0;
-            }
-        }
-    }
+    write_vectors(trajectory, bodies);
     for (int field = 0; field < trajectory->field_count; ++field) {
         double *to = fw_series_fill(trajectory->frames, trajectory->fields[field]);
         for (int body = 0; body < trajectory->body_count; ++body) {

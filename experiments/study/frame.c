@@ -26,6 +26,13 @@ static bool allocate(double **array, bool wanted, size_t count)
     return *array || !wanted;
 }
 
+/* Its positions and velocities go straight into the file. */
+static bool tells_motions(const fw_frame *f, int solid)
+{
+    return f->def->velocity &&
+           fw_scene_observe_body(f->experiment->scene, solid)->model->motions != NULL;
+}
+
 static fw_status allocate_solids(fw_frame *f, fw_error *error)
 {
     const int count = fw_scene_body_count(f->experiment->scene);
@@ -35,8 +42,9 @@ static fw_status allocate_solids(fw_frame *f, fw_error *error)
     for (int s = 0; s < count; ++s) {
         fw_solid_arrays *solid = &f->solids[s];
         const size_t particles = (size_t)fw_scene_observe_body(f->experiment->scene, s)->count;
-        if (!allocate(&solid->velocity_x, velocity, particles) ||
-            !allocate(&solid->velocity_y, velocity, particles) ||
+        const bool arrays = velocity && !tells_motions(f, s);
+        if (!allocate(&solid->velocity_x, arrays, particles) ||
+            !allocate(&solid->velocity_y, arrays, particles) ||
             !allocate(&solid->force_x, force, particles) ||
             !allocate(&solid->force_y, force, particles) ||
             !allocate(&solid->field, field, particles))
@@ -78,6 +86,7 @@ static void fill_velocities(fw_frame *f)
     const fw_experiment *experiment = f->experiment;
     for (int s = 0; s < fw_scene_body_count(experiment->scene); ++s) {
         const fw_solid *solid = fw_scene_observe_body(experiment->scene, s);
+        if (tells_motions(f, s)) continue;
         solid->model->velocities(solid, f->solids[s].velocity_x, f->solids[s].velocity_y);
     }
 }
@@ -110,6 +119,13 @@ static void fill_fields(fw_frame *f)
         }
 }
 
+bool fw_frame_needs_positions(const fw_frame *f)
+{
+    for (int s = 0; s < fw_scene_body_count(f->experiment->scene); ++s)
+        if (!tells_motions(f, s)) return true;
+    return f->def->force || f->def->field_count > 0;
+}
+
 const fw_frame_body *fw_frame_fill(fw_frame *f)
 {
     const fw_experiment *experiment = f->experiment;
@@ -128,6 +144,8 @@ const fw_frame_body *fw_frame_fill(fw_frame *f)
             .force_x = part_of(arrays->force_x, range),
             .force_y = part_of(arrays->force_y, range),
             .fields = (const double *const *)f->bodies[b].fields,
+            .solid = tells_motions(f, range->solid) ? solid : NULL,
+            .first = range->first,
         };
     }
     return f->content;

@@ -23,6 +23,8 @@ fw_status fw_frame_make(fw_frame *frame, const fw_experiment *experiment,
 /* One that is all zero may be cleared. */
 void fw_frame_clear(fw_frame *frame);
 
+/* Do fw_frame_fill() or its entries look at positions of solids? */
+bool fw_frame_needs_positions(const fw_frame *frame);
 /* One entry per body, valid until the next call. */
 const fw_frame_body *fw_frame_fill(fw_frame *frame);
 

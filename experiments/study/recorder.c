@@ -176,6 +176,11 @@ fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error)
                                      fw_scene_time(scene), fw_frame_fill(&recorder->frame), error);
 }
 
+bool fw_recorder_needs_positions(const fw_recorder *recorder)
+{
+    return fw_frame_needs_positions(&recorder->frame);
+}
+
 fw_status fw_recorder_add_warnings(fw_recorder *recorder, const char *lines, int64_t warned,
                                    fw_error *error)
 {

@@ -33,6 +33,8 @@ fw_status fw_recorder_go_on(fw_recorder *recorder, const char *warnings, fw_erro
 fw_status fw_recorder_write_row(fw_recorder *recorder, int64_t step, double time, const double *row,
                                 fw_error *error);
 fw_status fw_recorder_write_frame(fw_recorder *recorder, fw_error *error);
+/* Do frames need the positions of all particles, as fw_scene_settle() leaves them? */
+bool fw_recorder_needs_positions(const fw_recorder *recorder);
 fw_status fw_recorder_checkpoint(fw_recorder *recorder, fw_error *error);
 
 fw_status fw_recorder_write_array(fw_recorder *recorder, const fw_trajectory_array *array,

@@ -258,17 +258,30 @@ static fw_status interrupt(fw_run *run, fw_status signal, fw_error *error)
                    step, steps, run->options.directory);
 }
 
+/* Makes those positions right that somebody looks at: measures, frames and what is certified look
+ * at boundaries, some quantities and frames further in, and whoever looks at the end everywhere. */
+static fw_status settle(const fw_run *run, bool measures, bool frame, bool end, fw_error *error)
+{
+    fw_scene *scene = run->experiment->scene;
+    const bool everywhere = end || (measures && fw_measurement_needs_positions(run->measurement)) ||
+                            (frame && run->recorder && fw_recorder_needs_positions(run->recorder));
+    if (everywhere) return fw_scene_settle(scene, error);
+    return measures || frame ? fw_scene_settle_boundaries(scene, error) : FW_OK;
+}
+
 /* 1 to `most` steps. */
 static fw_status step_on(fw_run *run, int64_t most, fw_error *error)
 {
     const int64_t due = steps_to_go(run);
-    FW_TRY(fw_observer_advance(run->observer, due < most ? due : most, error));
-    int64_t step = fw_scene_steps(run->experiment->scene);
-    if (frame_is_due(run, step)) FW_TRY(fw_scene_check_energy(run->experiment->scene, error));
-    if (frame_is_due(run, step) || fw_measurement_is_due(run->scenario, step))
-        fw_observer_certify(run->observer);
-    if (fw_measurement_is_due(run->scenario, step)) FW_TRY(measure(run, error));
-    if (frame_is_due(run, step)) FW_TRY(record(run, error));
+    FW_TRY(fw_observer_move(run->observer, due < most ? due : most, error));
+    const int64_t step = fw_scene_steps(run->experiment->scene);
+    const bool measures = fw_measurement_is_due(run->scenario, step);
+    const bool frame = frame_is_due(run, step);
+    FW_TRY(settle(run, measures, frame, step == run->scenario->run.steps, error));
+    if (frame) FW_TRY(fw_scene_check_energy(run->experiment->scene, error));
+    if (frame || measures) fw_observer_certify(run->observer);
+    if (measures) FW_TRY(measure(run, error));
+    if (frame) FW_TRY(record(run, error));
     const fw_status signal = fw_interrupt_seen();
     if (signal != FW_OK) return interrupt(run, signal, error);
     if (checkpoint_is_due(run, step)) FW_TRY(checkpoint(run, error));
@@ -306,12 +319,13 @@ fw_status fw_run_to_end(fw_run *run, fw_error *error)
 
 fw_status fw_run_advance(fw_run *run, int64_t most, fw_error *error)
 {
-    const fw_scene *scene = run->experiment->scene;
+    fw_scene *scene = run->experiment->scene;
     const int64_t left = run->scenario->run.steps - fw_scene_steps(scene);
     const int64_t end = fw_scene_steps(scene) + (most < left ? most : left);
     fw_status status = FW_OK;
     while (status == FW_OK && fw_scene_steps(scene) < end)
         status = step_on(run, end - fw_scene_steps(scene), error);
+    if (status == FW_OK) status = fw_scene_settle(scene, error);
     if (status != FW_OK) fw_run_fail(run, status, error->sentence);
     return status;
 }

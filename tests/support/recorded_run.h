@@ -63,10 +63,15 @@ static inline fw_status run_write_frame(fw_trajectory *trajectory, int64_t frame
     fw_frame_body bodies[2];
     const double *fields[2][2] = {{strain, pull}, {strain + 5, NULL}};
     for (int body = 0, first = 0; body < 2; first += run_counts[body++])
-        bodies[body] =
-            (fw_frame_body){vectors[0][0] + first, vectors[0][1] + first, vectors[1][0] + first,
-                            vectors[1][1] + first, vectors[2][0] + first, vectors[2][1] + first,
-                            fields[body]};
+        bodies[body] = (fw_frame_body){vectors[0][0] + first,
+                                       vectors[0][1] + first,
+                                       vectors[1][0] + first,
+                                       vectors[1][1] + first,
+                                       vectors[2][0] + first,
+                                       vectors[2][1] + first,
+                                       fields[body],
+                                       NULL,
+                                       0};
     return fw_trajectory_write_frame(trajectory, 10 * frame, 5.0 * (double)frame, bodies, &error);
 }
 
