@@ -59,7 +59,7 @@ typedef struct fw_automaton_colour {
     double *x, *y; /* displacements from the lattice, less the body's drift */
     int *particle; /* of each cell */
     int *place;    /* of each cell: number of its rim entry, or ~number of its span */
-    int *held;     /* of each cell: index of its constraint in this tick, else -1 */
+    int *held;     /* of each cell: 1 + index of its constraint in this tick, else 0 */
     int span_count, rim_count, rim_room;
     fw_automaton_span *span;
     fw_automaton_rim *rim;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* automaton_layout.c - from a set of sites to colours, spans and rims. Keeps no state.
  * Start reading at fw_automaton_lay_out(). */
-#include "automaton_sweep.h"
+#include "automaton_surroundings.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -9,97 +9,10 @@
 
 enum { EDGE = 1 << FW_DIRECTIONS };
 
-/* Neighbours by particle; -1: none. `seam` has bit d set where the neighbour lies across the seam
- * of a periodic lattice. */
-typedef struct surroundings {
-    int (*next)[FW_DIRECTIONS];
-    uint8_t *seam;
-} surroundings;
-
-static void join(surroundings *around, int from, int direction, int to)
-{
-    around->next[from][direction] = to;
-    around->next[to][fw_opposite(direction)] = from;
-}
-
-/* Sites ascend row by row, and so do their northern neighbours: one pointer finds them all. */
-static void find_neighbours(surroundings *around, const fw_sites *sites)
-{
-    const fw_site *site = sites->site;
-    for (int p = 0; p < sites->count; ++p)
-        for (int d = 0; d < FW_DIRECTIONS; ++d) around->next[p][d] = -1;
-    int north = 0;
-    for (int p = 0; p < sites->count; ++p) {
-        if (p + 1 < sites->count && site[p + 1].j == site[p].j && site[p + 1].i == site[p].i + 1)
-            join(around, p, FW_EAST, p + 1);
-        while (north < sites->count &&
-               (site[north].j < site[p].j + 1 ||
-                (site[north].j == site[p].j + 1 && site[north].i < site[p].i)))
-            ++north;
-        if (north < sites->count && site[north].j == site[p].j + 1 && site[north].i == site[p].i)
-            join(around, p, FW_NORTH, north);
-    }
-}
-
-static void close_seam(surroundings *around, const fw_sites *sites, int direction, fw_site back)
-{
-    for (int p = 0; p < sites->count; ++p) {
-        if (around->next[p][direction] >= 0) continue;
-        const fw_site beyond = fw_site_neighbour(sites->site[p], direction);
-        const int partner = fw_sites_find(sites, (fw_site){beyond.i - back.i, beyond.j - back.j});
-        if (partner < 0) continue;
-        join(around, p, direction, partner);
-        around->seam[p] |= (uint8_t)(1 << direction);
-        around->seam[partner] |= (uint8_t)(1 << fw_opposite(direction));
-    }
-}
-
-static fw_status check_period(int period, int extent, const char *what, fw_error *error)
-{
-    if (period == 0) return FW_OK;
-    if (period < 2 || period % 2 != 0)
-        return fw_fail(error, FW_BAD_INPUT,
-                       "a period of %d %s, expected an even number: black and white cells must "
-                       "alternate across the seam too",
-                       period, what);
-    if (extent > period)
-        return fw_fail(error, FW_BAD_INPUT,
-                       "the shape takes %d %s, expected at most its period of %d", extent, what,
-                       period);
-    return FW_OK;
-}
-
-static fw_status surround(surroundings *around, const fw_elastic_automaton_def *def,
-                          fw_error *error)
-{
-    const fw_sites *sites = def->sites;
-    int low = sites->site[0].i, high = low;
-    for (int p = 1; p < sites->count; ++p) {
-        if (sites->site[p].i < low) low = sites->site[p].i;
-        if (sites->site[p].i > high) high = sites->site[p].i;
-    }
-    const int rows = sites->site[sites->count - 1].j - sites->site[0].j + 1;
-    FW_TRY(check_period(def->period_columns, high - low + 1, "columns", error));
-    FW_TRY(check_period(def->period_rows, rows, "rows", error));
-    find_neighbours(around, sites);
-    if (def->period_columns > 0)
-        close_seam(around, sites, FW_EAST, (fw_site){def->period_columns, 0});
-    if (def->period_rows > 0) close_seam(around, sites, FW_NORTH, (fw_site){0, def->period_rows});
-    for (int p = 0; p < sites->count; ++p) {
-        const int *next = around->next[p];
-        if (next[0] < 0 && next[1] < 0 && next[2] < 0 && next[3] < 0)
-            return fw_fail(error, FW_BAD_INPUT,
-                           "site [%d, %d] has no neighbour, expected at least one: a cell of the "
-                           "automaton without bonds has neither mass nor velocity",
-                           sites->site[p].i, sites->site[p].j);
-    }
-    return FW_OK;
-}
-
 /* 1, or 1/2 for `trapezoid` where at most one of the two squares of cells beside a bond is full:
  * the energy of a bond is that of the squares it borders. */
-static double bond_weight(const surroundings *around, fw_boundary_rule boundary, int particle,
-                          int direction)
+static double bond_weight(const fw_automaton_surroundings *around, fw_boundary_rule boundary,
+                          int particle, int direction)
 {
     const int partner = around->next[particle][direction];
     if (partner < 0) return 0;
@@ -114,11 +27,36 @@ static double bond_weight(const surroundings *around, fw_boundary_rule boundary,
     return full == 2 ? 1 : 0.5;
 }
 
-static bool is_inside(const fw_automaton *body, const surroundings *around, int particle)
+/* Next to all four neighbours, and every bond of full weight? */
+static bool is_inside(const fw_automaton *body, const fw_automaton_surroundings *around,
+                      int particle)
 {
-    for (int d = 0; d < FW_DIRECTIONS; ++d)
+    const int *next = around->next[particle];
+    if ((next[0] | next[1] | next[2] | next[3]) < 0) return false;
+    for (int d = 0; d < FW_DIRECTIONS && body->boundary == FW_BOUNDARY_TRAPEZOID; ++d)
         if (bond_weight(around, body->boundary, particle, d) < 1) return false;
     return true;
+}
+
+static int colour_of(fw_site site, const fw_elastic_automaton_def *def)
+{
+    return ((site.i + site.j) & 1) == (int)def->black_is_odd ? FW_BLACK : FW_WHITE;
+}
+
+/* Particles of a run are of either colour in turn, and so are their cells. */
+static void deal_run(fw_automaton *body, fw_automaton_run *run, int first, int cell[FW_COLOURS])
+{
+    for (int parity = 0; parity < 2; ++parity) {
+        const int colour = parity == 0 ? first : !first;
+        int *particle = body->colour[colour].particle, n = cell[colour];
+        run->cell[parity] = parity < run->count ? n : 0;
+        for (int k = parity; k < run->count; k += 2, ++n) {
+            body->white[run->particle + k] = (uint8_t)colour;
+            body->cell[run->particle + k] = n;
+            particle[n] = run->particle + k;
+        }
+        cell[colour] = n;
+    }
 }
 
 /* Deals the particles out to the colours. */
@@ -129,10 +67,10 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
     body->cell = fw_array_zeroed(size, sizeof *body->cell);
     body->white = fw_array_zeroed(size, sizeof *body->white);
     if (!body->cell || !body->white) return fw_fail_memory(error, "the colours of an automaton");
-    for (int p = 0; p < body->head.count; ++p) {
-        const fw_site site = def->sites->site[p];
-        body->white[p] = (uint8_t)(((site.i + site.j) & 1) != (int)def->black_is_odd);
-        body->cell[p] = body->colour[body->white[p]].count++;
+    for (int r = 0; r < body->run_count; ++r) {
+        const int first = colour_of(body->run[r].site, def), count = body->run[r].count;
+        body->colour[first].count += count - count / 2;
+        body->colour[!first].count += count / 2;
     }
     for (int c = 0; c < FW_COLOURS; ++c) {
         fw_automaton_colour *colour = &body->colour[c];
@@ -142,67 +80,40 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
         FW_ARENA_ADD(&body->cells, colour->particle, cells);
         FW_ARENA_ADD(&body->cells, colour->place, cells);
         FW_ARENA_ADD(&body->cells, colour->held, cells);
-    }
-    FW_ARENA_ADD(&body->cells, body->sums, 1);
-    FW_TRY(fw_arena_allocate(&body->cells, "the cells of an automaton", error));
-    for (int c = 0; c < FW_COLOURS; ++c) {
-        fw_automaton_colour *colour = &body->colour[c];
-        for (int n = 0; n < colour->count; ++n) colour->held[n] = -1;
         for (int d = 0; d < FW_DIRECTIONS; ++d)
             colour->matrix[d] = &body->matrices.bond[c == FW_BLACK ? d : fw_opposite(d)];
     }
-    for (int p = 0; p < body->head.count; ++p)
-        body->colour[body->white[p]].particle[body->cell[p]] = p;
+    FW_ARENA_ADD(&body->cells, body->sums, 1);
+    FW_TRY(fw_arena_allocate(&body->cells, "the cells of an automaton", error));
+    int cell[FW_COLOURS] = {0};
+    for (int r = 0; r < body->run_count; ++r)
+        deal_run(body, &body->run[r], colour_of(body->run[r].site, def), cell);
     return FW_OK;
 }
 
-static bool continues(const fw_automaton_span *span, const fw_automaton *body, const int *next,
-                      int cell, int particle)
+/* `before`: neighbours of the cell before this one. */
+static bool continues(const fw_automaton_span *span, const fw_automaton *body, const int *before,
+                      const int *next, int cell, int particle)
 {
     if (span->count == 0) return false;
     if (span->begin + span->count != cell || span->particle + 2 * span->count != particle)
         return false;
+    /* Two particles further there is one more cell of that colour. */
+    bool two_further = true;
+    for (int d = 0; d < FW_DIRECTIONS; ++d) two_further &= next[d] == before[d] + 2;
+    if (two_further) return true;
     for (int d = 0; d < FW_DIRECTIONS; ++d)
         if (body->cell[next[d]] != cell + span->offset[d]) return false;
     return true;
 }
 
-/* Numbers rows and lists the runs of sites side by side, where there is room for them already. */
-static void cut_runs(fw_automaton *body, const fw_sites *sites)
-{
-    body->run_count = body->row_count = 0;
-    for (int p = 0; p < sites->count; ++p) {
-        const fw_site site = sites->site[p];
-        const bool same_row = p > 0 && site.j == sites->site[p - 1].j;
-        body->row_count += !same_row;
-        if (same_row && site.i == sites->site[p - 1].i + 1) {
-            fw_automaton_run *run = body->run ? &body->run[body->run_count - 1] : NULL;
-            if (run && run->count == 1) run->cell[1] = body->cell[p];
-            if (run) run->count += 1;
-            continue;
-        }
-        if (body->run)
-            body->run[body->run_count] = (fw_automaton_run){
-                .site = site, .particle = p, .count = 1, .cell = {body->cell[p]}};
-        body->run_count += 1;
-    }
-}
-
-static fw_status list_runs(fw_automaton *body, const fw_sites *sites, fw_error *error)
-{
-    cut_runs(body, sites);
-    body->run = fw_array_allocate((size_t)body->run_count, sizeof *body->run);
-    body->share = fw_array_allocate(FW_SHARED_TICKS * (size_t)body->row_count, sizeof *body->share);
-    if (!body->run || !body->share) return fw_fail_memory(error, "the rows of an automaton");
-    cut_runs(body, sites);
-    return FW_OK;
-}
-
 /* Cuts the inside of a colour into spans, each in one row, and counts its rim; fills colour->place
  * and the rows. */
-static void cut_spans(fw_automaton *body, const surroundings *around, fw_automaton_colour *colour)
+static void cut_spans(fw_automaton *body, const fw_automaton_surroundings *around,
+                      fw_automaton_colour *colour)
 {
     fw_automaton_span span = {0};
+    const int *before = NULL;
     colour->span_count = colour->rim_count = 0;
     int n = 0, row = 0;
     for (int r = 0; r < body->run_count; ++r) {
@@ -217,33 +128,36 @@ static void cut_spans(fw_automaton *body, const surroundings *around, fw_automat
                 colour->place[n] = colour->rim_count++;
                 continue;
             }
-            if (!continues(&span, body, next, n, particle)) {
+            if (!continues(&span, body, before, next, n, particle)) {
                 colour->span_count += 1;
                 span = (fw_automaton_span){.begin = n, .particle = particle};
                 for (int d = 0; d < FW_DIRECTIONS; ++d) span.offset[d] = body->cell[next[d]] - n;
             }
             span.count += 1;
+            before = next;
             colour->place[n] = ~(colour->span_count - 1);
         }
     }
     colour->row[row] = (fw_automaton_row){n, colour->span_count, colour->rim_count};
 }
 
-static void fill_spans(const fw_automaton *body, const surroundings *around,
+static void fill_spans(const fw_automaton *body, const fw_automaton_surroundings *around,
                        fw_automaton_colour *colour)
 {
-    for (int n = 0; n < colour->count; ++n) {
-        if (colour->place[n] >= 0) continue;
-        fw_automaton_span *span = &colour->span[~colour->place[n]];
-        if (span->count++ > 0) continue;
+    for (int n = 0, end; n < colour->count; n = end) {
+        const int place = colour->place[n];
+        for (end = n + 1; end < colour->count && colour->place[end] == place;) ++end;
+        if (place >= 0) continue;
+        fw_automaton_span *span = &colour->span[~place];
         span->begin = n;
+        span->count = end - n;
         span->particle = colour->particle[n];
         for (int d = 0; d < FW_DIRECTIONS; ++d)
             span->offset[d] = body->cell[around->next[span->particle][d]] - n;
     }
 }
 
-static fw_status fill_rim(fw_automaton *body, const surroundings *around, int c,
+static fw_status fill_rim(fw_automaton *body, const fw_automaton_surroundings *around, int c,
                           const fw_sites *sites, fw_error *error)
 {
     fw_automaton_colour *colour = &body->colour[c];
@@ -275,7 +189,7 @@ static fw_status fill_rim(fw_automaton *body, const surroundings *around, int c,
     return FW_OK;
 }
 
-static fw_status lay_out_colour(fw_automaton *body, const surroundings *around, int c,
+static fw_status lay_out_colour(fw_automaton *body, const fw_automaton_surroundings *around, int c,
                                 const fw_sites *sites, fw_error *error)
 {
     fw_automaton_colour *colour = &body->colour[c];
@@ -290,47 +204,83 @@ static fw_status lay_out_colour(fw_automaton *body, const surroundings *around, 
     return fill_rim(body, around, c, sites, error);
 }
 
-/* Remembers seams and edges; makes room for the list of bonds and fills it. */
-static fw_status find_borders(fw_automaton *body, const surroundings *around, fw_error *error)
+/* Are there particles on all eight sites around? */
+static bool is_surrounded(const fw_automaton_surroundings *around, int particle)
 {
-    const size_t size = (size_t)body->head.count;
+    const int *next = around->next[particle];
+    for (int d = 0; d < FW_DIRECTIONS; ++d)
+        if (next[d] < 0 || around->next[next[d]][(d + 1) % FW_DIRECTIONS] < 0) return false;
+    return true;
+}
+
+/* Remembers seams and edges of a run, where there are any. Within it, who has neighbours north and
+ * south of himself and of those beside him has all eight. Returns the bonds east and north. */
+static size_t border_of_run(fw_automaton *body, const fw_automaton_surroundings *around,
+                            const fw_automaton_run *run)
+{
+    const int begin = run->particle, last = begin + run->count - 1;
     size_t links = 0;
-    body->border = fw_array_zeroed(size, sizeof *body->border);
-    if (!body->border) return fw_fail_memory(error, "the borders of an automaton");
-    for (int p = 0; p < body->head.count; ++p) {
+    int full = 0; /* particles up to this one that have both, one after the other */
+    for (int p = begin; p <= last; ++p) {
         const int *next = around->next[p];
-        body->border[p] = around->seam[p];
-        for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            const int turned = (d + 1) % FW_DIRECTIONS;
-            if (next[d] < 0 || around->next[next[d]][turned] < 0) body->border[p] |= EDGE;
-        }
-        for (int d = FW_EAST; d <= FW_NORTH; ++d) links += next[d] >= 0;
+        links += (size_t)(next[FW_EAST] >= 0) + (size_t)(next[FW_NORTH] >= 0);
+        full = (next[FW_NORTH] | next[FW_SOUTH]) < 0 ? 0 : full + 1;
+        if (full < 3 && p > begin && !is_surrounded(around, p - 1)) body->border[p - 1] |= EDGE;
     }
+    if (!is_surrounded(around, last)) body->border[last] |= EDGE;
+    for (int p = begin; around->seam && p <= last; ++p) body->border[p] |= around->seam[p];
+    return links;
+}
+
+/* Makes room for the list of bonds and fills it. */
+static fw_status find_borders(fw_automaton *body, const fw_automaton_surroundings *around,
+                              fw_error *error)
+{
+    size_t links = 0;
+    body->border = fw_array_zeroed((size_t)body->head.count, sizeof *body->border);
+    if (!body->border) return fw_fail_memory(error, "the borders of an automaton");
+    for (int r = 0; r < body->run_count; ++r) links += border_of_run(body, around, &body->run[r]);
     body->head.links = fw_array_zeroed(links, sizeof *body->head.links);
     if (!body->head.links) return fw_fail_memory(error, "the bonds of an automaton");
     fw_automaton_list_bonds(body);
     return FW_OK;
 }
 
+/* The bonds of a run's particles east and north, unless across a seam; and who lacks a neighbour.
+ */
+static void list_run(fw_automaton *body, const fw_automaton_run *run)
+{
+    fw_solid *head = &body->head;
+    for (int k = 0; k < run->count; ++k) {
+        const int p = run->particle + k, n = run->cell[k & 1] + k / 2, colour = body->white[p];
+        const int place = body->colour[colour].place[n];
+        const int *particle = body->colour[!colour].particle;
+        bool exposed = body->border[p] & EDGE;
+        int(*link)[2] = &head->links[head->link_count];
+        if (place < 0 && (body->border[p] & ~EDGE) == 0) {
+            const int north = n + body->colour[colour].span[~place].offset[FW_NORTH];
+            link[0][0] = link[1][0] = p;
+            link[0][1] = p + 1;
+            link[1][1] = particle[north];
+            head->link_count += 2;
+        }
+        for (int d = 0; d < FW_DIRECTIONS && (place >= 0 || (body->border[p] & ~EDGE)); ++d) {
+            double weight;
+            const int partner = fw_automaton_cell_neighbour(body, colour, n, d, &weight);
+            exposed |= partner < 0;
+            if (d > FW_NORTH || partner < 0 || body->border[p] >> d & 1) continue;
+            head->links[head->link_count][0] = p;
+            head->links[head->link_count++][1] = particle[partner];
+        }
+        if (exposed) head->boundary[head->boundary_count++] = p;
+    }
+}
+
 void fw_automaton_list_bonds(fw_automaton *body)
 {
     fw_solid *head = &body->head;
     head->link_count = head->boundary_count = 0;
-    for (int p = 0; p < head->count; ++p) {
-        const int colour = body->white[p];
-        bool exposed = body->border[p] & EDGE;
-        for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            double weight;
-            const int partner =
-                fw_automaton_cell_neighbour(body, colour, body->cell[p], d, &weight);
-            exposed |= partner < 0;
-            if (d > FW_NORTH || partner < 0 || body->border[p] >> d & 1) continue;
-            head->links[head->link_count][0] = p;
-            head->links[head->link_count][1] = body->colour[!colour].particle[partner];
-            head->link_count += 1;
-        }
-        if (exposed) head->boundary[head->boundary_count++] = p;
-    }
+    for (int r = 0; r < body->run_count; ++r) list_run(body, &body->run[r]);
     head->boundary_revision += 1;
     body->gone_count = 0;
 }
@@ -361,21 +311,15 @@ static fw_status lay_out_breakable(fw_automaton *body, fw_error *error)
 fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_def *def,
                                fw_error *error)
 {
-    const size_t size = (size_t)body->head.count;
-    surroundings around = {fw_array_zeroed(size, sizeof *around.next),
-                           fw_array_zeroed(size, sizeof *around.seam)};
+    fw_automaton_surroundings around = {0};
     body->ring_of_rows = def->period_rows > 0;
-    fw_status status = around.next && around.seam
-                           ? FW_OK
-                           : fw_fail_memory(error, "the neighbours of an automaton");
-    if (status == FW_OK) status = surround(&around, def, error);
+    fw_status status = fw_automaton_list_runs(body, def->sites, error);
+    if (status == FW_OK) status = fw_automaton_surround(&around, body, def, error);
     if (status == FW_OK) status = deal_colours(body, def, error);
-    if (status == FW_OK) status = list_runs(body, def->sites, error);
     for (int c = 0; c < FW_COLOURS && status == FW_OK; ++c)
         status = lay_out_colour(body, &around, c, def->sites, error);
     if (status == FW_OK) status = find_borders(body, &around, error);
     if (status == FW_OK && body->breaks) status = lay_out_breakable(body, error);
-    free(around.next);
-    free(around.seam);
+    fw_automaton_surroundings_release(&around);
     return status;
 }

@@ -3,11 +3,6 @@
  * moving at V. Keeps no state. Start reading at fw_automaton_start(). */
 #include "automaton_body.h"
 
-static fw_vec2 value_at(const fw_vec2 *field, int particle)
-{
-    return field ? field[particle] : (fw_vec2){0, 0};
-}
-
 /* The particle beyond a bond, or -1. */
 static int beyond(const fw_automaton *body, int particle, int direction)
 {
@@ -49,10 +44,10 @@ static fw_vec2 mean_place(const fw_automaton *body, int cell)
 
 void fw_automaton_start(fw_automaton *body, const fw_elastic_automaton_def *def)
 {
-    fw_solid *head = &body->head;
+    fw_solid *head = &body->head; /* displacements are zero as yet */
     fw_automaton_colour *white = &body->colour[FW_WHITE];
-    for (int p = 0; p < head->count; ++p) {
-        const fw_vec2 u = value_at(def->displacement, p);
+    for (int p = 0; def->displacement && p < head->count; ++p) {
+        const fw_vec2 u = def->displacement[p];
         body->colour[body->white[p]].x[body->cell[p]] = u.x;
         body->colour[body->white[p]].y[body->cell[p]] = u.y;
     }

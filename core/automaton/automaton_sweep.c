@@ -116,8 +116,8 @@ static void move(const fw_half_step *step, int cell, int particle, fw_sym2 mass,
         force = (fw_vec2){head->external_x[particle], head->external_y[particle]};
         d = fw_vec2_add(d, fw_sym2_apply(mobility(step, inverse_mass), force));
     }
-    if (step->constraints && colour->held[cell] >= 0)
-        d = step->constraints[colour->held[cell]].displacement;
+    if (step->constraints && colour->held[cell] > 0)
+        d = step->constraints[colour->held[cell] - 1].displacement;
     const fw_vec2 middle = fw_vec2_add(fw_automaton_at(colour, cell), fw_vec2_scale(0.5, d));
     colour->x[cell] += d.x;
     colour->y[cell] += d.y;
@@ -255,7 +255,7 @@ static void note_constraints(fw_half_step *step, const fw_constraint *constraint
     for (int h = 0; h < count; ++h) {
         if (body->white[constraints[h].particle] != step->colour) continue;
         const int cell = body->cell[constraints[h].particle], place = colour->place[cell];
-        colour->held[cell] = held ? h : -1;
+        colour->held[cell] = held ? h + 1 : 0;
         if (place < 0) colour->span[~place].held = held;
         step->constraints = constraints;
     }

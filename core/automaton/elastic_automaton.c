@@ -97,7 +97,6 @@ static fw_status build(fw_automaton **made, const fw_elastic_automaton_def *def,
         destroy(&body->head);
         return status;
     }
-    fw_automaton_place(&body->head);
     body->head.tick = 0.5;
     body->head.conserves = body->boundary != FW_BOUNDARY_MIRROR;
     *made = body;
