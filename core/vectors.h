@@ -337,7 +337,7 @@ FW_INLINE fw_vector fw_keep(fw_mask mask, fw_vector v)
 }
 
 /* c + a b, rounded once, where the mask is true; c elsewhere. */
-FW_INLINE fw_vector fw_add_product(fw_mask mask, fw_vector a, fw_vector b, fw_vector c)
+FW_INLINE fw_vector fw_add_chosen(fw_mask mask, fw_vector a, fw_vector b, fw_vector c)
 {
 #if defined(__AVX512F__)
     return (fw_vector)_mm512_mask3_fmadd_pd((__m512d)a, (__m512d)b, (__m512d)c, mask);
@@ -346,6 +346,17 @@ FW_INLINE fw_vector fw_add_product(fw_mask mask, fw_vector a, fw_vector b, fw_ve
 #else
     const fw_integers sum = (fw_integers)fw_fma(a, b, c);
     return (fw_vector)((mask & sum) | (~mask & (fw_integers)c));
+#endif
+}
+
+/* The same for c that is not -0. With AVX2 +0 is added elsewhere: a sum that grows by such steps
+ * then waits for one instruction only. Not without fma: nothing but fw_fma's slow way adds 0. */
+FW_INLINE fw_vector fw_add_product(fw_mask mask, fw_vector a, fw_vector b, fw_vector c)
+{
+#if defined(__AVX2__) && !defined(__AVX512F__)
+    return fw_fma((fw_vector)(mask & (fw_integers)a), (fw_vector)(mask & (fw_integers)b), c);
+#else
+    return fw_add_chosen(mask, a, b, c);
 #endif
 }
 

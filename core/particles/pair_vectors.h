@@ -279,12 +279,12 @@ FW_INLINE void fw_return_add(const fw_return_lanes *lanes, fw_vector cosine, fw_
                              const fw_pair_lanes *pair, fw_mask inside, fw_vector_pair *sum)
 {
     const fw_vector tangential = lanes->tangential * sine;
-    sum->x = fw_add_product(inside, -tangential, pair->dy, sum->x);
-    sum->y = fw_add_product(inside, tangential, pair->dx, sum->y);
+    sum->x = fw_add_chosen(inside, -tangential, pair->dy, sum->x);
+    sum->y = fw_add_chosen(inside, tangential, pair->dx, sum->y);
     if (!lanes->fades) return;
     const fw_vector radial = lanes->radial * cosine;
-    sum->x = fw_add_product(inside, radial, pair->dx, sum->x);
-    sum->y = fw_add_product(inside, radial, pair->dy, sum->y);
+    sum->x = fw_add_chosen(inside, radial, pair->dx, sum->x);
+    sum->y = fw_add_chosen(inside, radial, pair->dy, sum->y);
 }
 
 #endif

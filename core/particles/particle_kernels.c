@@ -24,7 +24,17 @@ typedef struct fw_pair_use {
     fw_pair_form form;
     fw_return_use bond;
     int fold;
+    int together; /* parts of a block that go through its slots together */
 } fw_pair_use;
+
+/* Where a register holds half a block, the sums of one half wait for each other, those of both do
+ * not. Pairs with a return force are long enough to overlap anyhow, and want all registers. */
+enum { TOGETHER_MAX = 2, TOGETHER_PLAIN = FW_WIDTH == 4 ? TOGETHER_MAX : 1 };
+
+FW_INLINE fw_pair_use use_of(fw_pair_form form, fw_return_use bond, int fold)
+{
+    return (fw_pair_use){form, bond, fold, bond == FW_NO_RETURN ? TOGETHER_PLAIN : 1};
+}
 
 FW_INLINE void add_turning(const fw_return_rule *rule, const fw_pair_lanes *pair,
                            const fw_return_lanes *bond, fw_mask inside, fw_lane_sums *sums)
@@ -70,10 +80,11 @@ FW_INLINE void add_slots(const fw_pair_task *task, fw_pair_use use, const fw_slo
                          uint32_t begin, uint32_t count, fw_slot_kind kind,
                          const fw_own_lanes *lanes, fw_lane_sums *sums)
 {
-    for (uint32_t s = begin; s < begin + count; ++s) {
-        const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, kind, lanes);
-        add_pair(task, use, &pair, sums);
-    }
+    for (uint32_t s = begin; s < begin + count; ++s)
+        for (int n = 0; n < use.together; ++n) {
+            const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, kind, &lanes[n]);
+            add_pair(task, use, &pair, &sums[n]);
+        }
 }
 
 /* Along a run. `unit` is that of the potential. */
@@ -81,22 +92,25 @@ FW_INLINE void add_run(const fw_pair_task *task, fw_pair_use use, double unit,
                        const fw_slots *slots, uint32_t begin, uint32_t count, fw_slot_kind kind,
                        const fw_own_lanes *lanes, fw_lane_sums *sums)
 {
-    sums->push = (fw_vector_pair){fw_splat(0), fw_splat(0)};
+    for (int n = 0; n < use.together; ++n)
+        sums[n].push = (fw_vector_pair){fw_splat(0), fw_splat(0)};
     if (kind == FW_WHOLE)
         add_slots(task, use, slots, begin, count, FW_WHOLE, lanes, sums);
     else if (kind == FW_OFFSETS)
         add_slots(task, use, slots, begin, count, FW_OFFSETS, lanes, sums);
     else
         add_slots(task, use, slots, begin, count, FW_GATHERED, lanes, sums);
-    sums->force.x = fw_fma(fw_splat(unit), sums->push.x, sums->force.x);
-    sums->force.y = fw_fma(fw_splat(unit), sums->push.y, sums->force.y);
+    for (int n = 0; n < use.together; ++n) {
+        sums[n].force.x = fw_fma(fw_splat(unit), sums[n].push.x, sums[n].force.x);
+        sums[n].force.y = fw_fma(fw_splat(unit), sums[n].push.y, sums[n].force.y);
+    }
 }
 
 /* All neighbours, body after body. */
 FW_INLINE void add_runs(const fw_pair_task *task, fw_pair_use use, const fw_slots *slots,
                         const fw_slot_head *head, const fw_own_lanes *lanes, fw_lane_sums *sums)
 {
-    const fw_pair_use across = {use.form, FW_NO_RETURN, 0};
+    const fw_pair_use across = {use.form, FW_NO_RETURN, 0, use.together};
     uint32_t begin = head->begin;
     for (int run = 0; run < FW_SLOT_RUNS; ++run) {
         const uint32_t count = head->count[run];
@@ -117,6 +131,21 @@ FW_INLINE bool is_plain(const fw_pair_task *task, fw_pair_use use, const fw_slot
            acts_inside(task, use);
 }
 
+FW_INLINE void store_sums(fw_pair_use use, int first, fw_mask held, const fw_lane_sums *sums,
+                          const fw_force_arrays *out, const fw_move_task *kick)
+{
+    fw_store_some(out->force_x + first, held, sums->force.x);
+    fw_store_some(out->force_y + first, held, sums->force.y);
+    if (kick) fw_kick(kick, kick->external_x != NULL, first, held, sums->force);
+    if (use.bond != FW_RETURN_TURNING) return;
+    fw_store_some(out->first_x + first, held, sums->first.x);
+    fw_store_some(out->first_y + first, held, sums->first.y);
+    fw_store_some(out->second_x + first, held, sums->second.x);
+    fw_store_some(out->second_y + first, held, sums->second.y);
+    fw_store_some(out->sum_cosine + first, held, sums->sum_cosine);
+    fw_store_some(out->sum_sine + first, held, sums->sum_sine);
+}
+
 FW_INLINE void sum_block(const fw_pair_task *task, fw_pair_use use, bool plain,
                          const fw_chunk *chunk, int block, const fw_force_arrays *out,
                          const fw_move_task *kick)
@@ -124,26 +153,20 @@ FW_INLINE void sum_block(const fw_pair_task *task, fw_pair_use use, bool plain,
     const fw_slots *slots = &chunk->near;
     const fw_slot_head *head = &slots->head[block];
     const uint8_t mask = fw_chunk_lanes(chunk, block);
-    for (int part = 0; part < FW_PARTS; ++part) {
-        const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
-        const fw_own_lanes lanes = fw_own_lanes_at(task, first, part);
-        fw_lane_sums sums = {0};
+    const int first = chunk->first + block * FW_BLOCK;
+    for (int part = 0; part < FW_PARTS; part += use.together) {
+        fw_own_lanes lanes[TOGETHER_MAX];
+        fw_lane_sums sums[TOGETHER_MAX] = {{.force = {fw_splat(0), fw_splat(0)}}};
+        for (int n = 0; n < use.together; ++n)
+            lanes[n] = fw_own_lanes_at(task, first + (part + n) * FW_WIDTH, part + n);
         if (plain)
             add_run(task, use, task->pair.inside, slots, head->begin, head->count[FW_RUN_OWN],
-                    FW_WHOLE, &lanes, &sums);
+                    FW_WHOLE, lanes, sums);
         else
-            add_runs(task, use, slots, head, &lanes, &sums);
-        const fw_mask held = fw_mask_of(mask, part);
-        fw_store_some(out->force_x + first, held, sums.force.x);
-        fw_store_some(out->force_y + first, held, sums.force.y);
-        if (kick) fw_kick(kick, kick->external_x != NULL, first, held, sums.force);
-        if (use.bond != FW_RETURN_TURNING) continue;
-        fw_store_some(out->first_x + first, held, sums.first.x);
-        fw_store_some(out->first_y + first, held, sums.first.y);
-        fw_store_some(out->second_x + first, held, sums.second.x);
-        fw_store_some(out->second_y + first, held, sums.second.y);
-        fw_store_some(out->sum_cosine + first, held, sums.sum_cosine);
-        fw_store_some(out->sum_sine + first, held, sums.sum_sine);
+            add_runs(task, use, slots, head, lanes, sums);
+        for (int n = 0; n < use.together; ++n)
+            store_sums(use, first + (part + n) * FW_WIDTH, fw_mask_of(mask, part + n), &sums[n],
+                       out, kick);
     }
 }
 
@@ -153,13 +176,13 @@ FW_INLINE void sum_block(const fw_pair_task *task, fw_pair_use use, bool plain,
         const fw_pair_task *task, const fw_chunk *chunk, int block, const fw_force_arrays *out,    \
         const fw_move_task *kick)                                                                  \
     {                                                                                              \
-        const fw_pair_use use = {{kind, fades}, bond, fold};                                       \
+        const fw_pair_use use = use_of((fw_pair_form){kind, fades}, bond, fold);                   \
         sum_block(task, use, false, chunk, block, out, kick);                                      \
     }                                                                                              \
     static void name(const fw_pair_task *task, const fw_chunk *chunk, const fw_force_arrays *out,  \
                      const fw_move_task *kick)                                                     \
     {                                                                                              \
-        const fw_pair_use use = {{kind, fades}, bond, fold};                                       \
+        const fw_pair_use use = use_of((fw_pair_form){kind, fades}, bond, fold);                   \
         for (int block = 0; block < fw_chunk_blocks(chunk); ++block)                               \
             if (is_plain(task, use, &chunk->near.head[block]))                                     \
                 sum_block(task, use, true, chunk, block, out, kick);                               \
