@@ -206,7 +206,7 @@ static void full_disk_while_writing_keeps_what_was_committed(void **state)
     fw_trajectory_def def = run_def(folder);
     int status;
     pid_t writer = fork();
-    if (writer == 0) exit(write_on_a_full_disk(folder));
+    if (writer == 0) _exit(write_on_a_full_disk(folder));
     waitpid(writer, &status, 0);
     assert_true(WIFEXITED(status));
     assert_int_equal(WEXITSTATUS(status), 0);
