@@ -34,16 +34,24 @@ FW_INLINE fw_mask closer(fw_vector dx, fw_vector dy, double square)
 
 /* --- who is near --- */
 
-static void add_near(fw_near_words *words, int particle, uint64_t lanes)
+/* Makes the word that of words->last; false without memory. */
+__attribute__((noinline)) static bool find_word(fw_near_words *words, int word)
+{
+    if (2 * words->count >= words->capacity && !fw_near_words_grow(words)) return false;
+    words->last = fw_near_words_place(words, word);
+    if (words->word[words->last] < 0) {
+        words->word[words->last] = word;
+        words->used[words->count++] = words->last;
+    }
+    return true;
+}
+
+/* Of particles that follow each other most are of one word. */
+FW_INLINE void add_near(fw_near_words *words, int particle, uint64_t lanes)
 {
     const int word = particle / FW_LANES;
-    if (2 * words->count >= words->capacity && !fw_near_words_grow(words)) return;
-    const int at = fw_near_words_place(words, word);
-    if (words->word[at] < 0) {
-        words->word[at] = word;
-        words->used[words->count++] = at;
-    }
-    words->bytes[at] |= lanes << 8 * (particle % FW_LANES);
+    if (words->word[words->last] != word && !find_word(words, word)) return;
+    words->bytes[words->last] |= lanes << 8 * (particle % FW_LANES);
 }
 
 /* Members of cells `from` to `to` of a row. */
@@ -387,4 +395,40 @@ static void renew(fw_chunk *chunk, const double *x, const double *y, double reac
     }
 }
 
-const fw_list_kernels FW_KERNELS_HERE(fw_lists) = {.build = build, .renew = renew};
+/* --- distances --- */
+
+/* Of the lanes that have a neighbour in this slot. */
+FW_INLINE void take_closer(const fw_lanes *lanes, const fw_slots *slots, uint32_t slot,
+                           bool gathered, const double *x, const double *y, fw_vector *least)
+{
+    const int32_t offset = slots->offset[slot];
+    for (int part = 0; part < FW_PARTS; ++part) {
+        const int first = part * FW_WIDTH, at = lanes->first + offset + first;
+        const fw_vector xj = gathered ? fw_gather(x, slots->row[offset] + first) : fw_load(x + at);
+        const fw_vector yj = gathered ? fw_gather(y, slots->row[offset] + first) : fw_load(y + at);
+        const fw_vector dx = lanes->x[part] - xj, dy = lanes->y[part] - yj;
+        const fw_mask mask = fw_mask_of(slots->mask[slot], part);
+        *least = fw_select(mask, fw_smaller(dx * dx + dy * dy, *least), *least);
+    }
+}
+
+static double closest(const fw_chunk *chunk, const double *x, const double *y)
+{
+    const fw_slots *near = &chunk->near;
+    fw_vector least = fw_splat(INFINITY);
+    for (int block = 0; block < fw_chunk_blocks(chunk); ++block) {
+        const fw_lanes lanes = lanes_of(chunk, block, x, y);
+        const fw_slot_head *head = &near->head[block];
+        uint32_t slot = head->begin;
+        for (int run = 0; run < FW_SLOT_RUNS; ++run)
+            for (uint32_t end = slot + head->count[run]; slot < end; ++slot)
+                take_closer(&lanes, near, slot, head->gathered[run], x, y, &least);
+    }
+    double smallest = INFINITY;
+    for (int lane = 0; lane < FW_WIDTH; ++lane)
+        smallest = least[lane] < smallest ? least[lane] : smallest;
+    return smallest;
+}
+
+const fw_list_kernels FW_KERNELS_HERE(fw_lists) = {
+    .build = build, .renew = renew, .closest = closest};

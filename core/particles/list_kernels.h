@@ -15,6 +15,7 @@ typedef struct fw_near_words {
     uint64_t *bytes; /* of each */
     int *used;       /* places in the table, `count` of them */
     int count, capacity;
+    int last;    /* place of the word that was written last */
     bool failed; /* without memory */
 } fw_near_words;
 
@@ -41,6 +42,8 @@ typedef struct fw_list_kernels {
                   const double *y, double reach, double favour, fw_near_words *words);
     /* Fills chunk->near, which has room for all of chunk->far, with those that are closer. */
     void (*renew)(fw_chunk *chunk, const double *x, const double *y, double reach);
+    /* The least squared distance of near neighbours; INFINITY where there are none. */
+    double (*closest)(const fw_chunk *chunk, const double *x, const double *y);
 } fw_list_kernels;
 
 FW_KERNELS(fw_list_kernels, fw_lists);

@@ -369,6 +369,16 @@ int64_t fw_neighbour_lists_made(const fw_neighbour_lists *lists)
     return lists->made;
 }
 
+double fw_neighbour_lists_closest(const fw_neighbour_lists *lists)
+{
+    const fw_list_kernels *kernels = FW_KERNELS_CHOSEN(fw_lists);
+    double least = INFINITY;
+#pragma omp parallel for schedule(static) reduction(min : least) if (lists->count > PARALLEL_FROM)
+    for (int c = 0; c < lists->chunk_count; ++c)
+        least = fmin(least, kernels->closest(&lists->chunks[c], lists->x, lists->y));
+    return least;
+}
+
 const double *fw_neighbour_lists_x(const fw_neighbour_lists *lists)
 {
     return lists->x;

@@ -45,6 +45,10 @@ const double *fw_neighbour_lists_y(const fw_neighbour_lists *lists);
 bool fw_neighbour_lists_renumbered(const fw_neighbour_lists *lists, int body);
 int fw_neighbour_lists_number(const fw_neighbour_lists *lists, int k);
 
+/* The least squared distance of two particles that are in each other's list; INFINITY where nobody
+ * is. */
+double fw_neighbour_lists_closest(const fw_neighbour_lists *lists);
+
 /* How often the far lists have been made. */
 int64_t fw_neighbour_lists_made(const fw_neighbour_lists *lists);
 

@@ -170,11 +170,32 @@ double fw_particles_hottest(const fw_solid *solid)
     return fw_particles_hottest_at(langevin, langevin->controls.time_step);
 }
 
+/* Pairs further from each other than this, squared, have no energy above the limit: it falls with
+ * the distance up to the minimum, and is below 0 beyond. */
+static double square_of_overlaps(const fw_particles *particles, double limit)
+{
+    enum { HALVINGS = 60 };
+    const fw_pair_potential *potential = &particles->potential;
+    double strength = particles->strength_across;
+    for (int g = 0; g < particles->group_count; ++g)
+        strength = fmax(strength, particles->groups[g].strength);
+    double near = 1e-3 * potential->distance, far = potential->distance;
+    if (!(strength * fw_pair_at(potential, near * near).energy > limit)) return near * near;
+    for (int n = 0; n < HALVINGS; ++n) {
+        const double middle = 0.5 * (near + far);
+        *(strength * fw_pair_at(potential, middle * middle).energy > limit ? &near : &far) = middle;
+    }
+    /* A hair more, for the rounding of energies and distances. */
+    return far * far * (1 + 1e-9);
+}
+
 /* The first pair whose energy is above the limit, if there is one. */
 fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error)
 {
     const fw_solid *head = &particles->langevin.head;
     const double minimum = particles->potential.distance * particles->potential.distance;
+    if (fw_neighbour_lists_closest(particles->lists) > square_of_overlaps(particles, limit))
+        return FW_OK;
     for (int i = 0; i < head->count; ++i) {
         fw_neighbour_walk walk = fw_neighbours_around(particles->lists, i);
         for (int j; (j = fw_neighbour_next(&walk)) >= 0;) {

@@ -11,9 +11,10 @@ enum { COUNT = 300 };
 static const double REACH = 1.7;
 static const int BODIES[] = {120, 1, 179};
 
-/* Every walk ascends, and misses nobody within reach. */
+/* Every walk ascends, and misses nobody within reach; the closest are the closest of all walks. */
 static void assert_complete(const fw_neighbour_lists *lists, const double *x, const double *y)
 {
+    double closest = INFINITY;
     for (int i = 0; i < COUNT; ++i) {
         fw_neighbour_walk walk = fw_neighbours_around(lists, i);
         int next = fw_neighbour_next(&walk);
@@ -25,11 +26,14 @@ static void assert_complete(const fw_neighbour_lists *lists, const double *x, co
                 assert_true(j != i);
             }
             const double dx = x[i] - x[j], dy = y[i] - y[j];
+            if (listed) closest = fmin(closest, dx * dx + dy * dy);
             if (j != i && dx * dx + dy * dy < REACH * REACH && !listed)
                 fail_msg("%d lacks %d", i, j);
         }
         assert_true(next < 0);
     }
+    const double told = fw_neighbour_lists_closest(lists);
+    if (told != closest) fail_msg("the closest are %g apart, not %g", sqrt(closest), sqrt(told));
 }
 
 static fw_neighbour_lists *lists_of(double margin, double favour)
