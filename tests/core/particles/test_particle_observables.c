@@ -158,17 +158,22 @@ static void order_is_of_those_that_are_bonded(void **state)
 static void order_tells_axes(void **state)
 {
     (void)state;
-    const double degree = FW_PI / 180, angles[] = {0, 30, 15, 60};
+    const double degree = FW_PI / 180, angles[] = {0, 30, 15, 60}, axes[] = {0, 7};
     const double lab[] = {1, -1, 0, 1};
-    for (int a = 0; a < 4; ++a) {
-        fw_solid *solid =
-            solid_of(crowd_disc(4, (fw_vec2){3, 1}, angles[a] * degree, 0, 1),
-                     return_force_of(6, 1, FW_AXES_LAB, FW_RETURN_CONSERVATIVE), still, 1);
+    for (int a = 0; a < 8; ++a) {
+        const double angle = (axes[a / 4] + angles[a % 4]) * degree;
+        fw_return_force force = return_force_of(6, 1, FW_AXES_LAB, FW_RETURN_CONSERVATIVE);
+        force.angle = axes[a / 4] * degree;
+        fw_solid *solid = solid_of(crowd_disc(4, (fw_vec2){3, 1}, angle, 0, 1), force, still, 1);
         const fw_particle_order order = fw_particle_order_of(solid, -1);
-        assert_close(order.lab, lab[a], 1e-12);
+        assert_close(order.lab, lab[a % 4], 1e-12);
         assert_close(order.local, 1, 1e-12);
-        assert_close(fw_particle_bragg_peak(solid, -1, 6, angles[a] * degree, 1, 0.1), 1, 1e-12);
-        assert_below(fw_particle_bragg_peak(solid, -1, 6, (angles[a] + 30) * degree, 1, 0.1), 0.2);
+        double values[61];
+        assert_int_equal(solid->count, 61);
+        fw_solid_find_field(solid, "lab-order")->fill(solid, values);
+        assert_close(values[30], lab[a % 4], 1e-12); /* in the middle all six bonds are there */
+        assert_close(fw_particle_bragg_peak(solid, -1, 6, angle, 1, 0.1), 1, 1e-12);
+        assert_below(fw_particle_bragg_peak(solid, -1, 6, angle + 30 * degree, 1, 0.1), 0.2);
         fw_solid_destroy(solid);
     }
 }
