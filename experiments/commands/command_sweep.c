@@ -152,12 +152,14 @@ fw_status fw_command_sweep(const fw_arguments *arguments, fw_error *error)
     if (!arguments->one_case)
         return fw_fail(error, FW_BAD_INPUT,
                        "expected --list or --case; `fretwork run` runs all cases here");
-    if (arguments->output || arguments->settings.count > 0 || arguments->overwrite)
+    const char *const misplaced = arguments->output               ? "-o"
+                                  : arguments->overwrite          ? "--overwrite"
+                                  : arguments->settings.count > 0 ? "--set"
+                                  : arguments->seed >= 0          ? "--seed"
+                                                                  : NULL;
+    if (misplaced)
         return fw_fail(error, FW_BAD_INPUT,
-                       "--case runs what lies in the folder: %s belongs to --list",
-                       arguments->output      ? "-o"
-                       : arguments->overwrite ? "--overwrite"
-                                              : "--set");
+                       "--case runs what lies in the folder: %s belongs to --list", misplaced);
     return run_case(arguments, error);
 }
 

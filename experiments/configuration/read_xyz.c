@@ -50,9 +50,10 @@ static fw_status read_particle(fw_configuration *configuration, const fw_lines *
                                char *line, columns in, double *plane, fw_error *error)
 {
     const fw_words words = fw_words_cut(line);
-    if (words.count < in.place + 3 || words.count <= in.species)
+    const int least = in.species < in.place + 3 ? in.place + 3 : in.species + 1;
+    if (words.count < least)
         return fw_lines_fail(lines, error, "particle %d has %d words, expected %d or more", n,
-                             words.count, in.place + 3);
+                             words.count, least);
     return fw_configuration_set(configuration, lines, n, words.word + in.place,
                                 in.species < 0 ? "" : words.word[in.species], plane, error);
 }

@@ -9,15 +9,16 @@
 #include <string.h>
 #include <sys/stat.h>
 
+/* What is made where no name is given has the first of the endings. */
 typedef struct format {
-    const char *name, *ending;
+    const char *name, *ending, *also; /* or NULL */
     fw_status (*write)(fw_exported *exported, const char *name, fw_error *error);
 } format;
 
 static const format formats[] = {
-    {"xdmf", ".xdmf", fw_export_xdmf}, {"extxyz", ".extxyz", fw_export_extxyz},
-    {"vtp", ".pvd", fw_export_vtp},    {"csv", ".csv", fw_export_csv},
-    {"data", ".data", fw_export_data},
+    {"xdmf", ".xdmf", ".xmf", fw_export_xdmf}, {"extxyz", ".extxyz", ".xyz", fw_export_extxyz},
+    {"vtp", ".pvd", NULL, fw_export_vtp},      {"csv", ".csv", NULL, fw_export_csv},
+    {"data", ".data", ".lmp", fw_export_data},
 };
 enum { FORMATS = sizeof formats / sizeof *formats };
 
@@ -28,14 +29,27 @@ static const format *find_format(const char *name)
     return NULL;
 }
 
+static bool has_ending(const char *name, const char *ending)
+{
+    const size_t length = strlen(name), own = strlen(ending);
+    return length > own && strcmp(name + length - own, ending) == 0;
+}
+
+/* Others tell by the ending what a file is. */
+static fw_status check_name(const char *name, const format *of, fw_error *error)
+{
+    if (has_ending(name, of->ending) || (of->also && has_ending(name, of->also))) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "'%.60s' as %s, expected a name that ends in %s%s%s", name,
+                   of->name, of->ending, of->also ? " or " : "", of->also ? of->also : "");
+}
+
 /* "results/bounce/" and "results/bounce/trajectory.h5" become "results/bounce" and the ending. To
  * be freed; NULL without memory. */
 static char *default_name(const char *directory, const char *ending)
 {
     static const char file[] = "/" FW_TRAJECTORY_FILE;
     size_t length = strlen(directory);
-    if (length > strlen(file) && strcmp(directory + length - strlen(file), file) == 0)
-        length -= strlen(file);
+    if (has_ending(directory, file)) length -= strlen(file);
     while (length > 1 && directory[length - 1] == '/') --length;
     char *name = malloc(length + strlen(ending) + 1);
     if (!name) return NULL;
@@ -64,6 +78,7 @@ fw_status fw_export(const fw_export_wish *wish, char **name, fw_error *error)
     if (!chosen)
         return fw_fail(error, FW_BAD_INPUT, "there is no format '%s', expected one of %s",
                        wish->format, FW_EXPORT_FORMATS);
+    if (wish->name) FW_TRY(check_name(wish->name, chosen, error));
     FW_TRY(results_file(path, wish->directory, error));
     char *made = wish->name ? strdup(wish->name) : default_name(wish->directory, chosen->ending);
     if (!made) return fw_fail_memory(error, "the name of a file");

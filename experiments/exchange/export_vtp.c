@@ -3,13 +3,14 @@
  * times, each a file of its own in the folder NAME.frames: particles as points, links as lines.
  * Numbers are the results file's, byte by byte. Keeps no state. Start reading at
  * fw_export_vtp(). */
-#include "experiments/text/base64.h"
 #include "experiments/storage/folder.h"
 #include "experiments/storage/regular_file.h"
 #include "experiments/storage/whole_file.h"
-#include "exported.h"
+#include "experiments/text/base64.h"
 #include "experiments/text/xml.h"
+#include "exported.h"
 
+#include <assert.h>
 #include <string.h>
 
 #define INDENT "        "
@@ -165,12 +166,7 @@ fw_status fw_export_vtp(fw_exported *e, const char *name, fw_error *error)
 {
     char folder[FW_PATH_SIZE];
     const size_t length = strlen(name);
-    const bool listed = length > 4 && strcmp(name + length - 4, ".pvd") == 0;
-    if (!listed)
-        return fw_fail(error, FW_BAD_INPUT,
-                       "'%s' as the list of VTK's frames, expected a name "
-                       "that ends in .pvd",
-                       name);
+    assert(length > 4 && strcmp(name + length - 4, ".pvd") == 0);
     if (snprintf(folder, sizeof folder, "%.*s.frames", (int)(length - 4), name) >= FW_PATH_SIZE)
         return fw_fail(error, FW_BAD_INPUT, "the name '%.60s...' is too long", name);
     FW_TRY(fw_folder_make(folder, error));

@@ -253,6 +253,11 @@ static fw_status read_meets(fw_scenario *scenario, const fw_node *walls, const f
         if (*other == own)
             return fw_scenario_fail(scenario, item->place, error,
                                     "piston '%s' meets itself, expected other walls", node->key);
+        for (int n = 0; n < of->meets_count - 1; ++n)
+            if (of->meets[n] == *other)
+                return fw_scenario_fail(scenario, item->place, error,
+                                        "piston '%s' meets '%s' a second time, expected each once",
+                                        node->key, item->text);
     }
     return FW_OK;
 }

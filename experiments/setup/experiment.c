@@ -135,6 +135,25 @@ static fw_status refuse_reversal(const fw_experiment *experiment, fw_error *erro
     return FW_OK;
 }
 
+/* What a run would end at as lost in its first step. */
+static fw_status refuse_lost(const fw_experiment *experiment, fw_vec2 middle, fw_error *error)
+{
+    const fw_scenario *scenario = experiment->scenario;
+    for (int b = 0; b < scenario->body_count; ++b) {
+        const fw_body_range *range = &experiment->bodies[b];
+        const fw_solid *solid = fw_experiment_solid(experiment, b);
+        const int lost = fw_solid_find_lost(solid, middle, scenario->run.limit) - range->first;
+        if (lost < 0 || lost >= range->count) continue;
+        const fw_vec2 at = fw_solid_position(solid, range->first + lost);
+        return fw_scenario_fail(scenario, scenario->bodies[b].place, error,
+                                "body %s starts beyond run.limit: particle %d at (%g, %g), "
+                                "expected all within %g of (%g, %g)",
+                                range->name, lost, at.x, at.y, scenario->run.limit, middle.x,
+                                middle.y);
+    }
+    return FW_OK;
+}
+
 static fw_status note_start(fw_experiment *experiment, fw_error *error)
 {
     size_t count = (size_t)experiment->body_count;
@@ -267,6 +286,7 @@ static fw_status fill(fw_experiment *experiment, fw_error *error)
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(make_sites(experiment, b, error));
     for (int b = 0; b < scenario->body_count; ++b) FW_TRY(add_body(experiment, b, error));
     FW_TRY(refuse_reversal(experiment, error));
+    FW_TRY(refuse_lost(experiment, middle, error));
     for (int w = 0; w < scenario->wall_count; ++w) {
         const fw_scenario_wall *wall = &scenario->walls[w];
         FW_TRY(fw_scenario_fail_again(

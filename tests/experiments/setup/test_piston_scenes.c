@@ -195,6 +195,8 @@ static void whom_a_piston_meets_must_be_there_and_another(void **state)
                    "there is no wall 'flor'");
     assert_refused(read_meeting(&scenario, "walls.press.piston.meets=[press]"), FW_BAD_INPUT,
                    "piston 'press' meets itself, expected other walls");
+    assert_refused(read_meeting(&scenario, "walls.press.piston.meets=[floor, floor]"), FW_BAD_INPUT,
+                   "piston 'press' meets 'floor' a second time, expected each once");
     assert_fine(read_meeting(&scenario, "walls.press.piston.meets=[floor]"));
     fw_scenario_destroy(scenario);
 }
