@@ -33,15 +33,12 @@ static fw_status compare(fw_playback *then, const char *before, const char *dire
 /* "results/bounce/" becomes "results/bounce-again". */
 static fw_status default_name(char name[FW_PATH_SIZE], const char *before, fw_error *error)
 {
-    size_t length = strlen(before);
-    while (length > 1 && before[length - 1] == '/') --length;
+    const size_t length = strlen(before);
     if (length > 3 && strncmp(before + length - 3, ".h5", 3) == 0)
         return fw_fail(error, FW_BAD_INPUT,
                        "rerun of a results file needs a folder for the new results, expected -o "
                        "DIR");
-    if (snprintf(name, FW_PATH_SIZE, "%.*s-again", (int)length, before) < FW_PATH_SIZE)
-        return FW_OK;
-    return fw_fail(error, FW_BAD_INPUT, "the name '%.60s...' is too long", before);
+    return fw_path_beside(name, before, "-again", error);
 }
 
 fw_status fw_command_rerun(const fw_arguments *arguments, fw_error *error)

@@ -43,19 +43,19 @@ static fw_status check_name(const char *name, const format *of, fw_error *error)
                    of->name, of->ending, of->also ? " or " : "", of->also ? of->also : "");
 }
 
-/* "results/bounce/" and "results/bounce/trajectory.h5" become "results/bounce" and the ending. To
- * be freed; NULL without memory. */
-static char *default_name(const char *directory, const char *ending)
+/* "results/bounce/" and "results/bounce/trajectory.h5" become "results/bounce" and the ending. */
+static fw_status default_name(char name[FW_PATH_SIZE], const char *results, const char *ending,
+                              fw_error *error)
 {
-    static const char file[] = "/" FW_TRAJECTORY_FILE;
-    size_t length = strlen(directory);
-    if (has_ending(directory, file)) length -= strlen(file);
-    while (length > 1 && directory[length - 1] == '/') --length;
-    char *name = malloc(length + strlen(ending) + 1);
-    if (!name) return NULL;
-    memcpy(name, directory, length);
-    strcpy(name + length, ending);
-    return name;
+    static const char file[] = FW_TRAJECTORY_FILE;
+    const char *slash = strrchr(results, '/');
+    if (strcmp(slash ? slash + 1 : results, file) != 0)
+        return fw_path_beside(name, results, ending, error);
+    char folder[FW_PATH_SIZE];
+    if (snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - results) : 1,
+                 slash ? results : ".") >= FW_PATH_SIZE)
+        return fw_fail(error, FW_BAD_INPUT, "the name '%.60s...' is too long", results);
+    return fw_path_beside(name, folder, ending, error);
 }
 
 static fw_status results_file(char path[FW_PATH_SIZE], const char *directory, fw_error *error)
@@ -72,7 +72,7 @@ static fw_status results_file(char path[FW_PATH_SIZE], const char *directory, fw
 fw_status fw_export(const fw_export_wish *wish, char **name, fw_error *error)
 {
     const format *chosen = find_format(wish->format);
-    char path[FW_PATH_SIZE];
+    char path[FW_PATH_SIZE], usual[FW_PATH_SIZE];
     fw_exported exported;
     *name = NULL;
     if (!chosen)
@@ -80,7 +80,8 @@ fw_status fw_export(const fw_export_wish *wish, char **name, fw_error *error)
                        wish->format, FW_EXPORT_FORMATS);
     if (wish->name) FW_TRY(check_name(wish->name, chosen, error));
     FW_TRY(results_file(path, wish->directory, error));
-    char *made = wish->name ? strdup(wish->name) : default_name(wish->directory, chosen->ending);
+    if (!wish->name) FW_TRY(default_name(usual, wish->directory, chosen->ending, error));
+    char *made = strdup(wish->name ? wish->name : usual);
     if (!made) return fw_fail_memory(error, "the name of a file");
     fw_status status = fw_exported_open(&exported, path, wish->every, error);
     if (status == FW_OK) status = chosen->write(&exported, made, error);

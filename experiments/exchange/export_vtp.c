@@ -126,6 +126,28 @@ static void print_frame_name(char name[32], int64_t n)
     snprintf(name, 32, "frame-%06lld.vtp", (long long)n);
 }
 
+/* Of an export before. */
+static int64_t count_frames(const fw_folder *folder)
+{
+    char own[32];
+    int64_t count = 0;
+    for (print_frame_name(own, count); fw_folder_has(folder, own); print_frame_name(own, ++count)) {
+    }
+    return count;
+}
+
+/* Nobody lists frames that were made for a list that is not. */
+static void take_back(fw_folder *folder, int64_t first, int64_t end)
+{
+    char own[32];
+    fw_error ignored;
+    for (int64_t n = first; n < end; ++n) {
+        print_frame_name(own, n);
+        (void)fw_folder_remove(folder, own, &ignored);
+    }
+    fw_folder_abandon(folder);
+}
+
 static fw_status write_frames(fw_exported *e, const char *folder, fw_error *error)
 {
     for (int64_t n = 0; n < fw_exported_count(e); ++n) {
@@ -169,8 +191,15 @@ fw_status fw_export_vtp(fw_exported *e, const char *name, fw_error *error)
     assert(length > 4 && strcmp(name + length - 4, ".pvd") == 0);
     if (snprintf(folder, sizeof folder, "%.*s.frames", (int)(length - 4), name) >= FW_PATH_SIZE)
         return fw_fail(error, FW_BAD_INPUT, "the name '%.60s...' is too long", name);
-    FW_TRY(fw_folder_make(folder, error));
-    FW_TRY(write_frames(e, folder, error));
+    fw_folder *frames;
+    FW_TRY(fw_folder_create(&frames, folder, error));
+    const int64_t before = count_frames(frames);
     const char *slash = strrchr(folder, '/');
-    return write_list(e, name, slash ? slash + 1 : folder, error);
+    fw_status status = write_frames(e, folder, error);
+    if (status == FW_OK) status = write_list(e, name, slash ? slash + 1 : folder, error);
+    if (status == FW_OK)
+        fw_folder_close(frames);
+    else
+        take_back(frames, before, fw_exported_count(e));
+    return status;
 }

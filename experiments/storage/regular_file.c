@@ -19,6 +19,29 @@ fw_status fw_path_join(char path[FW_PATH_SIZE], const char *directory, const cha
                    FW_PATH_SIZE - 1);
 }
 
+fw_status fw_path_beside(char path[FW_PATH_SIZE], const char *directory, const char *ending,
+                         fw_error *error)
+{
+    size_t length = strlen(directory);
+    while (length > 1 && directory[length - 1] == '/') --length;
+    size_t last = length;
+    while (last > 0 && directory[last - 1] != '/') --last;
+    char *real = NULL;
+    const bool dots = length > last && length - last <= 2;
+    if (dots && strncmp(directory + last, "..", length - last) == 0) {
+        real = realpath(directory, NULL);
+        if (!real)
+            return fw_fail(error, FW_SYSTEM_FAILED, "cannot find the folder %s: %s", directory,
+                           strerror(errno));
+        directory = real;
+        length = strlen(real);
+    }
+    const int written = snprintf(path, FW_PATH_SIZE, "%.*s%s", (int)length, directory, ending);
+    free(real);
+    if (written < FW_PATH_SIZE) return FW_OK;
+    return fw_fail(error, FW_BAD_INPUT, "the name '%.60s...' is too long", path);
+}
+
 /* O_NONBLOCK: a pipe without a writer would be waited for before it could be seen to be one. */
 fw_status fw_regular_file_open(int *descriptor, const char *path, bool writable, fw_error *error)
 {

@@ -15,6 +15,11 @@ enum { FW_PATH_SIZE = 4096 };
 /* "DIRECTORY/NAME"; FW_BAD_INPUT when that is too long. */
 fw_status fw_path_join(char path[FW_PATH_SIZE], const char *directory, const char *name,
                        fw_error *error);
+/* What stands beside a folder: "results/bounce/" and "-again" are "results/bounce-again". A folder
+ * that is called "." or ".." goes by its real path. FW_BAD_INPUT when that is too long,
+ * FW_SYSTEM_FAILED when it cannot be found. */
+fw_status fw_path_beside(char path[FW_PATH_SIZE], const char *directory, const char *ending,
+                         fw_error *error);
 
 /* Opens a file that is there. Reading follows links, writing does not. FW_BAD_INPUT when it is
  * missing or no regular file, FW_SYSTEM_FAILED when the system refuses. */

@@ -119,6 +119,7 @@ static const refusal refusals[] = {
     {"run bounce.yaml --set expect.0.quantity=colour", 2, "--set expect.0.quantity=colour: quantity colour is not known, expected one of `fretwork quantities`"},
     {"run bounce.yaml --set 'expect.1={quantity: energy, at: 31, above: 0}' --set run.measure-every=2", 2, "--set expect.1={quantity: energy, at: 31, above: 0}: the expectation of 'energy' is at step 31, but the run ends at 60 and measures at multiples of 2"},
     {"run bounce.yaml --set 'expect.1={quantity: energy, at: 61, above: 0}'", 2, "--set expect.1={quantity: energy, at: 61, above: 0}: the expectation of 'energy' is at step 61, but the run ends at 60 and measures at multiples of 1"},
+    {"run bounce.yaml --set run.limit=5", 2, "bounce.yaml:7:3: body speck starts beyond run.limit: particle 0 at (15.3, 15.7), expected all within 5 of (1.3, 2.7)"},
     {"check bounce.yaml --set bodies.sheet.origin=[16.2,3]", 2, "bounce.yaml:9:3: body sheet starts in wall container: particle 5 at (21.2, 3) lies 1.2 behind its surface, expected all particles on the free side"},
     {"verify bounce.yaml --set measure=[enrgy]", 2, "--set measure=[enrgy]: quantity enrgy is not known; did you mean energy?"},
     /* scenario files */

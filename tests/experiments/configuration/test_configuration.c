@@ -106,6 +106,8 @@ static void each_fault_of_a_file_has_its_sentence(void **state)
         {"a.xyz", "1\n", "a.xyz:1: the file ends after the number of particles"},
         {"a.xyz", "2\n\nCu 0 0 0\n", "a.xyz:3: the file ends after 1 particles, expected 2"},
         {"a.xyz", "1\n\nCu 0 0\n", "a.xyz:3: particle 0 has 3 words, expected 4 or more"},
+        {"a.xyz", "1\nProperties=pos:R:3:species:S:1\n0 0 0\n",
+         "a.xyz:3: particle 0 has 3 words, expected 4 or more"},
         {"a.xyz", "1\n\nCu 0 nan 0\n", "a.xyz:3: y is 'nan', expected a number"},
         {"a.xyz", "2\n\nCu 0 0 1\nCu 0 0 2\n",
          "a.xyz:4: z is 2, expected 1 as of all before: a plane"},

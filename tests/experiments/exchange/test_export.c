@@ -106,7 +106,13 @@ static void export_refuses_what_it_cannot_do(void **state)
         {"export out", "expected --to and one of xdmf, extxyz, vtp, csv, data"},
         {"export out --to mp4", "mp4"},
         {"export nothing --to csv", "nothing"},
-        {"export out --to vtp -o out.vtp", "expected a name that ends in .pvd"},
+        {"export out --to vtp -o out.vtp", "'out.vtp' as vtp, expected a name that ends in .pvd"},
+        {"export out --to vtp -o .pvd", "'.pvd' as vtp, expected a name that ends in .pvd"},
+        {"export out --to csv -o out.txt", "'out.txt' as csv, expected a name that ends in .csv"},
+        {"export out --to xdmf -o out.csv", "expected a name that ends in .xdmf or .xmf"},
+        {"export out --to extxyz -o xyz", "'xyz' as extxyz, expected a name that ends in .extxyz "
+                                          "or .xyz"},
+        {"export out --to data -o out.dat", "expected a name that ends in .data or .lmp"},
         {"export out --to csv --every 0", "--every"},
         {"export file.yaml --to csv", "file.yaml"},
     };
@@ -121,6 +127,46 @@ static void export_refuses_what_it_cannot_do(void **state)
     }
     seen = run_program(folder, "export out --to csv -o missing/out.csv");
     expect_end(&seen, 4, "missing/out.csv");
+    static const char *const also[] = {"xdmf -o out.xmf", "extxyz -o out.xyz", "data -o out.lmp"};
+    for (size_t n = 0; n < sizeof also / sizeof *also; ++n) {
+        char line[64];
+        snprintf(line, sizeof line, "export out --to %s", also[n]);
+        seen = run_program(folder, line);
+        expect_end(&seen, 0, "");
+        assert_true(exists(folder, strstr(also[n], "out")));
+    }
+    remove_folder(folder);
+}
+
+/* However the folder is named, what is made stands beside it, under its name. */
+static void exports_stand_beside_their_results(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *inside, *line, *made;
+    } rows[] = {
+        {".", "export out/ --to csv", "out.csv"},
+        {".", "export out/trajectory.h5 --to extxyz", "out.extxyz"},
+        {".", "export ./out/. --to xdmf", "out.xdmf"},
+        {"out", "export . --to data", "out.data"},
+        {"out", "export trajectory.h5 --to vtp", "out.pvd"},
+        {"out/inner", "export .. --to xdmf", "out.xdmf"},
+        {"out", "rerun . -q --no-plot", "out-again/trajectory.h5"},
+    };
+    char folder[64], inside[128], line[128];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", gas);
+    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    shell(folder, "mkdir out/inner");
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; ++n) {
+        snprintf(inside, sizeof inside, "%s/%s", folder, rows[n].inside);
+        seen = run_program(inside, rows[n].line);
+        expect_end(&seen, 0, "");
+        if (!exists(folder, rows[n].made)) fail_msg("%s: %s", rows[n].line, seen.out);
+        snprintf(line, sizeof line, "rm -r %s", rows[n].made);
+        shell(folder, line);
+    }
     remove_folder(folder);
 }
 
@@ -142,6 +188,30 @@ static void export_that_fails_leaves_nothing(void **state)
     remove_folder(folder);
 }
 
+/* Frames that were there before stay. */
+static void frames_that_nobody_lists_are_taken_back(void **state)
+{
+    (void)state;
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", gas);
+    outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 0, "");
+    shell(folder, "mkdir out.pvd");
+    seen = run_program(folder, "export out --to vtp");
+    expect_end(&seen, 4, "out.pvd");
+    assert_false(exists(folder, "out.frames"));
+    shell(folder, "mkdir -p out.frames/frame-000002.vtp");
+    seen = run_program(folder, "export out --to vtp");
+    expect_end(&seen, 4, "frame-000002.vtp");
+    shell(folder, "test \"$(ls out.frames)\" = frame-000002.vtp");
+    shell(folder, "rmdir out.frames/frame-000002.vtp; touch out.frames/frame-000000.vtp");
+    seen = run_program(folder, "export out --to vtp");
+    expect_end(&seen, 4, "out.pvd");
+    shell(folder, "test \"$(ls out.frames)\" = frame-000000.vtp");
+    remove_folder(folder);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -149,7 +219,9 @@ int main(void)
         cmocka_unit_test(particles_without_velocities_are_exported_bit_by_bit),
         cmocka_unit_test(a_run_starts_where_an_exported_one_ended),
         cmocka_unit_test(export_refuses_what_it_cannot_do),
+        cmocka_unit_test(exports_stand_beside_their_results),
         cmocka_unit_test(export_that_fails_leaves_nothing),
+        cmocka_unit_test(frames_that_nobody_lists_are_taken_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
