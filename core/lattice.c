@@ -140,6 +140,23 @@ int fw_sites_walk(const fw_sites *sites, fw_site site, int *at)
     return n < sites->count && compare_sites(&sites->site[n], &site) == 0 ? n : -1;
 }
 
+/* Sites ascend and none is there twice, so a run reaches to any site that is as many columns away
+ * as it is numbers away. */
+int fw_sites_run_end(const fw_sites *sites, int begin)
+{
+    const fw_site first = sites->site[begin];
+    int last = begin;
+    int64_t step = 1;
+    for (bool grows = true; step > 0; step = grows ? 2 * step : step / 2) {
+        const int64_t beyond = last + step;
+        const bool joins = beyond < sites->count && sites->site[beyond].j == first.j &&
+                           sites->site[beyond].i - (int64_t)first.i == beyond - begin;
+        if (joins) last = (int)beyond;
+        grows = grows && joins;
+    }
+    return last + 1;
+}
+
 fw_site fw_site_neighbour(fw_site site, int direction)
 {
     static const fw_site step[FW_DIRECTIONS] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};

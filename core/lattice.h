@@ -58,8 +58,11 @@ void fw_sites_clear(fw_sites *sites);
 
 /* Index of a site in the set, or -1. */
 int fw_sites_find(const fw_sites *sites, fw_site site);
-/* The same, walking from *at (0 at first), where it leaves off: for sites that are asked for in
- * ascending order, all answers together take as long as one walk through the set. */
+/* One past the last site of the run, sites side by side in a row, that a site is in. */
+int fw_sites_run_end(const fw_sites *sites, int site);
+/* The same as fw_sites_find(), walking from *at (0 at first), where it leaves off: for sites that
+ * are asked for in ascending order, all answers together take as long as one walk through the set.
+ */
 int fw_sites_walk(const fw_sites *sites, fw_site site, int *at);
 static inline int fw_sites_find_next(const fw_sites *sites, fw_site site, int *at)
 {

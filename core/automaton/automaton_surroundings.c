@@ -10,29 +10,12 @@
 
 /* --- runs --- */
 
-/* One past the last site of the run that begins with a site. Sites ascend and none is there twice,
- * so a run reaches to any site that is as many columns away as it is numbers away. */
-static int end_of_run(const fw_sites *sites, int begin)
-{
-    const fw_site first = sites->site[begin];
-    int last = begin;
-    int64_t step = 1;
-    for (bool grows = true; step > 0; step = grows ? 2 * step : step / 2) {
-        const int64_t beyond = last + step;
-        const bool joins = beyond < sites->count && sites->site[beyond].j == first.j &&
-                           sites->site[beyond].i - (int64_t)first.i == beyond - begin;
-        if (joins) last = (int)beyond;
-        grows = grows && joins;
-    }
-    return last + 1;
-}
-
 /* Numbers rows and lists runs, where there is room for them already. */
 static void cut_runs(fw_automaton *body, const fw_sites *sites)
 {
     body->run_count = body->row_count = 0;
     for (int begin = 0, end; begin < sites->count; begin = end) {
-        end = end_of_run(sites, begin);
+        end = fw_sites_run_end(sites, begin);
         body->row_count += begin == 0 || sites->site[begin].j != sites->site[begin - 1].j;
         if (body->run)
             body->run[body->run_count] = (fw_automaton_run){

@@ -95,7 +95,7 @@ void lb_carry(fw_solid *solid, fw_carry *carries, int count)
         if (lb->resting) carry_rest(lb, &carries[n]);
         for (int d = FW_EAST; d <= FW_NORTH; ++d) {
             if (!(lb->present[l] & (1u << d))) continue;
-            fw_carry *there = find(carries, count, lb->neighbour[d][l]);
+            fw_carry *there = find(carries, count, lb_neighbour(lb, l, d));
             if (there) carry_link(lb, l, d, &carries[n], there);
         }
     }

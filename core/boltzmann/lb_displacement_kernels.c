@@ -39,14 +39,28 @@ FW_INLINE fw_vector_pair stretch(const lb_grid_arrays *a, int place, int distanc
     return (fw_vector_pair){fw_keep(linked, d.x), fw_keep(linked, d.y)};
 }
 
+FW_INLINE symmetric mobility_of(const lb_grid_arrays *a, int place, int part, kind k, bool plain)
+{
+    if (plain) return splat_symmetric(a->plain_mobility);
+    if (a->mobility_xx)
+        return load_symmetric(a->mobility_xx, a->mobility_xy, a->mobility_yy, place, k.matrix);
+    const fw_vector mass = counted_mass(a->rest_square, a->links[place / FW_BLOCK], part);
+    return (symmetric){.xx = fw_keep(fw_less(fw_splat(0), mass), a->mu * (1 / mass))};
+}
+
+FW_INLINE symmetric mass_of(const lb_grid_arrays *a, int place, int part, kind k, bool plain)
+{
+    if (plain) return splat_symmetric(a->plain_mass);
+    if (a->mobility_xx) return load_symmetric(a->mass_xx, a->mass_xy, a->mass_yy, place, k.matrix);
+    return (symmetric){.xx = counted_mass(a->rest_square, a->links[place / FW_BLOCK], part)};
+}
+
 FW_INLINE void advance_part(const lb_grid_arrays *a, int place, int part, int north, int south,
                             kind k, bool plain, passed *sum)
 {
     const fw_vector_pair x = fw_load_pair(a->ahead_x, a->ahead_y, place);
     const fw_vector_pair before = fw_load_pair(a->behind_x, a->behind_y, place);
-    const symmetric mobility =
-        plain ? splat_symmetric(a->plain_mobility)
-              : load_symmetric(a->mobility_xx, a->mobility_xy, a->mobility_yy, place, k.matrix);
+    const symmetric mobility = mobility_of(a, place, part, k, plain);
 
     /* sum_links (x_m - x_l) + F */
     fw_vector_pair pull = add(add(stretch(a, place, 1, FW_EAST, x, part, plain),
@@ -71,9 +85,7 @@ FW_INLINE void advance_part(const lb_grid_arrays *a, int place, int part, int no
     const fw_vector_pair w = {0.5 * (after.x - before.x), 0.5 * (after.y - before.y)};
     if (k.loaded) pass_force(sum, part, force, w);
     if (k.damped) {
-        const symmetric mass =
-            plain ? splat_symmetric(a->plain_mass)
-                  : load_symmetric(a->mass_xx, a->mass_xy, a->mass_yy, place, k.matrix);
+        const symmetric mass = mass_of(a, place, part, k, plain);
         pass_drag(sum, part, a->mu, times(mass, w, k.matrix), w);
     }
 }

@@ -16,16 +16,17 @@ typedef struct lb_run {
     bool plain;
 } lb_run;
 
-/* All by place. Matrices without xy and yy are multiples of one; where there is no particle the
- * mobility is 0 and no link is set. */
+/* All by place. Matrices without xy and yy are multiples of one; where there is no particle no
+ * link is set, and the mobility is 0 or there is nothing to move. */
 typedef struct lb_grid_arrays {
     const double *ahead_x, *ahead_y;                       /* x(t) */
     double *behind_x, *behind_y;                           /* x(t-1), overwritten by x(t+1) */
     const double *force_x, *force_y;                       /* F(t); NULL: no loads */
-    const double *mobility_xx, *mobility_xy, *mobility_yy; /* mu M^-1 */
+    const double *mobility_xx, *mobility_xy, *mobility_yy; /* mu M^-1; NULL: by counting links */
     const double *mass_xx, *mass_xy, *mass_yy;             /* M; only where mu < 1 */
     const uint8_t (*links)[FW_DIRECTIONS];                 /* of each block, a bit per place */
     fw_sym2 plain_mobility, plain_mass;                    /* of plain runs */
+    double rest_square; /* M0^2 of all, where masses follow from the number of links */
     double mu;
 } lb_grid_arrays;
 

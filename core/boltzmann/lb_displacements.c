@@ -47,12 +47,12 @@ static void mark_plain(lb_solid *lb, uint8_t *plain)
     for (int l = 0; l < lb->head.count; ++l) {
         if (lb->present[l] != LB_ALL_LINKS) continue;
         if (first < 0) first = l;
-        plain[l] = same(lb_get(&lb->inverse, l), lb_get(&lb->inverse, first));
+        plain[l] = lb->counted || same(lb_inverse_of(lb, l), lb_inverse_of(lb, first));
     }
     if (first < 0) return;
-    form->plain_inverse = lb_get(&lb->inverse, first);
+    form->plain_inverse = lb_inverse_of(lb, first);
     form->plain_mobility = fw_sym2_scale(lb->mu, form->plain_inverse);
-    form->plain_mass = lb_get(&lb->mass, first);
+    form->plain_mass = lb_mass_of(lb, first);
 }
 
 static fw_status allocate(lb_solid *lb, fw_error *error)
@@ -68,8 +68,8 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
     }
     FW_ARENA_ADD(arena, form->force_x, places);
     FW_ARENA_ADD(arena, form->force_y, places);
-    lb_add_matrices(arena, &form->mobility, places, lb->matrix);
-    if (lb->mu < 1) lb_add_matrices(arena, &form->mass, places, lb->matrix);
+    if (!lb->counted) lb_add_matrices(arena, &form->mobility, places, lb->matrix);
+    if (!lb->counted && lb->mu < 1) lb_add_matrices(arena, &form->mass, places, lb->matrix);
     FW_ARENA_ADD(arena, form->site_x, count);
     FW_ARENA_ADD(arena, form->site_y, count);
     FW_ARENA_ADD(arena, form->passed, rows * LB_DEPTH);
@@ -94,10 +94,10 @@ fw_status lb_displacements_make(lb_solid *lb, const fw_sites *sites, fw_error *e
     if (status == FW_OK) lb_grid_fill(&form->grid, &def);
     free(plain);
     FW_TRY(status);
-    for (int l = 0; l < sites->count; ++l) {
+    for (int l = 0; l < sites->count && !lb->counted; ++l) {
         const int place = form->grid.place[l];
-        lb_put(&form->mobility, place, fw_sym2_scale(lb->mu, lb_get(&lb->inverse, l)));
-        if (lb->mu < 1) lb_put(&form->mass, place, lb_get(&lb->mass, l));
+        lb_put(&form->mobility, place, fw_sym2_scale(lb->mu, lb_inverse_of(lb, l)));
+        if (lb->mu < 1) lb_put(&form->mass, place, lb_mass_of(lb, l));
     }
     lb_reach_begin(lb);
     return FW_OK;
@@ -153,6 +153,7 @@ static lb_grid_arrays arrays_of(const lb_solid *lb, int parity, bool loaded)
         .links = (const uint8_t(*)[FW_DIRECTIONS])form->grid.links,
         .plain_mobility = form->plain_mobility,
         .plain_mass = form->plain_mass,
+        .rest_square = lb->rest_square,
         .mu = lb->mu,
     };
 }
@@ -217,7 +218,7 @@ lb_particle_arrays lb_displacements_particles(const lb_solid *lb)
                                 .site_y = form->site_y,
                                 .mass = lb->mass.xx,
                                 .inverse = lb->inverse.xx,
-                                .plain = !lb->resting, /* no rest masses */
+                                .plain = lb->counted || !lb->resting, /* same rest masses */
                                 .plain_mass = form->plain_mass.xx,
                                 .plain_inverse = form->plain_inverse.xx,
                                 .common = form->common};
@@ -290,7 +291,7 @@ fw_prediction lb_displacements_predict(const lb_solid *lb, int l)
     const int here = form->grid.place[l], ahead = lb->parity, behind = !lb->parity;
     const fw_vec2 x = half_at(form, ahead, here);
     const fw_vec2 v = fw_vec2_subtract(x, half_at(form, behind, here));
-    const fw_sym2 mobility = lb_get(&form->mobility, here);
+    const fw_sym2 mobility = fw_sym2_scale(lb->mu, lb_inverse_of(lb, l));
     fw_vec2 pull = {0, 0}, momentum = {0, 0};
     if (lb->head.loaded) pull = (fw_vec2){lb->head.external_x[l], lb->head.external_y[l]};
     if (lb->resting) {
@@ -299,7 +300,7 @@ fw_prediction lb_displacements_predict(const lb_solid *lb, int l)
     }
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
         if (!(lb->present[l] & (1u << d))) continue;
-        const int there = form->grid.place[lb->neighbour[d][l]];
+        const int there = form->grid.place[lb_neighbour(lb, l, d)];
         const fw_vec2 beside = half_at(form, ahead, there);
         const fw_vec2 its = fw_vec2_subtract(beside, half_at(form, behind, there));
         pull = fw_vec2_add(pull, fw_vec2_subtract(beside, x));
@@ -338,7 +339,7 @@ static void add_difference(lb_solid *lb, int l, fw_vec2 w, fw_vec2 other)
         ledger->work += fw_vec2_dot(force, fw_vec2_subtract(w, other));
     }
     if (lb->mu < 1) {
-        const fw_sym2 drag = fw_sym2_scale(2 * (1 / lb->mu - 1), lb_get(&lb->mass, l));
+        const fw_sym2 drag = fw_sym2_scale(2 * (1 / lb->mu - 1), lb_mass_of(lb, l));
         ledger->dissipated += fw_sym2_form(w, drag, w) - fw_sym2_form(other, drag, other);
         ledger->drag =
             fw_vec2_subtract(ledger->drag, fw_sym2_apply(drag, fw_vec2_subtract(w, other)));

@@ -36,7 +36,7 @@ static double absorb(lb_solid *lb, int l, int direction, fw_sym2 kappa, fw_vec2 
 
 static void break_link(lb_solid *lb, int l, int direction)
 {
-    int m = lb->neighbour[direction][l], opposite = fw_opposite(direction);
+    int m = lb_neighbour(lb, l, direction), opposite = fw_opposite(direction);
     slot_place here = lb_slot(lb, l, direction), there = lb_slot(lb, m, opposite);
     fw_vec2 a = {*here.x, *here.y}, b = {*there.x, *there.y};
     fw_sym2 kappa = lb_stiffness(lb, l, direction);

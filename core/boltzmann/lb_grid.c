@@ -17,7 +17,8 @@ static int block_of(fw_site site)
 static int end_of_row(const fw_sites *sites, int first)
 {
     int l = first;
-    while (l < sites->count && sites->site[l].j == sites->site[first].j) ++l;
+    while (l < sites->count && sites->site[l].j == sites->site[first].j)
+        l = fw_sites_run_end(sites, l);
     return l;
 }
 

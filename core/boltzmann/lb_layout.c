@@ -6,39 +6,74 @@
 
 #include <string.h>
 
-static bool lies_at(const fw_sites *sites, int l, int i, int j)
+/* Particles begin..end of one row, side by side; `column` is that of the first. */
+typedef struct run {
+    int begin, end;
+    int64_t row, column;
+} run;
+
+/* Empty, and above all others, behind the last one. */
+static run run_from(const fw_sites *sites, int begin)
 {
-    return l >= 0 && l < sites->count && sites->site[l].i == i && sites->site[l].j == j;
+    if (begin == sites->count) return (run){begin, begin, INT64_MAX, 0};
+    return (run){begin, fw_sites_run_end(sites, begin), sites->site[begin].j, sites->site[begin].i};
 }
 
-static void link(lb_solid *lb, int l, int direction, int m)
+static void link_run(lb_solid *lb, run here)
 {
-    lb->neighbour[direction][l] = m;
-    lb->neighbour[fw_opposite(direction)][m] = l;
-    lb->present[l] |= (uint8_t)(1u << direction);
-    lb->present[m] |= (uint8_t)(1u << fw_opposite(direction));
+    for (int l = here.begin; l + 1 < here.end; ++l) {
+        lb->present[l] |= 1u << FW_EAST;
+        lb->present[l + 1] |= 1u << FW_WEST;
+    }
 }
 
-/* A site whose neighbour above or below is missing has not all links: then it is of no matter
- * whether a corner is missing too. */
+/* Two runs, one in the row above the other's. Where one of them ends, the particles of the other
+ * lack a corner; those that have not all links anyway are of no matter. */
+static void link_rows(lb_solid *lb, run lower, run upper)
+{
+    const int64_t shift = upper.column - lower.column;
+    const int begin = lower.begin + (int)(shift > 0 ? shift : 0);
+    const int64_t reach = lower.begin + shift + (upper.end - upper.begin);
+    const int end = reach < lower.end ? (int)reach : lower.end;
+    const int above = (int)(upper.begin - shift - lower.begin);
+    for (int l = begin; l < end; ++l) {
+        lb->north[l] = l + above;
+        lb->present[l] |= 1u << FW_NORTH;
+    }
+    for (int m = begin + above; m < end + above; ++m) {
+        lb->south[m] = m - above;
+        lb->present[m] |= 1u << FW_SOUTH;
+    }
+    if (begin == lower.begin) lb->edge[begin + above] = true;
+    if (end == lower.end) lb->edge[end - 1 + above] = true;
+    if (begin + above == upper.begin) lb->edge[begin] = true;
+    if (end + above == upper.end) lb->edge[end - 1] = true;
+}
+
+static bool overlap(run lower, run upper)
+{
+    return upper.row == lower.row + 1 && upper.column < lower.column + lower.end - lower.begin &&
+           lower.column < upper.column + upper.end - upper.begin;
+}
+
+/* Does a run end before those begin that lie above another one? */
+static bool lies_before(run upper, run lower)
+{
+    if (upper.row != lower.row + 1) return upper.row < lower.row + 1;
+    return upper.column + upper.end - upper.begin <= lower.column;
+}
+
+/* Runs ascend row by row, and so do those above them. */
 void lb_layout_connect(lb_solid *lb, const fw_sites *sites)
 {
-    int above = 0;
-    for (int d = 0; d < FW_DIRECTIONS; ++d)
-        memset(lb->neighbour[d], 0xff, (size_t)sites->count * sizeof *lb->neighbour[d]); /* -1 */
-    for (int l = 0; l < sites->count; ++l) {
-        const fw_site site = sites->site[l], north = {site.i, site.j + 1};
-        const bool east = lies_at(sites, l + 1, site.i + 1, site.j);
-        const bool west = lb->neighbour[FW_WEST][l] >= 0;
-        if (east) link(lb, l, FW_EAST, l + 1);
-        const int m = fw_sites_find_next(sites, north, &above);
-        if (m < 0) continue;
-        link(lb, l, FW_NORTH, m);
-        const bool corners = lies_at(sites, m - 1, north.i - 1, north.j) &&
-                             lies_at(sites, m + 1, north.i + 1, north.j);
-        if (!corners) lb->edge[l] = true;
-        if (!east || !west) lb->edge[m] = true;
+    run above = run_from(sites, 0);
+    for (run here = above; here.begin < sites->count; here = run_from(sites, here.end)) {
+        link_run(lb, here);
+        while (lies_before(above, here)) above = run_from(sites, above.end);
+        for (run upper = above; overlap(here, upper); upper = run_from(sites, upper.end))
+            link_rows(lb, here, upper);
     }
+    if (lb->built) memcpy(lb->built, lb->present, (size_t)sites->count);
 }
 
 /* Greedy: a span grows while the next particle is of the same kind and its neighbours lie at the
@@ -47,7 +82,7 @@ static bool continues(const lb_solid *lb, const span *s, int l, bool full)
 {
     if (s->full != full || l % LB_CHUNK == 0) return false;
     for (int d = 0; full && d < FW_DIRECTIONS; ++d)
-        if (lb->neighbour[d][l] - l != s->offset[d]) return false;
+        if (lb_neighbour(lb, l, d) - l != s->offset[d]) return false;
     return true;
 }
 
@@ -63,7 +98,7 @@ static void cut_into_spans(lb_solid *lb)
         }
         span *s = &lb->spans[count++];
         *s = (span){.begin = l, .end = l + 1, .full = full};
-        for (int d = 0; full && d < FW_DIRECTIONS; ++d) s->offset[d] = lb->neighbour[d][l] - l;
+        for (int d = 0; full && d < FW_DIRECTIONS; ++d) s->offset[d] = lb_neighbour(lb, l, d) - l;
     }
     lb->chunk_span[lb->chunk_count] = count;
 }
@@ -74,8 +109,8 @@ static bool lies_at_crack(const lb_solid *lb, int l)
 {
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
         const int next = (d + 1) % FW_DIRECTIONS;
-        if (!(lb->present[lb->neighbour[d][l]] & (1u << next)) ||
-            !(lb->present[lb->neighbour[next][l]] & (1u << d)))
+        if (!(lb->present[lb_neighbour(lb, l, d)] & (1u << next)) ||
+            !(lb->present[lb_neighbour(lb, l, next)] & (1u << d)))
             return true;
     }
     return false;
@@ -90,10 +125,10 @@ void lb_layout_rebuild(lb_solid *lb)
         for (int d = FW_EAST; d <= FW_NORTH; ++d)
             if (lb->present[l] & (1u << d)) {
                 head->links[head->link_count][0] = l;
-                head->links[head->link_count][1] = lb->neighbour[d][l];
+                head->links[head->link_count][1] = lb_neighbour(lb, l, d);
                 head->link_count += 1;
             }
-        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS || lies_at_crack(lb, l))
+        if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS || (lb->built && lies_at_crack(lb, l)))
             head->boundary[head->boundary_count++] = l;
     }
     head->boundary_revision += 1;
@@ -105,8 +140,8 @@ fw_status lb_layout_check(const lb_solid *lb, fw_error *error)
     for (int l = 0; l < lb->head.count; ++l)
         for (int d = 0; d < 8; ++d) {
             if (!(lb->present[l] & (1u << d))) continue;
-            const int m = d < FW_DIRECTIONS ? lb->neighbour[d][l] : -1;
-            if (m < 0 || !(lb->present[m] & (1u << fw_opposite(d))))
+            const bool known = (lb->built ? lb->built[l] : LB_ALL_LINKS) & (1u << d);
+            if (!known || !(lb->present[lb_neighbour(lb, l, d)] & (1u << fw_opposite(d))))
                 return fw_fail(error, FW_BAD_INPUT,
                                "particle %d has a link in direction %d that leads nowhere", l, d);
         }

@@ -3,7 +3,7 @@
  * row; compiled once for each instruction set. Keeps no state. Start reading at fields_of(). */
 #include "lb_look_kernels.h"
 
-#include "core/vectors.h"
+#include "lb_vectors.h"
 
 #include <assert.h>
 #include <string.h>
@@ -152,6 +152,20 @@ FW_INLINE fw_vector_pair scaled(fw_vector m, fw_vector_pair v)
     return (fw_vector_pair){m * v.x + none * v.y, none * v.x + m * v.y};
 }
 
+FW_INLINE fw_vector mass_of(const lb_grid_arrays *a, const lb_particle_arrays *p, int place,
+                            int part, int particle)
+{
+    if (p->mass) return fw_load(p->mass + particle);
+    return counted_mass(a->rest_square, a->links[place / FW_BLOCK], part);
+}
+
+FW_INLINE fw_vector inverse_of(const lb_grid_arrays *a, const lb_particle_arrays *p, int place,
+                               int part, int particle)
+{
+    if (p->inverse) return fw_load(p->inverse + particle);
+    return 1 / counted_mass(a->rest_square, a->links[place / FW_BLOCK], part);
+}
+
 static void motions(const lb_grid_arrays *arrays, const lb_particle_arrays *particles, lb_stretch s,
                     int north, int south, const fw_motions *out)
 {
@@ -170,8 +184,9 @@ static void motions(const lb_grid_arrays *arrays, const lb_particle_arrays *part
                       particle = s.particle + at;
             const field_lanes f = whole ? fields_of(&a, here, part, distance, true)
                                         : fields_of(&a, here, part, distance, false);
-            const fw_vector_pair v =
-                scaled(plain ? fw_splat(p.plain_inverse) : fw_load(p.inverse + particle), f.psi);
+            const fw_vector inverse =
+                plain ? fw_splat(p.plain_inverse) : inverse_of(&a, &p, here, part, particle);
+            const fw_vector_pair v = scaled(inverse, f.psi);
             put(to.x + at, lanes, part,
                 position_of(p.site_x + particle, p.common.x, f.ahead.x, f.behind.x));
             put(to.y + at, lanes, part,
@@ -201,7 +216,8 @@ FW_INLINE void place_stretch(const lb_grid_arrays *arrays, const lb_particle_arr
             fw_vector_pair r = {position_of(p.site_x + particle, p.common.x, ahead.x, behind.x),
                                 position_of(p.site_y + particle, p.common.y, ahead.y, behind.y)};
             if (weighted) {
-                const fw_vector mass = plain ? fw_splat(p.plain_mass) : fw_load(p.mass + particle);
+                const fw_vector mass =
+                    plain ? fw_splat(p.plain_mass) : mass_of(&a, &p, here, part, particle);
                 r = (fw_vector_pair){mass * (r.x - base.x), mass * (r.y - base.y)};
             }
             put(x + at, lanes, part, r.x);

@@ -18,7 +18,7 @@ typedef struct lb_field_terms {
 /* By particle: sites, and masses that are multiples of one. */
 typedef struct lb_particle_arrays {
     const double *site_x, *site_y; /* r = site + (common + u) */
-    const double *mass, *inverse;  /* M, M^-1 */
+    const double *mass, *inverse;  /* M, M^-1; NULL: by counting links */
     bool plain;                    /* particles with four links all have these: */
     double plain_mass, plain_inverse;
     fw_vec2 common;

@@ -17,13 +17,13 @@ fw_vec2 fw_lb_solid_psi(const fw_solid *solid, int particle)
 
 fw_sym2 fw_lb_solid_mass(const fw_solid *solid, int particle)
 {
-    return lb_get(&of(solid)->mass, particle);
+    return lb_mass_of(of(solid), particle);
 }
 
 int fw_lb_solid_neighbour(const fw_solid *solid, int particle, int direction)
 {
     const lb_solid *lb = of(solid);
-    return lb->present[particle] & (1u << direction) ? lb->neighbour[direction][particle] : -1;
+    return lb->present[particle] & (1u << direction) ? lb_neighbour(lb, particle, direction) : -1;
 }
 
 fw_vec2 fw_lb_solid_deformation(const fw_solid *solid, int particle, int direction)
@@ -149,7 +149,7 @@ static void fill_speed(const fw_solid *solid, double *values)
 {
     const lb_solid *lb = of(solid);
     for (int l = 0; l < solid->count; ++l) {
-        fw_vec2 v = fw_sym2_apply(lb_get(&lb->inverse, l), lb_psi(lb, l));
+        fw_vec2 v = fw_sym2_apply(lb_inverse_of(lb, l), lb_psi(lb, l));
         values[l] = sqrt(fw_vec2_dot(v, v));
     }
 }

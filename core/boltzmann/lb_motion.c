@@ -18,7 +18,7 @@ enum { APART = 40 };
 /* V = M^-1 sum f */
 static fw_vec2 velocity_of(const lb_solid *lb, int l)
 {
-    return fw_sym2_apply(lb_get(&lb->inverse, l), lb_psi(lb, l));
+    return fw_sym2_apply(lb_inverse_of(lb, l), lb_psi(lb, l));
 }
 
 static fw_vec2 position_of(const lb_solid *lb, int l)
@@ -92,7 +92,7 @@ static void motions_by_stretches(const lb_solid *lb, int first, int count, const
 void lb_motions(const fw_solid *solid, int first, int count, const fw_motions *out)
 {
     const lb_solid *lb = (const lb_solid *)solid;
-    if (!lb->displaced || lb->resting || lb->inverse.xy)
+    if (!lb->displaced || lb->resting || lb->matrix)
         motions_one_by_one(lb, first, count, out);
     else
         motions_by_stretches(lb, first, count, out);
@@ -117,7 +117,7 @@ static fw_vec2 moment_one_by_one(const lb_solid *lb, fw_vec2 base)
     fw_vec2 sum = {0, 0};
     for (int l = 0; l < lb->head.count; ++l) {
         const fw_vec2 from = fw_vec2_subtract(position_of(lb, l), base);
-        sum = fw_vec2_add(sum, fw_sym2_apply(lb_get(&lb->mass, l), from));
+        sum = fw_vec2_add(sum, fw_sym2_apply(lb_mass_of(lb, l), from));
     }
     return sum;
 }
@@ -150,7 +150,7 @@ fw_vec2 lb_centre_of_mass(const fw_solid *solid)
 {
     const lb_solid *lb = (const lb_solid *)solid;
     const fw_vec2 base = position_of(lb, 0);
-    const bool plain = lb->displaced && !lb->mass.xy;
+    const bool plain = lb->displaced && !lb->matrix;
     const fw_vec2 sum = plain ? moment_by_stretches(lb, base) : moment_one_by_one(lb, base);
     return fw_vec2_add(base, fw_sym2_apply(fw_sym2_invert(lb_mass(solid)), sum));
 }

@@ -74,7 +74,7 @@ static edge_sums sums_of_boundary(const lb_solid *lb)
     edge_sums sums = {{0, 0}, 0, 0};
     for (int n = 0; n < lb->head.boundary_count; ++n) {
         const int l = lb->head.boundary[n], place = form->grid.place[l];
-        const fw_sym2 inverse = lb_get(&lb->inverse, l);
+        const fw_sym2 inverse = lb_inverse_of(lb, l);
         sums.velocity = fw_vec2_add(sums.velocity, velocity_of(lb, place));
         sums.lightest = fmax(sums.lightest, fmax(inverse.xx, inverse.yy) + fabs(inverse.xy));
         sums.farthest = fmax(sums.farthest, fmax(fabs(form->x[lb->parity][place]),

@@ -120,6 +120,8 @@ static void choose_kernels(lb_solid *lb, const fw_lb_solid_def *def)
     }
     lb->displaced = def->form == FW_LB_DISPLACEMENTS && !lb->weighted && !isfinite(def->break_at) &&
                     lb_grid_pays(def->sites);
+    lb->counted = lb->displaced && !def->rest_masses && !lb->matrix;
+    lb->rest_square = fw_sym2_square(def->rest_mass).xx;
 }
 
 static fw_status allocate(lb_solid *lb, fw_error *error)
@@ -131,8 +133,10 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
         FW_ARENA_ADD(arena, lb->slot_x[d], count);
         FW_ARENA_ADD(arena, lb->slot_y[d], count);
     }
-    lb_add_matrices(arena, &lb->inverse, count, lb->matrix);
-    lb_add_matrices(arena, &lb->mass, count, lb->matrix);
+    if (!lb->counted) {
+        lb_add_matrices(arena, &lb->inverse, count, lb->matrix);
+        lb_add_matrices(arena, &lb->mass, count, lb->matrix);
+    }
     if (lb->resting) lb_add_matrices(arena, &lb->rest_mass, count, lb->matrix);
     if (lb->resting && !lb->displaced) {
         FW_ARENA_ADD(arena, lb->rest_x, count);
@@ -140,8 +144,10 @@ static fw_status allocate(lb_solid *lb, fw_error *error)
     }
     for (int d = FW_EAST; d <= FW_NORTH && lb->weighted; ++d)
         lb_add_matrices(arena, &lb->stiffness[d], count, lb->matrix);
-    for (int d = 0; d < FW_DIRECTIONS; ++d) FW_ARENA_ADD(arena, lb->neighbour[d], count);
+    FW_ARENA_ADD(arena, lb->north, count);
+    FW_ARENA_ADD(arena, lb->south, count);
     FW_ARENA_ADD(arena, lb->present, count);
+    if (isfinite(lb->break_at)) FW_ARENA_ADD(arena, lb->built, count);
     FW_ARENA_ADD(arena, lb->edge, count);
     FW_ARENA_ADD(arena, lb->sums, 1);
     if (!lb->displaced) {
@@ -183,15 +189,33 @@ static bool is_same(fw_sym2 a, fw_sym2 b)
     return a.xx == b.xx && a.xy == b.xy && a.yy == b.yy;
 }
 
-static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error)
+static void put_rest_and_stiffness(lb_solid *lb, const fw_lb_solid_def *def)
 {
-    fw_sym2 before = {0, 0, 0}, inverse = {0, 0, 0}; /* of the site before, mostly the same */
     for (int l = 0; l < lb->head.count; ++l) {
         if (lb->resting) lb_put(&lb->rest_mass, l, rest_mass_of(def, l));
         if (lb->weighted)
             for (int d = FW_EAST; d <= FW_NORTH; ++d)
                 lb_put(&lb->stiffness[d], l, stiffness_of(def, l, d));
     }
+}
+
+/* No two sites with the same links differ. */
+static fw_status check_counted(const lb_solid *lb, const fw_sites *sites, fw_error *error)
+{
+    bool checked[LB_ALL_LINKS + 1] = {0};
+    for (int l = 0; l < lb->head.count; ++l) {
+        if (checked[lb->present[l]]) continue;
+        FW_TRY(check_mass(lb_mass_of(lb, l), sites->site[l], error));
+        checked[lb->present[l]] = true;
+    }
+    return FW_OK;
+}
+
+static fw_status weigh(lb_solid *lb, const fw_lb_solid_def *def, fw_error *error)
+{
+    fw_sym2 before = {0, 0, 0}, inverse = {0, 0, 0}; /* of the site before, mostly the same */
+    if (lb->resting || lb->weighted) put_rest_and_stiffness(lb, def);
+    if (lb->counted) return check_counted(lb, def->sites, error);
     for (int l = 0; l < lb->head.count; ++l) {
         fw_sym2 sum = fw_sym2_square(rest_mass_of(def, l));
         for (int d = 0; d < FW_DIRECTIONS; ++d)
@@ -236,8 +260,8 @@ static void start(lb_solid *lb, const fw_lb_solid_def *def)
             continue;
         }
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            int m = lb->neighbour[d][l];
-            if (m < 0) continue;
+            if (!(lb->present[l] & (1u << d))) continue;
+            const int m = lb_neighbour(lb, l, d);
             fw_vec2 um = def->displacement ? def->displacement[m] : zero;
             fw_vec2 vm = def->velocity ? def->velocity[m] : def->drift;
             lb->slot_x[d][l] = 0.5 * (um.x - u.x) + 0.25 * (velocity.x + vm.x);
@@ -293,7 +317,7 @@ static void masses(const fw_solid *solid, double *out)
 {
     const lb_solid *lb = (const lb_solid *)solid;
     for (int l = 0; l < solid->count; ++l) {
-        fw_sym2 m = lb_get(&lb->mass, l);
+        fw_sym2 m = lb_mass_of(lb, l);
         out[l] = 0.5 * (m.xx + m.yy);
     }
 }

@@ -82,16 +82,20 @@ typedef struct lb_solid {
     bool matrix;     /* some M0 or kappa is a matrix */
     bool weighted;   /* some kappa is not 1 */
     bool displaced;  /* kept by its displacements: no slots, no rest fields */
+    bool counted;    /* then: M0 is the same number everywhere, so that masses follow from how many
+                        links there are, and have no arrays */
     int parity;      /* 0: fields in their own particle's slots; 1: in the neighbours' */
     int broken;      /* links broken since creation */
     double *slot_x[FW_DIRECTIONS], *slot_y[FW_DIRECTIONS];
-    double *rest_x, *rest_y; /* f_0 */
-    matrices inverse, mass, rest_mass;
-    matrices stiffness[2]; /* of the links to the east and north; only if weighted */
-    int *neighbour[FW_DIRECTIONS];
-    uint8_t *present;            /* bit d: the link in direction d exists */
-    uint8_t *edge;               /* a corner beside a row above or below was never there */
-    fw_vec2 step[FW_DIRECTIONS]; /* Delta0 of the links */
+    double *rest_x, *rest_y;           /* f_0 */
+    matrices inverse, mass, rest_mass; /* the first two unless counted */
+    double rest_square;                /* M0^2, if counted */
+    matrices stiffness[2];             /* of the links to the east and north; only if weighted */
+    int *north, *south;                /* where there is such a link: see lb_neighbour() */
+    uint8_t *present;                  /* bit d: the link in direction d exists */
+    uint8_t *built;                    /* what was there at first; NULL: links do not break */
+    uint8_t *edge;                     /* a corner beside a row above or below was never there */
+    fw_vec2 step[FW_DIRECTIONS];       /* Delta0 of the links */
     span *spans;
     int *chunk_span; /* first span of each chunk, and their number */
     int chunk_count;
@@ -115,11 +119,47 @@ static inline void lb_put(matrices *m, int l, fw_sym2 value)
     }
 }
 
+/* Who is at the other end of an existing link. Particles of a row follow each other. */
+static inline int lb_neighbour(const lb_solid *lb, int l, int direction)
+{
+    switch (direction) {
+    case FW_EAST:
+        return l + 1;
+    case FW_WEST:
+        return l - 1;
+    case FW_NORTH:
+        return lb->north[l];
+    default:
+        return lb->south[l];
+    }
+}
+
+/* (M0^2 + number of links)/2, added up as where stiffnesses differ (Eq 4). */
+static inline double lb_counted_mass(double rest_square, unsigned present)
+{
+    double sum = rest_square;
+    for (int d = 0; d < FW_DIRECTIONS; ++d)
+        if (present & (1u << d)) sum += 1;
+    return 0.5 * sum;
+}
+
+static inline fw_sym2 lb_mass_of(const lb_solid *lb, int l)
+{
+    if (!lb->counted) return lb_get(&lb->mass, l);
+    return fw_sym2_scalar(lb_counted_mass(lb->rest_square, lb->present[l]));
+}
+
+static inline fw_sym2 lb_inverse_of(const lb_solid *lb, int l)
+{
+    if (!lb->counted) return lb_get(&lb->inverse, l);
+    return fw_sym2_invert(lb_mass_of(lb, l));
+}
+
 /* kappa of an existing link. */
 static inline fw_sym2 lb_stiffness(const lb_solid *lb, int l, int direction)
 {
     if (!lb->weighted) return fw_sym2_scalar(1);
-    int owner = direction <= FW_NORTH ? l : lb->neighbour[direction][l];
+    int owner = direction <= FW_NORTH ? l : lb_neighbour(lb, l, direction);
     return lb_get(&lb->stiffness[direction % 2], owner);
 }
 
@@ -130,7 +170,7 @@ typedef struct slot_place {
 static inline slot_place lb_slot(const lb_solid *lb, int l, int direction)
 {
     if (lb->parity == 0) return (slot_place){&lb->slot_x[direction][l], &lb->slot_y[direction][l]};
-    int opposite = fw_opposite(direction), m = lb->neighbour[direction][l];
+    int opposite = fw_opposite(direction), m = lb_neighbour(lb, l, direction);
     return (slot_place){&lb->slot_x[opposite][m], &lb->slot_y[opposite][m]};
 }
 
@@ -147,7 +187,7 @@ static inline fw_vec2 lb_half_difference(const lb_solid *lb, int m, int l)
 /* f_{d+2}(l), of an existing link. */
 static inline fw_vec2 lb_field(const lb_solid *lb, int l, int direction)
 {
-    if (lb->displaced) return lb_half_difference(lb, lb->neighbour[direction][l], l);
+    if (lb->displaced) return lb_half_difference(lb, lb_neighbour(lb, l, direction), l);
     slot_place slot = lb_slot(lb, l, direction);
     return (fw_vec2){*slot.x, *slot.y};
 }

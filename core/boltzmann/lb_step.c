@@ -185,7 +185,7 @@ static fw_prediction predict_one(const lb_solid *lb, int l)
         if (!(lb->present[l] & (1u << d))) continue;
         fw_vec2 mean =
             fw_vec2_scale(0.5, fw_vec2_add(lb_field(lb, l, d),
-                                           lb_field(lb, lb->neighbour[d][l], fw_opposite(d))));
+                                           lb_field(lb, lb_neighbour(lb, l, d), fw_opposite(d))));
         momentum = fw_vec2_add(momentum, fw_sym2_apply(lb_stiffness(lb, l, d), mean));
     }
     if (lb->resting)

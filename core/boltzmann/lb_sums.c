@@ -18,7 +18,7 @@ static void add_energies(const lb_solid *lb, int l, fw_energies *sum)
     for (int d = FW_EAST; d <= FW_NORTH; ++d) {
         if (!(lb->present[l] & (1u << d))) continue;
         const fw_vec2 here = lb_field(lb, l, d);
-        const fw_vec2 there = lb_field(lb, lb->neighbour[d][l], fw_opposite(d));
+        const fw_vec2 there = lb_field(lb, lb_neighbour(lb, l, d), fw_opposite(d));
         const fw_vec2 stretch = fw_vec2_subtract(here, there), both = fw_vec2_add(here, there);
         const fw_sym2 kappa = lb_stiffness(lb, l, d);
         sum->elastic += 0.5 * fw_sym2_form(stretch, kappa, stretch);
@@ -121,7 +121,7 @@ fw_vec2 lb_momentum(const fw_solid *solid)
 static fw_sym2 summed_mass(const lb_solid *lb)
 {
     fw_sym2 sum = {0, 0, 0};
-    for (int l = 0; l < lb->head.count; ++l) sum = fw_sym2_add(sum, lb_get(&lb->mass, l));
+    for (int l = 0; l < lb->head.count; ++l) sum = fw_sym2_add(sum, lb_mass_of(lb, l));
     return sum;
 }
 

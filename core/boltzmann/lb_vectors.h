@@ -4,6 +4,7 @@
 #ifndef FW_LB_VECTORS_H
 #define FW_LB_VECTORS_H
 
+#include "core/lattice.h"
 #include "core/solid.h"
 #include "core/vectors.h"
 
@@ -18,6 +19,14 @@ FW_INLINE symmetric load_symmetric(const double *xx, const double *xy, const dou
     symmetric m = {.xx = fw_load(xx + l)};
     if (matrix) m.xy = fw_load(xy + l), m.yy = fw_load(yy + l);
     return m;
+}
+
+/* (M0^2 + number of links)/2 of the places of a block: of each direction a bit for each place. */
+FW_INLINE fw_vector counted_mass(double rest_square, const uint8_t *links, int part)
+{
+    fw_vector sum = fw_splat(rest_square);
+    for (int d = 0; d < FW_DIRECTIONS; ++d) sum += fw_keep(fw_mask_of(links[d], part), fw_splat(1));
+    return 0.5 * sum;
 }
 
 FW_INLINE fw_vector_pair times(symmetric m, fw_vector_pair v, bool matrix)

@@ -24,7 +24,7 @@ static fw_solid *unplaced(fw_lb_form form, const fw_sites *sites, int kind)
 static fw_vec2 velocity_of(const fw_solid *solid, int l)
 {
     const lb_solid *lb = (const lb_solid *)solid;
-    return fw_sym2_apply(lb_get(&lb->inverse, l), lb_psi(lb, l));
+    return fw_sym2_apply(lb_inverse_of(lb, l), lb_psi(lb, l));
 }
 
 /* What lies around the numbers that were asked for is not touched. */
