@@ -186,9 +186,14 @@ fw_vec2 fw_linear_lattice_home(const fw_solid *solid, int particle)
 
 double fw_linear_lattice_time_step_limit(double k1, double k2, double mass)
 {
-    /* The highest frequency is at the middle of the zone's edge or at its corner. */
-    const double middle = 8 * k1 + fmax(6 * k2, 2 * k2), corner = 9 * k1 + 4.5 * k2;
-    return 2 / sqrt(fmax(middle, corner) / mass);
+    /* With s = sin^2(c q . e/2) of the three bonds, the larger m omega^2 is
+     *     a sum s + b |sum s e^(2 i theta)|,   a = 4 k1 + 2 k2,   b = 2 |k2|,
+     * and largest from the zone's corner to the middle of its edge, s = (x, x, 4x(1 - x)) with x
+     * from 3/4 to 1: where x = (6 a - 3 b)/(8 a - 8 b), if that comes before the middle. */
+    const double a = 4 * k1 + 2 * k2, b = 2 * fabs(k2);
+    const double corner = 2.25 * a, middle = 2 * a + b;
+    const double fastest = 5 * b < 2 * a ? corner + 9. / 16 * b * b / (a - b) : middle;
+    return 2 / sqrt(fastest / mass);
 }
 
 /* Waves must not grow, and no body may: with surface forces each triangle is a body of its own,

@@ -215,6 +215,37 @@ static void free_sides_contract_by_lame_only_if_compensated(void **state)
     assert_close(lame, 10. / 190, 0.005);
 }
 
+/* The dynamical matrix of an endless lattice knows the fastest wave. With a = 4 k1 + 2 k2 and b =
+ * 2 |k2| it has m omega^2 = 2 a + b at the middle of the zone's edge, or 9/4 a + 9/16 b^2/(a - b)
+ * near the zone's corner, where 5 b < 2 a. */
+static void time_step_ends_at_the_fastest_wave(void **state)
+{
+    (void)state;
+    enum { PARTS = 300 };
+    const struct {
+        double k1, k2, fastest;
+    } cases[] = {{10, 50, 380}, {10, 0, 90},      {10, 1, 94.55625}, {10, -2, 81.28125},
+                 {10, -8, 64},  {1.5, 1, 18.375}, {3, 4, 48}};
+    fw_linear_lattice_def def = fw_linear_lattice_def_default();
+    def.mass = 1.7;
+    for (size_t n = 0; n < sizeof cases / sizeof *cases; ++n) {
+        double fastest = 0;
+        def.k1 = cases[n].k1;
+        def.k2 = cases[n].k2;
+        for (int i = 0; i <= PARTS; ++i)
+            for (int j = 0; j <= PARTS; ++j) {
+                const fw_vec2 wave = {4 * FW_PI / 3 * i / PARTS, 2 * FW_PI / ROOT_3 * j / PARTS};
+                const fw_sym2 d = fw_linear_lattice_dynamical_matrix(&def, wave);
+                fastest = fmax(fastest, (d.xx + d.yy) / 2 + hypot((d.xx - d.yy) / 2, d.xy));
+            }
+        /* The grid has the middle and the corner, and is coarse by (1/300)^2 beside them. */
+        assert_close(1.7 * fastest / cases[n].fastest, 1, 2e-5);
+        assert_true(1.7 * fastest <= cases[n].fastest * (1 + 1e-14));
+        assert_close(fw_linear_lattice_time_step_limit(def.k1, def.k2, 1.7),
+                     2 / sqrt(cases[n].fastest / 1.7), 1e-14);
+    }
+}
+
 static void impossible_lattices_are_refused(void **state)
 {
     (void)state;
@@ -285,6 +316,7 @@ int main(void)
         cmocka_unit_test(waves_run_alike_in_all_directions),
         cmocka_unit_test(rows_shear_with_the_corrected_modulus),
         cmocka_unit_test(free_sides_contract_by_lame_only_if_compensated),
+        cmocka_unit_test(time_step_ends_at_the_fastest_wave),
         cmocka_unit_test(impossible_lattices_are_refused),
         cmocka_unit_test(free_bodies_of_allowed_lattices_last),
     };
