@@ -302,6 +302,57 @@ static void constant_force_obeys_newton(void **state)
     fw_sites_clear(&sites);
 }
 
+/* Cells have a quarter each, those at an edge less, and altogether the body's mass. */
+static void cells_share_the_mass(void **state)
+{
+    (void)state;
+    fw_sites sites = ragged();
+    fw_elastic_automaton_def def = def_of(&sites, 1, 0.9);
+    fw_solid *solid = made(&def);
+    double *mass = malloc((size_t)sites.count * sizeof *mass), sum = 0;
+    solid->model->masses(solid, mass);
+    for (int p = 0; p < sites.count; ++p) {
+        assert_true(mass[p] > 0 && mass[p] <= 0.25 + 1e-15);
+        sum += mass[p];
+    }
+    const fw_sym2 whole = solid->model->mass(solid);
+    assert_close(sum, (whole.xx + whole.yy) / 2, 1e-13);
+    assert_close(mass[fw_sites_find(&sites, (fw_site){2, 5})], 0.25, 1e-15);
+    free(mass);
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+}
+
+/* Pulled at its four sides, a damped body comes to rest: no cell has a velocity then, although
+ * forces act on it. */
+static void loaded_body_that_rests_has_no_velocities(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 6, ROWS = 5 };
+    double vx[COLUMNS * ROWS], vy[COLUMNS * ROWS];
+    fw_sites sites = rectangle(COLUMNS, ROWS);
+    fw_elastic_automaton_def def = def_of(&sites, 0.4, 0.5);
+    def.reflection = 0.6;
+    fw_solid *solid = made(&def);
+    solid->loaded = true;
+    for (int p = 0; p < solid->count; ++p) {
+        const fw_site s = sites.site[p];
+        solid->external_x[p] = s.i == 0 ? -0.01 : s.i == COLUMNS - 1 ? 0.01 : 0;
+        solid->external_y[p] = s.j == 0 ? -0.02 : s.j == ROWS - 1 ? 0.02 : 0;
+    }
+    for (int tick = 0; tick < 8000; ++tick) advance_free(solid);
+    solid->model->velocities(solid, vx, vy);
+    for (int p = 0; p < solid->count; ++p) {
+        const fw_site s = sites.site[p];
+        assert_close(vx[p], 0, 1e-13);
+        assert_close(vy[p], 0, 1e-13);
+        if (s.j == 0) assert_true(fw_elastic_automaton_displacement(solid, p).y < -0.001);
+        if (s.j == ROWS - 1) assert_true(fw_elastic_automaton_displacement(solid, p).y > 0.001);
+    }
+    fw_solid_destroy(solid);
+    fw_sites_clear(&sites);
+}
+
 static void chopards_automaton_is_the_lb_solid(void **state)
 {
     (void)state;
@@ -375,6 +426,8 @@ int main(void)
         cmocka_unit_test(held_particle_stays_where_it_is_to_the_last_bit),
         cmocka_unit_test(ledger_of_loads_and_damping_closes),
         cmocka_unit_test(constant_force_obeys_newton),
+        cmocka_unit_test(cells_share_the_mass),
+        cmocka_unit_test(loaded_body_that_rests_has_no_velocities),
         cmocka_unit_test(chopards_automaton_is_the_lb_solid),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -56,6 +56,9 @@ static void check_scenario(const char *text)
     check_exported(folder, "");
     export_everything(folder, " --every 2");
     check_exported(folder, " 2");
+    /* Of six frames the first and the fifth, of four only the first. */
+    export_everything(folder, " --every 4");
+    check_exported(folder, " 4");
     remove_folder(folder);
     skip_unseen();
 }

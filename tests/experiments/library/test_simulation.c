@@ -132,6 +132,8 @@ static void what_is_handed_out_shows_the_present(void **state)
     const fw_body_view right = fw_simulation_body(simulation, 1);
     const double *vx, *vy, *again, *order;
     const double before = right.x[3];
+    assert_close(right.x[4], 9.5, 1e-15); /* the second row begins */
+    assert_close(right.y[4], sqrt(3) / 2, 1e-15);
     assert_int_equal(fw_simulation_find_body(simulation, "right"), 1);
     assert_int_equal(fw_simulation_find_body(simulation, "wrong"), -1);
     assert_fine(fw_simulation_velocities(simulation, 1, &vx, &vy, &error));

@@ -96,12 +96,13 @@ static void forces_are_those_of_the_last_step(void **state)
 }
 
 /* A chain and a gas without forces that were recorded: arrows of the chain's links alone, at both
- * ends of each that is longer than at rest; a link from the stiff site to the others is stiff. */
+ * ends of each that is longer than at rest; a link from the stiff sites to others is stiff, between
+ * them not. */
 static void look_at_links(const void *plan)
 {
     const fw_figure_forces_plan *forces = plan;
     const fw_figure_forces_panel *chain = &forces->panels[0], *gas = &forces->panels[1];
-    static const double stiffness[] = {1, 5, 5, 1}, from[] = {0, 1, 2, 3};
+    static const double stiffness[] = {1, 5, 1, 5}, from[] = {0, 1, 2, 3};
     assert_int_equal(gas->force_count, 0);
     assert_int_equal(chain->force_count, 8);
     for (int k = 0; k < 8; k += 2) {
@@ -131,7 +132,7 @@ static void forces_of_links_need_no_record(void **state)
         "    material: felt\n"
         "    shape: {rectangle: [5, 1]}\n"
         "    displacement: [{random: 0.1}]\n"
-        "    link-stiffness: [{sites: [[2, 0]], links: across, value: 5}]\n"
+        "    link-stiffness: [{sites: [[2, 0], [3, 0]], links: across, value: 5}]\n"
         "  gas: {material: gas, lattice: hexagonal, origin: [0, 9], shape: {rectangle: "
         "[3, 3]}}\n"
         "dynamics: {time-step: 1}\n"

@@ -61,6 +61,28 @@ static void what_differs_is_named(void **state)
     skip_unseen();
 }
 
+/* Of several differences the first is named, and the largest, wherever that is. */
+static void the_first_difference_is_named_and_the_largest(void **state)
+{
+    (void)state;
+    static const char *const changes[] = {"3 1e-9", "5 1e-6", "7 1e-8"};
+    char folder[64], arguments[128];
+    int status = 0;
+    make_result(folder);
+    for (int n = 0; n < 3 && status == 0; ++n) {
+        snprintf(arguments, sizeof arguments, "%s/out/trajectory.h5 %s", folder, changes[n]);
+        status = run_python("changed.py", arguments);
+    }
+    if (status == 0) {
+        const outcome seen = run_program(folder, "rerun out --no-plot --quiet");
+        expect_end(&seen, 1, "");
+        assert_non_null(
+            strstr(seen.out, "position differs from frame 3 (step 6) on, by up to 1e-06"));
+    }
+    remove_folder(folder);
+    skip_unseen();
+}
+
 /* The same motion, recorded otherwise. */
 static void what_is_only_in_one_is_named(void **state)
 {
@@ -116,6 +138,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_result_gives_itself_again),
         cmocka_unit_test(what_differs_is_named),
+        cmocka_unit_test(the_first_difference_is_named_and_the_largest),
         cmocka_unit_test(what_is_only_in_one_is_named),
         cmocka_unit_test(rerun_refuses_what_it_cannot_do),
     };

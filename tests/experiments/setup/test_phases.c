@@ -170,6 +170,30 @@ static void phase_changes_single_numbers(void **state)
         }
 }
 
+/* A piston on which only its damping acts keeps exp(-damping t) of its velocity. A phase says
+ * another number, 0 too, or nothing: then it is the piston's own. */
+static void phase_changes_the_damping_of_a_piston(void **state)
+{
+    (void)state;
+    static const char *const settings[SETTINGS] = {
+        "walls.stamp.piston={mass: 9, damping: 0.1, velocity: [0, 2]}",
+        "phases.first.pistons={stamp: {damping: 0}}", "phases.last.pistons={stamp: {damping: 3}}"};
+    static const double damping[] = {0, 0.1, 3};
+    fw_experiment *experiment;
+    fw_scenario *scenario;
+    double expected = 2;
+    assert_fine(create(&experiment, &scenario, settings));
+    for (int s = 0; s < LAST; ++s) {
+        assert_fine(fw_experiment_step(experiment, &error));
+        const fw_piston_ledger *ledger =
+            fw_piston_observe_ledger(fw_scene_observe_piston(experiment->scene, 0));
+        expected *= exp(-damping[s / FIRST] * step);
+        assert_close(ledger->velocity.y, expected, 1e-13);
+        assert_close(ledger->heat, 0.5 * 9 * (4 - expected * expected), 1e-12);
+    }
+    release(experiment, scenario);
+}
+
 /* A path is one thing: that of the phase takes the place of the own one, window and all. A phase
  * may let go what has a path, and hold what has forces, without taking back what is not its own. */
 static void phase_changes_a_path_as_a_whole(void **state)
@@ -301,6 +325,7 @@ int main(void)
         cmocka_unit_test(time_counts_from_the_run_or_a_phase),
         cmocka_unit_test(path_counts_from_a_phase),
         cmocka_unit_test(phase_changes_single_numbers),
+        cmocka_unit_test(phase_changes_the_damping_of_a_piston),
         cmocka_unit_test(phase_changes_a_path_as_a_whole),
         cmocka_unit_test(what_does_not_go_together_is_refused),
         cmocka_unit_test(jump_of_a_force_is_warned_of),

@@ -75,6 +75,21 @@ static void known_threshold_is_found_to_its_tolerance(void **state)
         run_program(folder, "verify flight.yaml -q --set 'study.sweep.parameters.v={from: 1, to: "
                             "0.01, tolerance: 0.001, spacing: logarithmic}'");
     expect_end(&seen, 0, "");
+    /* Every middle is the geometric one, and has the sign of both. */
+    seen = run_program(folder,
+                       "run flight.yaml -q --no-plot -o it --overwrite --set expect.1.crosses=13 "
+                       "--set expect.1.value=0.247 --set 'study.sweep.parameters.v={from: 0.01, "
+                       "to: 1, tolerance: 0.2, spacing: logarithmic}'");
+    expect_end(&seen, 0, "");
+    shell(folder, "test \"$(ls -d it/v=* | tr '\\n' ' ')\" = 'it/v=0.01 it/v=0.1 "
+                  "it/v=0.177827941 it/v=0.316227766 it/v=1 '");
+    seen = run_program(folder,
+                       "run flight.yaml -q --no-plot -o it --overwrite --set expect.1.crosses=-3 "
+                       "--set expect.1.value=-0.55 --set expect.1.within=0.01 --set "
+                       "'study.sweep.parameters.v={from: -1, to: -0.01, tolerance: 0.92, spacing: "
+                       "logarithmic}'");
+    expect_end(&seen, 0, "");
+    shell(folder, "test -d it/v=-0.1");
     /* What is written over it leaves nothing behind. */
     seen = run_program(folder, "run flight.yaml -q --no-plot -o it --overwrite --set "
                                "study.sweep.parameters.v.tolerance=0.2 --set expect.1.within=0.1");
