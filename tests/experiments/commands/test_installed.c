@@ -49,6 +49,9 @@ static void everything_is_in_its_place(void **state)
           "done; done");
     /* A scenario of the catalogue runs from where it lies. */
     shell(folder, "bin/fretwork check share/fretwork/catalogue/free-particle.yaml > /dev/null");
+    /* The program writes its manual page and its completion, and says the same of itself today. */
+    shell(folder, "bin/fretwork manual-page | cmp - share/man/man1/fretwork.1 && "
+                  "bin/fretwork completion | cmp - share/bash-completion/completions/fretwork");
     /* The version is the same everywhere. */
     shell(folder, "v=$(bin/fretwork --version | cut -d' ' -f2); "
                   "grep -q \"^version: $v\" share/doc/fretwork/CITATION.cff && "
