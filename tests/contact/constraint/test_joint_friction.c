@@ -322,6 +322,61 @@ static void what_is_held_along_a_face_has_not_broken_loose(void **state)
     }
 }
 
+/* A point over the first quarter of a segment rubs the end that is near by more: by 1 - p and p,
+ * with p where it is on the way in the middle of the step. */
+static void a_nearer_end_is_rubbed_by_more(void **state)
+{
+    (void)state;
+    problem p = {0};
+    const fw_vec2 at[] = {{1, 0.05}, {0, 0}, {4, 0}}, free[] = {{0.3, -0.2}, {0, 0}, {0, 0}};
+    fw_vec2 middle[3];
+    for (int n = 0; n < 3; ++n) {
+        add_end(&p, at[n], free[n], 1);
+        p.ends[n].mobility = fw_sym2_scalar(0.5);
+    }
+    p.rows[p.row_count++] = (fw_joint_row){
+        .kind = FW_JOINT_SEGMENT, .end = {0, 1, 2}, .rub = {.coefficient = 0.3}, .fresh = true};
+    solve(&p);
+    assert_int_equal(p.outcome.unconverged, 0);
+    for (int n = 0; n < 3; ++n)
+        middle[n] = fw_vec2_add(at[n], fw_vec2_scale(0.5, p.ends[n].displacement));
+    const fw_vec2 edge = fw_vec2_subtract(middle[2], middle[1]);
+    const double length = hypot(edge.x, edge.y);
+    const double part =
+        fw_vec2_dot(edge, fw_vec2_subtract(middle[0], middle[1])) / (length * length);
+    const double expected[] = {1, part - 1, -part};
+    assert_true(part > 0.2 && part < 0.35 && p.rows[0].rub.traction < 0);
+    for (int n = 0; n < 3; ++n) {
+        assert_true(fabs(p.rows[0].rub.weight[n].x - expected[n] * edge.x / length) < 1e-9);
+        assert_true(fabs(p.rows[0].rub.weight[n].y - expected[n] * edge.y / length) < 1e-9);
+    }
+}
+
+/* A particle that falls by .1 on a wall which moves along itself by .05: it is taken along by half
+ * of .3 times its reaction .1, on one of these sides as on the other; by a wall at rest it is not.
+ */
+static void a_wall_takes_along_what_lies_on_it(void **state)
+{
+    (void)state;
+    for (int way = -1; way <= 1; ++way) {
+        problem p = {0};
+        add_end(&p, (fw_vec2){0, 0}, (fw_vec2){0, -0.1}, 1);
+        p.ends[0].inertial = (fw_vec2){0, -0.1};
+        p.ends[0].mobility = fw_sym2_scalar(1);
+        p.rows[p.row_count++] = (fw_joint_row){.kind = FW_JOINT_PLANE,
+                                               .end = {0, -1},
+                                               .normal = {0, 1},
+                                               .motion = {0.05 * way, 0},
+                                               .rub = {.coefficient = 0.3},
+                                               .fresh = true};
+        solve(&p);
+        assert_true(fabs(p.rows[0].lambda - 0.1) < 1e-14);
+        assert_true(fabs(p.ends[0].displacement.x - 0.015 * way) < 1e-14);
+        assert_true(fabs(p.ends[0].displacement.y) < 1e-14);
+        assert_true(fabs(fabs(p.rows[0].rub.slip) - 0.035 * abs(way)) < 1e-14);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -330,6 +385,8 @@ int main(void)
         cmocka_unit_test(friction_that_only_holds_is_kept),
         cmocka_unit_test(what_cannot_all_stick_slides),
         cmocka_unit_test(what_is_held_along_a_face_has_not_broken_loose),
+        cmocka_unit_test(a_nearer_end_is_rubbed_by_more),
+        cmocka_unit_test(a_wall_takes_along_what_lies_on_it),
         cmocka_unit_test(contradictions_of_what_sticks_press_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
