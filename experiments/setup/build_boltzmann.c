@@ -183,7 +183,7 @@ static fw_status print_limits(FILE *out, const fw_start *start, int *warnings, f
 }
 
 const fw_solid_kind fw_boltzmann_solid = {.model = &fw_lb_solid_model,
-                                          .bytes_per_particle = 300,
+                                          .bytes_per_particle = 265,
                                           .fastest = FW_LB_FASTEST,
                                           .build = build,
                                           .print_limits = print_limits};
