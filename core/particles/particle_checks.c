@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* particle_checks.c - which solids of movable lattice particles are refused, and with what
  * sentence. Keeps no state. Start reading at fw_particles_check(). */
+#include "linear_lattice.h"
 #include "particle_forces.h"
 
 #include <math.h>
@@ -56,15 +57,14 @@ static fw_status check_groups(const fw_particles_def *def, fw_error *error)
     return FW_OK;
 }
 
-/* 2/omega for the highest frequency of a hexagonal crystal of such bonds. That of the linear
- * lattice (Popov & Filippov Eq 2) is, in the middle of the zone's edge, (8 k1 + 6 k2)/m, and at its
- * corner (9 k1 + 9/2 k2)/m; here k1 = n f0/r0 and k2 = U'' - k1. */
+/* 2/omega for the highest frequency of a hexagonal crystal of such bonds: that of the linear
+ * lattice (Popov & Filippov Eq 2) with k1 = n f0/r0 and k2 = U'' - k1. */
 double fw_particles_longest_time_step(const fw_pair_potential *potential, double strength,
                                       const fw_return_force *force, double mass)
 {
     const double radial = strength * fw_pair_potential_stiffness(potential);
     const double transverse = force->fold * force->amplitude / force->distance;
-    return 2 / sqrt(fmax(6 * radial + 2 * transverse, 4.5 * (radial + transverse)) / mass);
+    return fw_linear_lattice_time_step_limit(transverse, radial - transverse, mass);
 }
 
 double fw_particles_time_step_limit(const fw_particles_def *def)

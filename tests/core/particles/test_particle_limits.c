@@ -4,6 +4,7 @@
 #include "tests/support/laws.h"
 
 #include "core/particles/particles.h"
+#include "tests/support/crowd.h"
 
 #include <string.h>
 
@@ -80,6 +81,32 @@ static void an_overlap_shortens_the_time_step(void **state)
     }
 }
 
+/* Rows that shake along themselves, each against the next, are the fastest wave of a crystal that
+ * only return forces keep: m omega^2 = 6 n f0/r0. */
+static void return_forces_limit_the_time_step(void **state)
+{
+    (void)state;
+    enum { SIDE = 9, MIDDLE = SIDE * (SIDE / 2) + SIDE / 2 };
+    const double amplitude = 2, shake = 1e-6, fastest = 6 * (6 * amplitude);
+    fw_crowd crowd = crowd_rectangle(SIDE, SIDE, (fw_vec2){0, 0}, 1, 0, 1);
+    for (int i = 0; i < crowd.count; ++i) crowd.at[i].x += i / SIDE % 2 ? -shake : shake;
+    fw_particle_group_def group = fw_particle_group_def_default();
+    group.count = crowd.count;
+    group.positions = crowd.at;
+    group.strength = 0;
+    group.return_force = return_force_of(6, amplitude, FW_AXES_LAB, FW_RETURN_CONSERVATIVE);
+    fw_particles_def def = fw_particles_def_default();
+    def.groups = &group;
+    def.group_count = 1;
+    fw_solid *solid;
+    fw_error error;
+    assert_int_equal(fw_particles_create(&solid, &def, &error), FW_OK);
+    assert_close(((const fw_langevin *)solid)->force_x[MIDDLE] / (-fastest * shake), 1, 1e-5);
+    assert_close(fw_particles_time_step_limit(&def), 2 / sqrt(fastest), 1e-14);
+    fw_solid_destroy(solid);
+    free(crowd.at);
+}
+
 /* At 10 T above the well U'' is 2 m/dt^2: for Lennard-Jones and dt = .005 that is 18.86. */
 static void a_bath_too_hot_is_refused(void **state)
 {
@@ -112,6 +139,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(curvature_is_the_slope_of_the_force),
         cmocka_unit_test(an_overlap_shortens_the_time_step),
+        cmocka_unit_test(return_forces_limit_the_time_step),
         cmocka_unit_test(a_bath_too_hot_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
