@@ -272,6 +272,19 @@ static void a_thrown_grip_stops_after_its_way(void **state)
     }
 }
 
+/* Pulled by two thirds of what friction bears, it stays where it is, but for rounding. */
+static void a_grip_pulled_inside_the_cone_does_not_creep(void **state)
+{
+    (void)state;
+    fw_scene *scene = dragged(true, .3, pressed(.04, -.2), (fw_vec2){0, 0});
+    run(scene, 1000);
+    const double place = grip_ledger(scene, 0)->displacement.x;
+    run(scene, 2000);
+    assert_close(grip_ledger(scene, 0)->displacement.x, place, 1e-11);
+    assert_ledger_closes(scene, 1e-12);
+    fw_scene_destroy(scene);
+}
+
 static void assert_stops_before(fw_scene *scene, const char *sentence)
 {
     begin(scene);
@@ -358,6 +371,7 @@ int main(void)
         cmocka_unit_test(two_pressed_grips_bear_each_other),
         cmocka_unit_test(a_carried_grip_rubs_what_it_is_pressed_on),
         cmocka_unit_test(a_thrown_grip_stops_after_its_way),
+        cmocka_unit_test(a_grip_pulled_inside_the_cone_does_not_creep),
         cmocka_unit_test(what_cannot_give_way_stops_the_run_before_it_passes),
         cmocka_unit_test(it_goes_on_elsewhere),
     };
