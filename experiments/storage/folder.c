@@ -104,7 +104,10 @@ fw_status fw_folder_create(fw_folder **folder, const char *path, fw_error *error
     size_t made;
     *folder = NULL;
     FW_TRY(make(path, &made, error));
-    FW_TRY(fw_folder_open(folder, path, error));
+    const fw_status status = fw_folder_open(folder, path, error);
+    /* Where another run has it now it is no longer ours to remove. */
+    if (status == FW_SYSTEM_FAILED) remove_folders(path, made);
+    FW_TRY(status);
     (*folder)->made = made;
     if (access(path, W_OK | X_OK) == 0) return FW_OK;
     fw_fail(error, FW_SYSTEM_FAILED, "cannot write into the folder %s: %s", path, strerror(errno));

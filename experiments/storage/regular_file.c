@@ -58,9 +58,12 @@ fw_status fw_regular_file_open(int *descriptor, const char *path, bool writable,
         return fw_fail(error, missing ? FW_BAD_INPUT : FW_SYSTEM_FAILED, "cannot open %s: %s", path,
                        strerror(reason));
     }
-    if (fstat(*descriptor, &facts) == 0 && S_ISREG(facts.st_mode)) return FW_OK;
+    const int reason = fstat(*descriptor, &facts) < 0 ? errno : 0;
+    if (reason == 0 && S_ISREG(facts.st_mode)) return FW_OK;
     close(*descriptor);
     *descriptor = -1;
+    if (reason != 0)
+        return fw_fail(error, FW_SYSTEM_FAILED, "cannot open %s: %s", path, strerror(reason));
     return fw_fail(error, FW_BAD_INPUT, "%s is not a file", path);
 }
 
@@ -82,7 +85,9 @@ fw_status fw_regular_file_read(char **bytes, size_t *size, const char *path, siz
     *size = 0;
     FW_TRY(fw_regular_file_open(&descriptor, path, false, error));
     fw_status status = FW_OK;
-    if (fstat(descriptor, &facts) == 0 && (size_t)facts.st_size > most)
+    if (fstat(descriptor, &facts) < 0)
+        status = fw_fail(error, FW_SYSTEM_FAILED, "cannot read %s: %s", path, strerror(errno));
+    else if ((size_t)facts.st_size > most)
         status = fw_fail(error, FW_BAD_INPUT, "%s has %lld bytes, expected at most %zu", path,
                          (long long)facts.st_size, most);
     if (status == FW_OK) *bytes = malloc((size_t)facts.st_size + 1);

@@ -142,6 +142,8 @@ static fw_status read_stream(FILE *stream, const char *path, const char *kind,
     uint64_t checksum = fw_checksum_add(FW_CHECKSUM_OF_NOTHING, &start, sizeof start);
     if (!whole || fw_checksum_add(checksum, bytes, start.size) != seal) {
         free(bytes);
+        if (!whole && !ferror(stream))
+            return fw_fail(error, FW_BAD_INPUT, "%s became shorter while it was read", path);
         if (!whole)
             return fw_fail(error, FW_SYSTEM_FAILED, "cannot read %s: %s", path, strerror(errno));
         return fw_fail(error, FW_BAD_INPUT, "%s is damaged: its checksum does not match", path);

@@ -71,9 +71,10 @@ static fw_status look(fw_run *run, fw_error *error)
     run->warning.out = open_memstream(&lines, &size);
     if (!run->warning.out) return fw_fail_memory(error, "warnings");
     fw_status status = fw_warning_look(&run->warning, run->experiment, error);
-    fclose(run->warning.out);
+    if (fclose(run->warning.out) != 0 && status == FW_OK)
+        status = fw_fail_memory(error, "warnings");
     run->warning.out = NULL;
-    if (run->options.warnings) fputs(lines, run->options.warnings);
+    if (run->options.warnings && lines) fputs(lines, run->options.warnings);
     if (status == FW_OK && run->recorder)
         status = fw_recorder_add_warnings(run->recorder, lines, warned(run), error);
     free(lines);
