@@ -90,12 +90,21 @@ void fw_sweep_destroy(fw_sweep *sweep)
 
 /* --- its folder --- */
 
+/* *folder is NULL where nothing of that name is there. */
+static fw_status visit(fw_folder **folder, const char *path, fw_error *error)
+{
+    fw_error own;
+    if (fw_folder_visit(folder, path, &own) != FW_SYSTEM_FAILED) return FW_OK;
+    *error = own;
+    return FW_SYSTEM_FAILED;
+}
+
 /* An earlier result goes, or is kept: then nothing begins. */
 static fw_status clear_folder(const char *path, bool overwrite, fw_error *error)
 {
     fw_folder *folder;
-    fw_error ignored;
-    if (fw_folder_visit(&folder, path, &ignored) != FW_OK) return FW_OK;
+    FW_TRY(visit(&folder, path, error));
+    if (!folder) return FW_OK;
     fw_status status = FW_OK;
     if (fw_trajectory_is_in(folder))
         status =
@@ -121,9 +130,9 @@ static fw_status refuse_held(const fw_sweep *sweep, fw_error *error)
     char path[FW_PATH_SIZE];
     for (int n = 0; n < sweep->case_count; ++n) {
         fw_folder *folder;
-        fw_error ignored;
         FW_TRY(fw_path_join(path, sweep->options.directory, sweep->cases[n].name, error));
-        if (fw_folder_visit(&folder, path, &ignored) != FW_OK) continue;
+        FW_TRY(visit(&folder, path, error));
+        if (!folder) continue;
         const bool result = fw_trajectory_is_in(folder);
         fw_folder_close(folder);
         if (!result) continue;
