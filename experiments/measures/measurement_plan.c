@@ -294,21 +294,9 @@ static fw_status add_expected(request *r, int number)
     const fw_quantity *quantity;
     fw_subject subject;
     FW_TRY(fw_subject_find_quantity(r->observer, e->quantity, &quantity, r->error));
-    if (strchr(e->quantity.text, '.'))
-        return fw_scenario_fail(scenario, e->quantity.place, r->error,
-                                "the expectation of '%s' names more than a quantity, expected the "
-                                "keys body, wall, grip, site or component for the rest",
-                                e->quantity.text);
     if (quantity->scope == FW_SCOPE_STUDY) return add_outcome(r, number, quantity);
     FW_TRY(choose_subject(r, e, quantity, &subject));
     FW_TRY(choose_component(r, e, quantity, &r->measurement->component[number]));
-    if (e->has_at && (e->at > scenario->run.steps || !fw_measurement_is_due(scenario, e->at)))
-        return fw_scenario_fail(scenario, e->place, r->error,
-                                "%s is expected after %lld steps, but it is measured every %lld "
-                                "of %lld steps",
-                                quantity->name, (long long)e->at,
-                                (long long)scenario->run.measure_every,
-                                (long long)scenario->run.steps);
     r->measurement->expected[number] = add_probe(r, quantity, subject);
     return r->measurement->expected[number] < 0 ? FW_SYSTEM_FAILED : FW_OK;
 }

@@ -24,6 +24,7 @@ const fw_renamed_quantity fw_renamed_quantities[] = {
     {"noise-heat", "thermostat-heat"},
     {"piston-way", "piston-path-length"},
     {"twin-error", "reference-error"},
+    {"unrest", "rest-residual"},
     {"wave-way", "wave-path"},
     {NULL, NULL}};
 

@@ -167,9 +167,10 @@ static void wave_modulus(const fw_experiment *experiment, fw_subject subject, do
     for (int c = 0; c < 2; ++c) out[c] *= mass / cell * out[c];
 }
 
+/* Of all bodies or of none: it is NaN where one of them has no speed. */
 static void anisotropy(const fw_experiment *experiment, fw_subject subject, double *out)
 {
-    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
+    double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, sum[2] = {0, 0};
     (void)subject;
     for (int b = 0; b < experiment->body_count; ++b) {
         double speed[2];
@@ -177,9 +178,11 @@ static void anisotropy(const fw_experiment *experiment, fw_subject subject, doub
         for (int c = 0; c < 2; ++c) {
             low[c] = fmin(low[c], speed[c]);
             high[c] = fmax(high[c], speed[c]);
+            sum[c] += speed[c];
         }
     }
-    for (int c = 0; c < 2; ++c) out[c] = 2 * (high[c] - low[c]) / (high[c] + low[c]);
+    for (int c = 0; c < 2; ++c)
+        out[c] = isnan(sum[c]) ? NAN : 2 * (high[c] - low[c]) / (high[c] + low[c]);
 }
 
 /* clang-format off */
