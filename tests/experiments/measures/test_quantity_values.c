@@ -152,13 +152,13 @@ static double complex_size(double real, double imaginary)
     return hypot(real, imaginary);
 }
 
-/* A wave a cos(k . s) of which b cos(k . s + 90 degrees) comes on top: it carries a + i b. */
+/* With a cos(k . s + 30 degrees) comes b cos(k . s + 120 degrees): of the first it is 1 + i b/a. */
 static void the_first_wave_is_what_turns(void **state)
 {
     (void)state;
-    begin(
-        PERIODIC("{wave: {amplitude: [.1, 0], wave-vector: [0.7853981633974483, 0]}}, "
-                 "{wave: {amplitude: [.05, 0], wave-vector: [0.7853981633974483, 0], phase: 90}}"));
+    begin(PERIODIC(
+        "{wave: {amplitude: [.1, 0], wave-vector: [0.7853981633974483, 0], phase: 30}}, "
+        "{wave: {amplitude: [.05, 0], wave-vector: [0.7853981633974483, 0], phase: 120}}"));
     assert_close(value_of("wave-turn", 0, NULL), atan(.5), 1e-12);
     assert_close(value_of("wave-path", 0, NULL), atan(.5) * 2 / (FW_PI / 4), 1e-12);
     assert_close(value_of("wave-size", 0, NULL), complex_size(1, .5), 1e-12);
