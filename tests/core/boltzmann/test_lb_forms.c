@@ -123,12 +123,6 @@ static void both_forms_predict_the_same(void **state)
     for (int step = 0; step < 20; ++step) {
         push_at_random(both.populations, &seed);
         push_at_random(both.displacements, &again);
-        if (step == 199) {
-            double z = 0;
-            for (int l = 0; l < SITES; l++)
-                z = fmax(z, apart(fw_solid_position(both.populations, l), both.start[l]));
-            fprintf(stderr, "u %g\n", z);
-        }
         fw_prediction a[SITES], b[SITES];
         int all[SITES];
         for (int l = 0; l < SITES; ++l) all[l] = l;
