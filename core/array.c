@@ -8,7 +8,7 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-enum { ALIGNMENT = 64, BLOCK = 1024, ABREAST = 4, LARGE_PAGE = 1 << 21 };
+enum { ALIGNMENT = 64, ABREAST = 4, BLOCK = FW_SUM_RUN / ABREAST, LARGE_PAGE = 1 << 21 };
 
 void fw_state_list_add(fw_state_list *list, const char *name, fw_element element, size_t count,
                        void *data)
@@ -98,7 +98,11 @@ static void sum_blocks(const double *values, double sums[ABREAST])
 
 double fw_array_sum(const double *values, size_t count)
 {
-    double total = 0;
+    return fw_array_sum_on(0, values, count);
+}
+
+double fw_array_sum_on(double total, const double *values, size_t count)
+{
     size_t begin = 0;
     for (; begin + ABREAST * BLOCK <= count; begin += ABREAST * BLOCK) {
         double sums[ABREAST];

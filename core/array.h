@@ -53,6 +53,10 @@ uint64_t fw_state_list_hash(const fw_state_list *list);
 
 /* Sum in a fixed order that does not depend on threads: blocks of 1024, then the blocks. */
 double fw_array_sum(const double *values, size_t count);
+/* Goes on with such a sum: what came before was FW_SUM_RUN values, or that several times. So values
+ * that are made as they are summed need no more memory than that. */
+enum { FW_SUM_RUN = 4096 };
+double fw_array_sum_on(double sum, const double *values, size_t count);
 
 FW_PUBLIC_END
 

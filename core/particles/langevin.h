@@ -30,12 +30,17 @@ typedef struct fw_langevin_controls {
     double temperature; /* kB T in units of energy */
 } fw_langevin_controls;
 
+/* Sums of what moves. */
+typedef struct fw_motion_sums {
+    double kinetic;
+    fw_vec2 momentum;
+} fw_motion_sums;
+
 /* Sums over all particles as they are now, once somebody has asked for them. */
 typedef struct fw_langevin_known {
-    bool has_energies, has_momentum, has_mass;
-    fw_energies energies;
-    fw_vec2 momentum;
-    double mass;
+    bool has_motion, has_elastic, has_mass;
+    fw_motion_sums motion;
+    double elastic, mass;
 } fw_langevin_known;
 
 struct fw_langevin {
@@ -79,6 +84,10 @@ void fw_langevin_set_controls(fw_langevin *solid, const fw_langevin_controls *co
 /* To be called where positions or velocities are about to change: what is known is of no use then.
  */
 void fw_langevin_forget(fw_langevin *solid);
+/* Sums over particles first to first + count - 1, in the order of fw_array_sum(): of their motion,
+ * and of m x. */
+fw_motion_sums fw_langevin_sum_motion(const fw_langevin *solid, int first, int count);
+fw_vec2 fw_langevin_sum_places(const fw_langevin *solid, int first, int count);
 /* The second kick of particles first to first + count - 1; for models. kick NULL: nothing. */
 void fw_langevin_kick(const struct fw_move_task *kick, int first, int count);
 

@@ -127,13 +127,13 @@ static fw_energies energies(const fw_solid *solid)
 {
     const fw_langevin *langevin = (const fw_langevin *)solid;
     fw_langevin_known *known = langevin->known;
-    if (!known->has_energies) {
-        known->energies.kinetic = fw_langevin_kinetic_energy(langevin);
+    if (!known->has_elastic) {
         fill_potential_energy(solid, langevin->scratch);
-        known->energies.elastic = fw_array_sum(langevin->scratch, (size_t)solid->count);
+        known->elastic = fw_array_sum(langevin->scratch, (size_t)solid->count);
     }
-    known->has_energies = true;
-    return known->energies;
+    known->has_elastic = true;
+    return (fw_energies){.kinetic = fw_langevin_kinetic_energy(langevin),
+                         .elastic = known->elastic};
 }
 
 static void fill_displacement_x(const fw_solid *solid, double *values)

@@ -59,13 +59,12 @@ static fw_energies energies(const fw_solid *solid)
 {
     const fw_langevin *langevin = (const fw_langevin *)solid;
     fw_langevin_known *known = langevin->known;
-    if (!known->has_energies) {
-        const double *own = fw_particles_own_energies((const fw_particles *)solid);
-        known->energies.kinetic = fw_langevin_kinetic_energy(langevin);
-        known->energies.elastic = fw_array_sum(own, (size_t)solid->count);
-    }
-    known->has_energies = true;
-    return known->energies;
+    if (!known->has_elastic)
+        known->elastic = fw_array_sum(fw_particles_own_energies((const fw_particles *)solid),
+                                      (size_t)solid->count);
+    known->has_elastic = true;
+    return (fw_energies){.kinetic = fw_langevin_kinetic_energy(langevin),
+                         .elastic = known->elastic};
 }
 
 static void state(fw_solid *solid, fw_state_list *list)

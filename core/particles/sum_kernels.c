@@ -7,9 +7,12 @@
 
 #include <stddef.h>
 
-/* What is wanted; energies alone, which are asked for most often, have a loop of their own. */
+/* What is wanted, of which pairs. Energies alone, which are asked for most often, have loops of
+ * their own, and where there is no return force nothing is asked of it. */
 typedef struct fw_wanted {
     bool energy, force, virial, lengths, stiffness;
+    fw_pair_form form;
+    bool bonds;
 } fw_wanted;
 
 typedef struct fw_lane_sums {
@@ -63,15 +66,14 @@ FW_INLINE fw_vector larger_eigenvalue(const fw_vector m[3])
     return 0.5 * (m[0] + m[2]) + fw_root(half * half + m[1] * m[1]);
 }
 
-FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted wanted, bool own,
+FW_INLINE void add_pair(const fw_pair_task *task, fw_wanted wanted, bool own,
                         const fw_pair_lanes *pair, fw_lane_sums *sums)
 {
     const double unit = own ? task->pair.inside : task->pair.across;
-    const fw_pair_terms terms =
-        fw_pair_of(&task->pair, (fw_pair_form){kind, true}, wanted.energy, pair);
+    const fw_pair_terms terms = fw_pair_of(&task->pair, wanted.form, wanted.energy, pair);
     const fw_vector push = fw_keep(terms.inside, unit * terms.push);
     fw_pull pull = {{fw_splat(0), fw_splat(0)}, fw_splat(0)};
-    if (own) {
+    if (own && wanted.bonds) {
         const fw_mask inside = fw_less_among(pair->held, pair->r2, fw_splat(task->bond.outer_2));
         if (fw_any(inside)) pull = pull_of(&task->bond, pair, inside);
     }
@@ -86,7 +88,7 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted w
         sums->length += fw_keep(bond, fw_root(square));
         sums->bonds += fw_keep(bond, fw_splat(1));
     }
-    if (wanted.stiffness) add_stiffness(&task->pair, kind, unit, pair, push, sums);
+    if (wanted.stiffness) add_stiffness(&task->pair, wanted.form.kind, unit, pair, push, sums);
     if (wanted.virial) {
         const fw_vector dx = fw_keep(pair->held, pair->dx), dy = fw_keep(pair->held, pair->dy);
         const fw_vector force_x = push * dx + pull.force.x, force_y = push * dy + pull.force.y;
@@ -97,22 +99,33 @@ FW_INLINE void add_pair(const fw_pair_task *task, fw_pair_kind kind, fw_wanted w
     }
 }
 
-FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_pair_kind kind, fw_wanted wanted,
-                                 const fw_slots *slots, const fw_slot_head *head,
-                                 const fw_own_lanes *lanes)
+FW_INLINE void add_run(const fw_pair_task *task, fw_wanted wanted, bool own, fw_slot_kind kind,
+                       const fw_slots *slots, uint32_t begin, uint32_t count,
+                       const fw_own_lanes *lanes, fw_lane_sums *sums)
+{
+    for (uint32_t s = begin; s < begin + count; ++s) {
+        const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, kind, lanes);
+        add_pair(task, wanted, own, &pair, sums);
+    }
+}
+
+FW_INLINE fw_lane_sums sum_lanes(const fw_pair_task *task, fw_wanted wanted, const fw_slots *slots,
+                                 const fw_slot_head *head, const fw_own_lanes *lanes)
 {
     fw_lane_sums sums = {.energy = fw_splat(0)};
-    uint32_t s = head->begin;
+    uint32_t begin = head->begin;
     for (int run = 0; run < FW_SLOT_RUNS; ++run) {
-        const uint32_t end = s + head->count[run];
-        const fw_slot_kind slot_kind = head->gathered[run] ? FW_GATHERED : FW_OFFSETS;
-        for (; s < end; ++s) {
-            const fw_pair_lanes pair = fw_pair_in_slot(task, slots, s, slot_kind, lanes);
-            if (run == FW_RUN_OWN)
-                add_pair(task, kind, wanted, true, &pair, &sums);
-            else
-                add_pair(task, kind, wanted, false, &pair, &sums);
-        }
+        const uint32_t count = head->count[run];
+        const bool own = run == FW_RUN_OWN;
+        if (own && head->whole)
+            add_run(task, wanted, true, FW_WHOLE, slots, begin, count, lanes, &sums);
+        else if (own)
+            add_run(task, wanted, true, head->gathered[run] ? FW_GATHERED : FW_OFFSETS, slots,
+                    begin, count, lanes, &sums);
+        else
+            add_run(task, wanted, false, head->gathered[run] ? FW_GATHERED : FW_OFFSETS, slots,
+                    begin, count, lanes, &sums);
+        begin += count;
     }
     return sums;
 }
@@ -122,53 +135,59 @@ static void store(double *to, int first, fw_mask held, fw_vector values)
     if (to) fw_store_some(to + first, held, values);
 }
 
-FW_INLINE void sum_chunk(const fw_pair_task *task, fw_pair_kind kind, fw_wanted wanted,
-                         const fw_chunk *chunk, const fw_sum_arrays *out)
+FW_INLINE void sum_chunk(const fw_pair_task *task, fw_wanted wanted, const fw_chunk *chunk,
+                         const fw_sum_arrays *out)
 {
     for (int block = 0; block < fw_chunk_blocks(chunk); ++block)
         for (int part = 0; part < FW_PARTS; ++part) {
             const int first = chunk->first + block * FW_BLOCK + part * FW_WIDTH;
             const fw_own_lanes lanes = fw_own_lanes_at(task, first, part);
             const fw_lane_sums sums =
-                sum_lanes(task, kind, wanted, &chunk->near, &chunk->near.head[block], &lanes);
+                sum_lanes(task, wanted, &chunk->near, &chunk->near.head[block], &lanes);
             const fw_mask held = fw_mask_of(fw_chunk_lanes(chunk, block), part);
-            store(out->energy, first, held, 0.5 * sums.energy);
-            store(out->return_x, first, held, sums.return_x);
-            store(out->return_y, first, held, sums.return_y);
-            store(out->bond_length, first, held, sums.length / sums.bonds);
-            store(out->stiffness, first, held, larger_eigenvalue(sums.stiffness));
-            for (int v = 0; v < 4; ++v) store(out->virial[v], first, held, sums.virial[v]);
+            if (wanted.energy) store(out->energy, first, held, 0.5 * sums.energy);
+            if (wanted.stiffness)
+                store(out->stiffness, first, held, larger_eigenvalue(sums.stiffness));
+            if (wanted.force) store(out->return_x, first, held, sums.return_x);
+            if (wanted.force) store(out->return_y, first, held, sums.return_y);
+            if (wanted.lengths) store(out->bond_length, first, held, sums.length / sums.bonds);
+            for (int v = 0; wanted.virial && v < 4; ++v)
+                store(out->virial[v], first, held, sums.virial[v]);
         }
 }
 
-FW_INLINE void sum_either(const fw_pair_task *task, fw_wanted wanted, const fw_chunk *chunk,
-                          const fw_sum_arrays *out)
-{
-    if (task->pair.kind == FW_LENNARD_JONES)
-        sum_chunk(task, FW_LENNARD_JONES, wanted, chunk, out);
-    else
-        sum_chunk(task, FW_MORSE, wanted, chunk, out);
-}
-
-static void energies(const fw_pair_task *task, const fw_chunk *chunk, double *energy)
-{
-    sum_either(task, (fw_wanted){.energy = true}, chunk, &(fw_sum_arrays){.energy = energy});
-}
-
-static void stiffnesses(const fw_pair_task *task, const fw_chunk *chunk, double *stiffness)
-{
-    sum_either(task, (fw_wanted){.stiffness = true}, chunk,
-               &(fw_sum_arrays){.stiffness = stiffness});
-}
+#define LOOP(name, kind, fades, bond, ...)                                                         \
+    static void name(const fw_pair_task *task, const fw_chunk *chunk, const fw_sum_arrays *out)    \
+    {                                                                                              \
+        sum_chunk(task, (fw_wanted){.form = {kind, fades}, .bonds = bond, __VA_ARGS__}, chunk,     \
+                  out);                                                                            \
+    }
+LOOP(energies, FW_LENNARD_JONES, true, true, .energy = true)
+LOOP(energies_plain, FW_LENNARD_JONES, true, false, .energy = true)
+LOOP(energies_end, FW_LENNARD_JONES, false, false, .energy = true)
+LOOP(energies_morse, FW_MORSE, true, true, .energy = true)
+LOOP(stiffnesses, FW_LENNARD_JONES, true, true, .stiffness = true)
+LOOP(stiffnesses_morse, FW_MORSE, true, true, .stiffness = true)
+LOOP(others, FW_LENNARD_JONES, true, true, .force = true, .virial = true, .lengths = true)
+LOOP(others_morse, FW_MORSE, true, true, .force = true, .virial = true, .lengths = true)
 
 static void sums(const fw_pair_task *task, const fw_chunk *chunk, const fw_sum_arrays *out)
 {
-    if (out->energy) energies(task, chunk, out->energy);
-    if (out->stiffness) stiffnesses(task, chunk, out->stiffness);
+    const bool jones = task->pair.kind == FW_LENNARD_JONES;
+    const bool fades = task->pair.cut.inner < task->pair.cut.outer;
+    const bool bonds = task->bond.amplitude > 0;
+    if (out->energy)
+        (!jones  ? energies_morse
+         : bonds ? energies
+         : fades ? energies_plain
+                 : energies_end)(task, chunk, &(fw_sum_arrays){.energy = out->energy});
+    if (out->stiffness)
+        (jones ? stiffnesses : stiffnesses_morse)(task, chunk,
+                                                  &(fw_sum_arrays){.stiffness = out->stiffness});
     if (!out->return_x && !out->bond_length && !out->virial[0]) return;
     fw_sum_arrays rest = *out;
     rest.energy = rest.stiffness = NULL;
-    sum_either(task, (fw_wanted){.force = true, .virial = true, .lengths = true}, chunk, &rest);
+    (jones ? others : others_morse)(task, chunk, &rest);
 }
 
 const fw_sum_kernels FW_KERNELS_HERE(fw_particle_sums) = {.sums = sums};
