@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes files that are not results, or no longer, out of a right one.
 
-foreign_files.py RIGHT FOLDER    one .h5 file for each kind of damage
+foreign_files.py RIGHT FOLDER [KIND]    one .h5 file for each kind of damage:
+  damages   that is seen when the file is opened (the default)
+  parts     of one part: the file is opened, and that part refused
+  oddities  that are none: all else is read
 """
 import shutil
 import sys
@@ -70,7 +73,48 @@ def escape_in_meaning(file):
     file[f"{PARTICLES}/strain"].attrs["meaning"] = np.bytes_("elongation\x1b[31m of the links")
 
 
+def attribute(path, name, data):
+    return lambda file: file[path].attrs.__setitem__(name, data)
+
+
+def hollow(path, shape, chunks):
+    """Claims many numbers without storing them."""
+    def damage(file):
+        del file[path]
+        file.create_dataset(path, shape, np.float64, chunks=chunks)
+    return damage
+
+
+def crowd(file):
+    """More members of a group than anybody looks at."""
+    for n in range(1100):
+        file.create_group(f"{PARTICLES}/member{n}")
+
+
+ENERGY = "parameters/series/energy"
 DAMAGES = {
+    "escape-in-unit": attribute(f"{PARTICLES}/strain", "unit", np.bytes_("\x7f")),
+    "escape-in-physical": attribute(f"{PARTICLES}/strain", "physical",
+                                    np.bytes_("\x9b31m".encode())),
+    "escape-in-unit-of-energy": attribute(f"{ENERGY}/value", "unit", np.bytes_("\x1b")),
+    "escape-in-physical-energy": attribute(f"{ENERGY}/value", "physical", np.bytes_("\x1b")),
+    "escape-in-meaning-of-energy": attribute(ENERGY, "meaning", np.bytes_("\x1b")),
+    "escape-in-time": attribute("observables", "time", np.bytes_("\x1b")),
+    "row-of-frames": new_data("parameters/frames_committed", np.full(1, 40)),
+    "row-of-seals": new_data("parameters/seal", np.zeros(1, np.int64)),
+    "seal-of-halves": new_data("parameters/seal", np.zeros((), np.float64)),
+    "seal-in-words": new_data("parameters/seal", np.bytes_("none")),
+    "species-in-words": new_data(f"{PARTICLES}/species", np.bytes_("one")),
+    "plane-species": new_data(f"{PARTICLES}/species", np.zeros((8, 1), np.int32)),
+    "species-of-halves": new_data(f"{PARTICLES}/species", np.zeros(8)),
+    "negative-species": set_value(f"{PARTICLES}/species", np.full(8, -1)),
+    "links-in-words": new_data("connectivity/links", np.bytes_("none")),
+    "links-of-halves": new_data("connectivity/links", np.zeros((5, 2))),
+    "flat-links": new_data("connectivity/links", np.zeros(10, np.int32)),
+    "position-in-words": new_data(f"{PARTICLES}/position/value", np.bytes_("none")),
+    "integral-observable": new_data(f"{ENERGY}/value", np.zeros(300, np.int32)),
+    "cubic-observable": new_data(f"{ENERGY}/value", np.zeros((300, 2, 2))),
+    "observable-without-components": new_data(f"{ENERGY}/value", np.zeros((300, 0))),
     "escape-in-body": escape_in_body,
     "escape-in-meaning": escape_in_meaning,
     "escape-in-observable": lambda file: file.move("parameters/series/energy",
@@ -114,13 +158,45 @@ DAMAGES = {
     "observable-in-words": new_data("parameters/series/energy/value", np.bytes_("none")),
 }
 
+TABLE = "parameters/analysis/map/growth"
+LIST = "parameters/profile/edges"
+PARTS = {
+    "table-of-integers": new_data(TABLE, np.zeros(3, np.int32)),
+    "table-in-words": new_data(TABLE, np.bytes_("none")),
+    "cubic-table": new_data(TABLE, np.zeros((2, 2, 2))),
+    "single-table": new_data(TABLE, np.float64(1)),
+    "hollow-table": hollow(TABLE, (100_000_000,), (1_000_000,)),
+    "long-table": hollow(TABLE, (2**31,), (1_000_000,)),
+    "wide-table": hollow(TABLE, (1, 2**31), (1, 1_000_000)),
+    "list-of-integers": new_data(LIST, np.zeros(4, np.int32)),
+    "list-in-words": new_data(LIST, np.bytes_("none")),
+    "cubic-list": new_data(LIST, np.zeros((4, 1, 1))),
+    "single-list": new_data(LIST, np.float64(1)),
+    "wide-list": new_data(LIST, np.zeros((4, 2))),
+    "short-list": new_data(LIST, np.zeros(3)),
+    "hollow-list": hollow(LIST, (100_000_000,), (1_000_000,)),
+    "long-list": hollow(LIST, (2**31,), (1_000_000,)),
+    "no-list": without(LIST),
+    "no-sample-steps": without(f"{ENERGY}/step"),
+    "sample-times-in-words": new_data(f"{ENERGY}/time", np.bytes_("none")),
+    "few-frame-times": new_data(f"{PARTICLES}/position/time", np.zeros(39)),
+    "integral-mass": new_data(f"{PARTICLES}/mass", np.zeros(8, np.int32)),
+}
+ODDITIES = {
+    "escape-in-field": lambda file: file.move(f"{PARTICLES}/strain", f"{PARTICLES}/str\x1bain"),
+    "other-letters": attribute(f"{PARTICLES}/strain", "unit",
+                               np.bytes_("\u00b5m \u00a0\u00c0".encode())),
+    "crowd": crowd,
+}
+
 if __name__ == "__main__":
-    right, folder = sys.argv[1:]
-    for name, damage in DAMAGES.items():
+    right, folder = sys.argv[1:3]
+    kinds = {"damages": DAMAGES, "parts": PARTS, "oddities": ODDITIES}
+    for name, damage in kinds[sys.argv[3] if len(sys.argv) > 3 else "damages"].items():
         path = f"{folder}/{name}.h5"
         shutil.copy(right, path)
         with h5py.File(path, "r+") as file:
             damage(file)
-            sealed = "parameters/seal" in file
+            sealed = "seal" not in name
         if sealed:
             seal(path)
