@@ -46,6 +46,13 @@ static int tell_single(const char *name, FILE *out)
 typedef fw_status (*read_vectors)(fw_playback *playback, int64_t frame, double *x, double *y,
                                   fw_error *error);
 
+static bool has_field(const fw_playback *playback, const char *name)
+{
+    for (int f = 0; f < playback->field_count; ++f)
+        if (strcmp(playback->fields[f].name, name) == 0) return true;
+    return false;
+}
+
 /* A vector in each particle: `half` numbers of x, then of y. */
 static fw_status compare_vectors(fw_playback *one, fw_playback *other, pair *p, read_vectors read,
                                  fw_error *error)
@@ -113,6 +120,10 @@ static fw_status compare_frames(fw_playback *one, fw_playback *other, FILE *out,
     }
     for (int f = 0; f < one->field_count && status == FW_OK; ++f) {
         const char *name = one->fields[f].name;
+        if (!has_field(other, name)) {
+            *differing += tell_single(name, out);
+            continue;
+        }
         status = compare_field(one, other, &p, name, error);
         if (status == FW_OK) *differing += tell(&p, name, "frame", steps, out);
     }
@@ -151,6 +162,7 @@ static fw_status compare_observable(fw_playback *one, fw_playback *other, int ob
 static fw_status compare_samples(fw_playback *one, fw_playback *other, FILE *out, int *differing,
                                  fw_error *error)
 {
+    if (one->observable_count == 0) return FW_OK;
     int64_t *steps = fw_array_allocate((size_t)one->sample_count + 1, sizeof *steps);
     fw_status status = steps ? fw_playback_read_sample_times(one, steps, NULL, error)
                              : fw_fail_memory(error, "what was measured");
