@@ -47,6 +47,7 @@ fw_status fw_threshold_table_read(fw_threshold_row **rows, int *count, const cha
     const bool memory = *rows == NULL;
     free(*rows);
     *rows = NULL;
+    *count = 0;
     if (memory) return fw_fail_memory(error, "the thresholds of a sweep");
     return fw_fail(error, FW_BAD_INPUT,
                    "%s/" FW_THRESHOLDS_FILE " does not hold the thresholds of a sweep", directory);
