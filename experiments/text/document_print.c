@@ -41,7 +41,7 @@ static bool is_lines(const fw_node *scalar)
     size_t length = scalar->length;
     if (!memchr(text, '\n', length) || text[0] == '\n' || text[0] == ' ') return false;
     if (memchr(text, '\r', length) || memchr(text, '\t', length)) return false;
-    return length < 2 || text[length - 1] != '\n' || text[length - 2] != '\n';
+    return text[length - 1] != '\n' || text[length - 2] != '\n';
 }
 
 /* Length on one line; INT_MAX where it cannot be on one line. */

@@ -45,6 +45,13 @@ static const char crystals[] =
     "study: {seeds: 2, keep: true, control: ['dynamics.temperature=0']}\n"
     "pictures: {across: {kind: profile}}\n";
 
+/* Places from files of other programs. */
+#define PLACED(name)                                                                               \
+    "title: placed\n"                                                                              \
+    "materials: {gas: {movable-particles: {strength: 0}}}\n"                                       \
+    "bodies: {cloud: {material: gas, shape: {file: " name "}}}\n"                                  \
+    "run: {steps: 1}\n"
+
 static char folder[64];
 
 static void run_it(const char *line)
@@ -60,6 +67,10 @@ static int begin(void **state)
     write_scenario(folder, "blocks.yaml", blocks);
     write_scenario(folder, "sheets.yaml", sheets);
     write_scenario(folder, "crystals.yaml", crystals);
+    write_scenario(folder, "data.yaml", PLACED("two.data"));
+    write_scenario(folder, "xyz.yaml", PLACED("two.xyz"));
+    write_scenario(folder, "two.data", "two\n2 atoms\nAtoms\n\n1 1 0 0 0\n2 1 3 0 0\n");
+    write_scenario(folder, "two.xyz", "2\n\nA 0 0 0\nA 3 0 0\n");
     run_it("run blocks.yaml -q --no-plot -o good");
     run_it("run crystals.yaml -q --no-plot -o studied");
     run_it("run sheets.yaml -q --no-plot -o swept");
@@ -153,6 +164,8 @@ static void each_command_says_that_memory_is_missing(void **state)
         {"check blocks.yaml -o x.svg", "x.svg", true, NULL},
         {"check blocks.yaml --json", NULL, true, NULL},
         {"check sheets.yaml", NULL, true, NULL},
+        {"check data.yaml --json", NULL, true, NULL},
+        {"check xyz.yaml --json", NULL, true, NULL},
         {"verify blocks.yaml -q --json x.json", "x.json", true, NULL},
         {"verify sheets.yaml -q -j 1", NULL, true, NULL},
         {"profile studied --field order", NULL, false, NULL},

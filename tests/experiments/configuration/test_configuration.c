@@ -117,6 +117,20 @@ static void each_fault_of_a_file_has_its_sentence(void **state)
          "a.xyz:2: Properties has no 'pos:R:3', the places of the particles"},
         {"a.xyz", "1\nProperties=pos:R\nCu 0 0 0\n",
          "a.xyz:2: Properties ends after 'pos', expected NAME:KIND:WIDTH"},
+        {"a.xyz", "1\n\nCu 0x 0 0\n", "a.xyz:3: x is '0x', expected a number"},
+        {"a.xyz", "1\n\nCu 0 0 1e999\n", "a.xyz:3: z is '1e999', expected a number"},
+        {"a.xyz", "1\nProperties=id:I:wide:pos:R:3\n1 0 0 0\n",
+         "a.xyz:2: Properties has no 'pos:R:3', the places of the particles"},
+        {"a.xyz", "1\nProperties=id:I:0:pos:R:3\n1 0 0 0\n",
+         "a.xyz:2: Properties has no 'pos:R:3', the places of the particles"},
+        {"a.data", "t\n0 atoms\n", "a.data:2: there are '0' particles, expected 1 to 300000"},
+        {"a.data", "t\n1 atoms\nAtomsX\n", "a.data:3: the file ends without a section 'Atoms'"},
+        {"a.data", "t\n1 atoms\nAtoms\n\none 1 0 0 0\n",
+         "a.data:5: the number of an atom is 'one', expected each of 1 to 1 once"},
+        {"a.data", "t\n1 atoms\nAtoms\n\n0 1 0 0 0\n",
+         "a.data:5: the number of an atom is '0', expected each of 1 to 1 once"},
+        {"a.data", "t\n2 atoms\nAtoms\n\n1 1 0 y 0\n2 1 0 0 0\n",
+         "a.data:5: y is 'y', expected a number"},
         {"a.data", "t\n2 atoms\n", "a.data:2: the file ends without a section 'Atoms'"},
         {"a.data", "t\nAtoms\n", "a.data:2: expected a line 'N atoms' before the atoms"},
         {"a.data", "t\n1 atoms\nAtoms # sphere\n",
@@ -144,6 +158,49 @@ static void each_fault_of_a_file_has_its_sentence(void **state)
     }
 }
 
+static void assert_sentence(const char *format)
+{
+    char sentence[256];
+    snprintf(sentence, sizeof sentence, format, folder);
+    assert_string_equal(error.sentence, sentence);
+}
+
+static void what_is_no_text_is_refused(void **state)
+{
+    (void)state;
+    static const char bytes[] = "1\n\nCu 0\0 0 0\n";
+    char path[128];
+    fw_configuration found;
+    snprintf(path, sizeof path, "%s/zero.xyz", folder);
+    FILE *out = fopen(path, "w");
+    assert_non_null(out);
+    fwrite(bytes, 1, sizeof bytes - 1, out);
+    fclose(out);
+    assert_int_equal(fw_configuration_read(&found, path, &error), FW_BAD_INPUT);
+    assert_sentence("%s/zero.xyz has a byte of 0 in it, expected a text");
+    assert_null(found.place);
+    snprintf(path, sizeof path, "%s/none.data", folder);
+    assert_int_equal(fw_configuration_read(&found, path, &error), FW_BAD_INPUT);
+    assert_sentence("cannot open %s/none.data: No such file or directory");
+    assert_null(found.place);
+}
+
+/* Neither the end of the last line nor words without a meaning are needed. */
+static void only_what_has_a_meaning_counts(void **state)
+{
+    (void)state;
+    char text[256] = "1\n\nCu 3 4 0";
+    fw_configuration found;
+    assert_int_equal(read_text(&found, "a.xyz", text), FW_OK);
+    assert_int_equal(found.count, 1);
+    assert_particle(&found, 0, 3, 4, "Cu");
+    fw_configuration_clear(&found);
+    for (int n = 0; n < 60; ++n) strcat(text, " 1");
+    assert_int_equal(read_text(&found, "a.xyz", text), FW_OK);
+    assert_particle(&found, 0, 3, 4, "Cu");
+    fw_configuration_clear(&found);
+}
+
 static int make(void **state)
 {
     (void)state;
@@ -165,6 +222,8 @@ int main(void)
         cmocka_unit_test(the_last_frame_of_plain_xyz_counts),
         cmocka_unit_test(atoms_of_lammps_are_found_in_each_style),
         cmocka_unit_test(each_fault_of_a_file_has_its_sentence),
+        cmocka_unit_test(what_is_no_text_is_refused),
+        cmocka_unit_test(only_what_has_a_meaning_counts),
     };
     return cmocka_run_group_tests(tests, make, clear);
 }
