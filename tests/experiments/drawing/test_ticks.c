@@ -174,9 +174,9 @@ static void a_trimmed_range_leaves_out_the_wild_ones(void **state)
 static void every_range_has_room_to_draw(void **state)
 {
     (void)state;
-    const fw_range wishes[] = {{INFINITY, -INFINITY}, {0, 0},           {1, 1},
-                               {-1e4, -1e4},          {1, 1 + 2.3e-16}, {-DBL_MAX, DBL_MAX},
-                               {1e-320, 1e-320},      {0, 1e-310},      {-3, 5}};
+    const fw_range wishes[] = {
+        {INFINITY, -INFINITY}, {0, 0},           {1, 1},      {-1e4, -1e4}, {1, 1 + 2.3e-16},
+        {-DBL_MAX, DBL_MAX},   {1e-320, 1e-320}, {0, 1e-310}, {-3, 5},      {1e-200, 1e200}};
     for (size_t k = 0; k < sizeof wishes / sizeof *wishes; ++k) {
         for (int logarithmic = 0; logarithmic < 2; ++logarithmic) {
             fw_range range = fw_range_roomy(wishes[k], .05, logarithmic);
@@ -189,6 +189,14 @@ static void every_range_has_room_to_draw(void **state)
             assert_in_range(ticks.count, 1, 12);
         }
     }
+}
+
+/* Four hundred powers of ten need no room beside them. */
+static void a_range_of_all_powers_is_drawn_as_it_is(void **state)
+{
+    (void)state;
+    const fw_range range = fw_range_roomy((fw_range){1e-200, 1e200}, .05, true);
+    assert_true(range.low == 1e-200 && range.high == 1e200);
 }
 
 /* What stands at a tick is its value times the factor of the label, and is round. */
@@ -221,6 +229,7 @@ int main(void)
         cmocka_unit_test(ranges_pass_over_what_is_not_finite),
         cmocka_unit_test(a_trimmed_range_leaves_out_the_wild_ones),
         cmocka_unit_test(every_range_has_room_to_draw),
+        cmocka_unit_test(a_range_of_all_powers_is_drawn_as_it_is),
         cmocka_unit_test(an_axis_shows_its_values_times_a_factor),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -75,6 +75,9 @@ static void what_is_printed_reads_back(void **state)
         "long: [aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb, "
         "cccccccccccccccccccccccccccccccccc, {d: eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee}]",
         "plain words over\n",
+        "' a': 1\n'a ': 2\n'a  b': 3\n'a b': 4\n' ': 5",
+        "a: \"\\n begins\"\nb: \"one\\ttab\\nx\"\nc: \"one\\r\\nx\"\nd: \"\\n\"\ne: \" x\\ny\"",
+        "a: |\n  one\n\n\n  two\n\n  three",
         "b: 2020-01-01\nc: '...'\nd: \"---\"\ne: a  b\nf: ' a'\ng: 'a '",
     };
     for (size_t n = 0; n < sizeof texts / sizeof texts[0]; ++n) {
@@ -91,6 +94,64 @@ static void what_is_printed_reads_back(void **state)
         fw_document_destroy(after);
         fw_document_destroy(before);
     }
+}
+
+/* As they are written: plain words without quotes, lines as lines. */
+static void texts_are_printed_as_they_are_read_best(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = {
+        {"{a b: 1, 'a  b': ' x', 'a ': x y}", "a b: 1\n\"a  b\": \" x\"\n\"a \": x y\n"},
+        {"a: \"one\\n\\ntwo\\n\"", "a: |\n  one\n\n  two\n"},
+        {"a: \"one\\ntwo\\n\\n\"", "a: \"one\\ntwo\\n\\n\"\n"},
+        {"a: \"\\none\"", "a: \"\\none\"\n"},
+        {"a: \"one\\t\\ntwo\"", "a: \"one\\t\\ntwo\"\n"},
+        {"[---, ..., -a]", "- \"---\"\n- \"...\"\n- -a\n"},
+    };
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; ++n) {
+        char text[256] = "";
+        fw_error error;
+        fw_document *document = parse(rows[n][0]);
+        FILE *out = fmemopen(text, sizeof text, "w");
+        assert_int_equal(fw_document_print(document, out, &error), FW_OK);
+        fclose(out);
+        assert_string_equal(text, rows[n][1]);
+        fw_document_destroy(document);
+    }
+}
+
+static void what_cannot_be_written_is_told(void **state)
+{
+    (void)state;
+    fw_error error;
+    fw_document *document = parse("a: 1");
+    FILE *out = fopen("/dev/full", "w");
+    assert_non_null(out);
+    setvbuf(out, NULL, _IONBF, 0);
+    assert_int_equal(fw_document_print(document, out, &error), FW_SYSTEM_FAILED);
+    assert_string_equal(error.sentence, "a.yaml cannot be written out: No space left on device");
+    fclose(out);
+    fw_document_destroy(document);
+}
+
+/* Large pieces lie apart, and what comes behind them goes on beside what came before. */
+static void memory_of_a_document_holds_what_is_put_there(void **state)
+{
+    (void)state;
+    fw_document *document = parse("- a\n");
+    assert_null(fw_node_find(fw_document_root(document), "a"));
+    assert_null(fw_document_allocate(document, SIZE_MAX / 4, 8));
+    char *before = fw_document_allocate(document, 8, 1);
+    char *large = fw_document_allocate(document, 1 << 14, 2), *empty;
+    char *behind = fw_document_allocate(document, 8, 1);
+    assert_true(before && large && behind);
+    for (size_t n = 0; n < 1 << 15; ++n) assert_int_equal(large[n], 0);
+    memset(large, 'x', 1 << 15);
+    for (int n = 0; n < 8; ++n) assert_int_equal(before[n] | behind[n], 0);
+    assert_true(behind > before && behind - before <= 64);
+    empty = fw_document_allocate(document, 0, 0);
+    assert_non_null(empty);
+    fw_document_destroy(document);
 }
 
 static const struct {
@@ -116,9 +177,12 @@ static const struct {
                          "begins in line 1)"},
     {"a: \"open\nb: 1\n", "3:1: the file ends before the closing quote (in the quoted text that "
                           "begins in line 1)"},
-    {"a: 1\n  b: 2\n", "2:4: a ':' cannot stand here; a text with ': ' in it needs quotes, and lines of one mapping begin in one column: look at the line before too"},
-    {"a: 1\nb\nc: 2\n", "3:1: a ':' with a blank behind it is missing after the key (in the key that begins in line 2)"},
-    {"a: one: two\n", "1:7: a ':' cannot stand here; a text with ': ' in it needs quotes, and lines of one mapping begin in one column: look at the line before too"},
+    {"a: 1\n  b: 2\n", "2:4: a ':' cannot stand here; a text with ': ' in it needs quotes, and "
+                       "lines of one mapping begin in one column: look at the line before too"},
+    {"a: 1\nb\nc: 2\n", "3:1: a ':' with a blank behind it is missing after the key (in the key "
+                        "that begins in line 2)"},
+    {"a: one: two\n", "1:7: a ':' cannot stand here; a text with ': ' in it needs quotes, and "
+                      "lines of one mapping begin in one column: look at the line before too"},
     {"a: 1\n\tb: 2\n",
      "2:1: a tab where blanks are needed to indent (in the text that begins in line 1)"},
     {"a: @b\n", "1:4: a value cannot begin with this character; use blanks, not tabs, to indent"},
@@ -206,6 +270,12 @@ static void files_that_cannot_be_read_are_bad_input(void **state)
                         "/nowhere/a.yaml: cannot be opened: No such file or directory");
     assert_int_equal(fw_document_load(&document, "/", &error), FW_BAD_INPUT);
     assert_string_equal(error.sentence, "/: cannot be read: Is a directory");
+    assert_int_equal(fw_document_load(&document, "/dev/null/a.yaml", &error), FW_BAD_INPUT);
+    assert_string_equal(error.sentence, "/dev/null/a.yaml: cannot be opened: Not a directory");
+    char name[300] = "/";
+    memset(name + 1, 'n', 298);
+    assert_int_equal(fw_document_load(&document, name, &error), FW_BAD_INPUT);
+    assert_non_null(strstr(error.sentence, "cannot be opened: File name too long"));
     assert_int_equal(fw_document_load(&document, "/dev/zero", &error), FW_BAD_INPUT);
     assert_string_equal(error.sentence,
                         "/dev/zero: longer than 16777216 bytes, expected a scenario");
@@ -287,6 +357,24 @@ static void whole_numbers_are_written_out(void **state)
     }
 }
 
+static void numbers_are_written_as_short_as_they_read_back(void **state)
+{
+    (void)state;
+    static const struct {
+        double value;
+        const char *text;
+    } rows[] = {{0, "0"},           {-0.0, "0"},
+                {1e15, "1e+15"},    {1e14, "100000000000000"},
+                {0.1, "0.1"},       {1. / 3, "0.3333333333333333"},
+                {5e-324, "5e-324"}, {0.1 + 0.2, "0.30000000000000004"},
+                {INFINITY, "inf"},  {NAN, "nan"}};
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; ++n) {
+        char text[FW_NUMBER_TEXT];
+        fw_number_write(text, rows[n].value);
+        assert_string_equal(text, rows[n].text);
+    }
+}
+
 static void the_locale_changes_no_number(void **state)
 {
     (void)state;
@@ -322,12 +410,16 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_node_knows_where_it_was_written),
         cmocka_unit_test(what_is_printed_reads_back),
+        cmocka_unit_test(texts_are_printed_as_they_are_read_best),
+        cmocka_unit_test(what_cannot_be_written_is_told),
+        cmocka_unit_test(memory_of_a_document_holds_what_is_put_there),
         cmocka_unit_test(what_is_not_a_tree_gets_a_sentence),
         cmocka_unit_test(line_ends_and_byte_order_mark_do_not_matter),
         cmocka_unit_test(counts_are_limited),
         cmocka_unit_test(files_that_cannot_be_read_are_bad_input),
         cmocka_unit_test(numbers_are_exact_or_refused),
         cmocka_unit_test(whole_numbers_are_written_out),
+        cmocka_unit_test(numbers_are_written_as_short_as_they_read_back),
         cmocka_unit_test(the_locale_changes_no_number),
         cmocka_unit_test(the_word_that_was_meant_is_found),
     };

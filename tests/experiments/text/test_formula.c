@@ -33,6 +33,7 @@ static void formulas_stand_for_their_values(void **state)
         /* A key, other names, and formulas without a parameter. */
         {"A.b={A: 1, AA: 2}", "A.b={A: 1, AA: 2}", false, false},
         {"a.b=[AB, A2, _A, 1e3]", "a.b=[AB, A2, _A, 1e3]", false, false},
+        {"a.b=x:y", "a.b=x:y", false, false},
         {"a.A", "a.A", false, false},
         {"a.b={A:\tA}", "a.b={A:\t2.5}", true, false},
         {"a.b=A:", "a.b=A:", false, false},
@@ -64,6 +65,7 @@ static void wrong_formulas_get_their_sentence(void **state)
         {"24**m", "the formula '24**m' cannot be read from its character 4 on, '*m'"},
         {"m*", "the formula 'm*' ends where more is expected"},
         {"sqrt(m", "the formula 'sqrt(m' cannot be read to its end"},
+        {"m$2", "the formula 'm$2' cannot be read from its character 2 on, '$2'"},
         {"m)", "the formula 'm)' cannot be read from its character 2 on, ')'"},
         {"m=3", "the formula 'm=3' has a single '=', expected none"},
         {"=m", "the formula '=m' has a single '=', expected none"},
@@ -87,6 +89,26 @@ static void wrong_formulas_get_their_sentence(void **state)
                    "has 1001 bytes, expected at most 1000");
 }
 
+/* An exponent has digits; an e without them is a name. */
+static void exponents_are_no_names(void **state)
+{
+    (void)state;
+    static const fw_variable variables[] = {{"e", 1}, {"E", 2}, {"e3", 3}, {"m", 4}};
+    static const struct {
+        const char *text;
+        int number; /* of the first variable that is named, or -1 */
+        size_t end;
+    } rows[] = {{"2e3", -1, 3}, {"2e+3*m", 3, 6}, {"2e-3", -1, 4}, {"2e", 0, 2},
+                {"2e+", 0, 2},  {"2E-m", 1, 2},   {"2e*m", 0, 2},  {".5e3m", 3, 5},
+                {"e3", 2, 2},   {"2.e3", -1, 4},  {"2*me+m", 3, 6}};
+    for (size_t n = 0; n < sizeof rows / sizeof *rows; ++n) {
+        size_t end = 99;
+        assert_int_equal(fw_formula_find(rows[n].text, strlen(rows[n].text), 0, variables, 4, &end),
+                         rows[n].number);
+        assert_int_equal(end, rows[n].end);
+    }
+}
+
 static void names_of_formulas_are_taken(void **state)
 {
     static const char *const fine[] = {"A", "p", "M0", "k_1", "e", "x", "pie", "Sin"};
@@ -104,6 +126,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(formulas_stand_for_their_values),
         cmocka_unit_test(wrong_formulas_get_their_sentence),
+        cmocka_unit_test(exponents_are_no_names),
         cmocka_unit_test(names_of_formulas_are_taken),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

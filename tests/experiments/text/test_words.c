@@ -107,6 +107,9 @@ static void quotes_are_cut_between_characters(void **state)
         assert_null(fw_text_check(quote.text, length).what);
         assert_string_equal(quote.text + length - 3, "...");
     }
+    /* No character begins anywhere. */
+    memset(text, '\x80', 100);
+    assert_string_equal(fw_text_quote(text, 100).text, "...");
 }
 
 static void lines_are_whole(void **state)
