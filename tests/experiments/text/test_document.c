@@ -189,6 +189,7 @@ static const struct {
     {"a:\n  - 1\n b: 2\n", "3:2: a key was expected here; is the line indented like the others? "
                            "(in the indented mapping that begins in line 1)"},
     {"a: \"\\0\"\n", "1:4: the text holds a control character (hexadecimal 00), expected none"},
+    {"\"a\\0b\": 1\n", "1:1: the text holds a control character (hexadecimal 00), expected none"},
     {"a: \x01\n", "1:4: a control character (hexadecimal 01), expected plain text in UTF-8"},
     {"a: \xFF\xFE\n", "1:4: a byte that is not UTF-8 text (hexadecimal FF), expected plain text in "
                       "UTF-8"},
@@ -258,6 +259,15 @@ static void counts_are_limited(void **state)
     assert_int_equal(fw_document_parse(&document, "a.yaml", text, length, &error), FW_BAD_INPUT);
     assert_string_equal(error.sentence, "a.yaml:1:1: 16777217 bytes, expected at most 16777216");
     free(text);
+}
+
+/* Whoever wants no sentence gets the status. */
+static void a_sentence_need_not_be_wanted(void **state)
+{
+    (void)state;
+    fw_document *document = parse("a: 1");
+    assert_int_equal(fw_document_fail(document, (fw_place){1, 1, 0}, NULL, "wrong"), FW_BAD_INPUT);
+    fw_document_destroy(document);
 }
 
 static void files_that_cannot_be_read_are_bad_input(void **state)
@@ -416,6 +426,7 @@ int main(void)
         cmocka_unit_test(what_is_not_a_tree_gets_a_sentence),
         cmocka_unit_test(line_ends_and_byte_order_mark_do_not_matter),
         cmocka_unit_test(counts_are_limited),
+        cmocka_unit_test(a_sentence_need_not_be_wanted),
         cmocka_unit_test(files_that_cannot_be_read_are_bad_input),
         cmocka_unit_test(numbers_are_exact_or_refused),
         cmocka_unit_test(whole_numbers_are_written_out),
