@@ -4,9 +4,20 @@
 #include "band.h"
 
 #include <math.h>
+#include <stddef.h>
 
 /* Rounds in which all lines may change, and all rounds. Most problems settle in a few. */
 enum { ROUNDS_AT_ONCE = 30, ROUNDS = 480 };
+
+/* Added to the diagonal of lines whose every end is shared by many, as of a grip on a piston: their
+ * band is empty, and all that they have is in the columns. What a correction leaves of an error is
+ * rounding over this, or this over the columns: least where both are the root of rounding. */
+#define EMPTY 1e-8
+
+static double shift_of(const joint_band *p, int line)
+{
+    return p->band[(size_t)line * (size_t)p->width] == 0 ? EMPTY : 0;
+}
 
 /* Which lines are at a limit is found by taking all that go beyond it to it, and back all that
  * would leave it; one at a time where that does not end. */
@@ -44,7 +55,7 @@ bool joint_solve_box(joint_system *system, const double *limit, int bandwidth, d
     joint_band_fill(&p, system);
     for (int round = 0; round < ROUNDS && !settled; ++round) {
         for (int n = 0; n < p.count; ++n) {
-            barrier[n] = state[n] == 0 ? 0 : JOINT_HELD_OFF;
+            barrier[n] = state[n] == 0 ? shift_of(&p, n) : JOINT_HELD_OFF;
             p.lambda[n] = state[n] * limit[n] / p.scale[n];
         }
         joint_band_factorise(&p, barrier);

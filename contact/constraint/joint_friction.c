@@ -10,8 +10,10 @@
 /* A slip below this part of how far the ends go does not let a particle break loose that has come
  * to its limit. */
 #define SLIPS 1e-9
-/* What is left of a slip, as a part of how far the ends go, means nothing below this. */
+/* What is left of a slip, as a part of how far the ends go, means nothing below this; and of that
+ * of one row at its limit, which moves with all that stick. */
 #define ROUNDING 1e-13
+#define FEEDS    1e-12
 
 bool joint_rubs(const fw_joint_row *rows, const int *list, int count)
 {
@@ -287,7 +289,7 @@ bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *
 }
 
 /* Of what slides; for all that stick together see find_tractions(). What is left of a slip by
- * rounding means nothing. */
+ * rounding means nothing: where all ends rest, they would go far without forces. */
 bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
 {
     bool any = false;
@@ -296,7 +298,7 @@ bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *
         fw_joint_rub *rub = &rows[list[n]].rub;
         if (!(rub->coefficient > 0) || rub->stuck) continue;
         if (rub->traction * rub->slip <=
-            1e-12 * fabs(rub->traction) * size_of(ends, &rows[list[n]]))
+            FEEDS * fabs(rub->traction) * span_of(ends, &rows[list[n]]))
             continue;
         if (rub->firm)
             rub->barred = true;
