@@ -140,7 +140,8 @@ static void bodies_move_in_the_same_ticks(void **state)
 static void each_particle_has_one_grip_and_each_grip_a_name(void **state)
 {
     (void)state;
-    static const int first[] = {0}, second[] = {1, 2}, back[] = {4, 3}, twice[] = {3, 3};
+    static const int first[] = {70}, both[] = {5, 70}, second[] = {1, 2}, back[] = {4, 3},
+                     twice[] = {3, 3};
     fw_scene *scene = empty_scene(100);
     add_sheet(scene, 9, 9, (fw_vec2){0, 0}, 1, 1);
     int body;
@@ -148,7 +149,11 @@ static void each_particle_has_one_grip_and_each_grip_a_name(void **state)
     assert_fine(fw_scene_add_grip(scene, 0, &def, &error));
     def.name = "other";
     assert_refused(fw_scene_add_grip(scene, 0, &def, &error), FW_BAD_INPUT,
-                   "grip other holds particle 0 of body sheet, which another grip holds already");
+                   "grip other holds particle 70 of body sheet, which another grip holds already");
+    def.particles = both;
+    def.particle_count = 2;
+    assert_refused(fw_scene_add_grip(scene, 0, &def, &error), FW_BAD_INPUT,
+                   "grip other holds particle 70 of body sheet, which another grip holds already");
     def.particles = second;
     def.particle_count = 0;
     assert_refused(fw_scene_add_grip(scene, 0, &def, &error), FW_BAD_INPUT,
