@@ -92,6 +92,37 @@ static void a_result_is_listed_as_text(void **state)
     }
 }
 
+/* Each body by its own name, with its own particles; links: 7 and 4. */
+static void check_tells_bodies_apart(void **state)
+{
+    (void)state;
+    static const char sizes[] = "flight: two sheets\n"
+                                "  bodies         2\n"
+                                "                 6 particles, one\n"
+                                "                 4 particles, two\n"
+                                "  particles      10\n"
+                                "  links          11\n"
+                                "  walls          0\n"
+                                "  steps          6\n"
+                                "  frames         3\n"
+                                "  samples        7 of 2 numbers\n";
+    outcome seen = run_program(folder, "check flight.yaml");
+    expect_end(&seen, 0, "");
+    assert_true(strncmp(seen.out, sizes, strlen(sizes)) == 0);
+    seen = run_program(folder, "check flight.yaml --json");
+    expect_end(&seen, 0, "");
+    assert_non_null(strstr(seen.out, "\"bodies\": [\n"
+                                     "    {\n"
+                                     "      \"name\": \"one\",\n"
+                                     "      \"particles\": 6\n"
+                                     "    },\n"
+                                     "    {\n"
+                                     "      \"name\": \"two\",\n"
+                                     "      \"particles\": 4\n"
+                                     "    }\n"
+                                     "  ],\n"));
+}
+
 /* clang-format off */
 static const struct {
     const char *line;
@@ -178,6 +209,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_result_is_listed_as_text),
+        cmocka_unit_test(check_tells_bodies_apart),
         cmocka_unit_test(every_folder_gets_what_it_asks_for),
         cmocka_unit_test(commands_with_threads_begin_anew_to_wait_asleep),
         cmocka_unit_test(unknown_instructions_are_refused),

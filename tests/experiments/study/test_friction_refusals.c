@@ -13,6 +13,8 @@ static void mistakes_are_refused(void **state)
         const char *setting, *sentence;
     } rows[] = {
         {"grips.more={body: left, sites: left}", "which grip 'left' holds already"},
+        {"grips.more={body: right, sites: {rows: [5, 5], columns: [4, 4]}}",
+         "grip 'more' holds site [4, 5] of body 'right', which grip 'right' holds already"},
         {"grips.left.sites={rows: [90, 91]}", "rows are [90, 91]"},
         {"phases.drive.until=400", "phases out of order: 'drive' ends at step 400"},
         {"phases.sample.until=2400", "phases out of order: 'sample' ends at step 2400"},
