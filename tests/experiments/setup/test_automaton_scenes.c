@@ -288,6 +288,26 @@ static void tables_read_back_as_they_were_computed(void **state)
     remove_folder(folder);
 }
 
+/* Waves along no axis and no diagonal; the frequency over the whole length of the wave vector. */
+static void a_mode_has_the_speed_of_the_closed_form(void **state)
+{
+    (void)state;
+    static const fw_vec2 waves[] = {{0.3, 0.1}, {-0.2, 0.5}, {0, 0.4}};
+    fw_scenario *s = read_right(
+        HEAD "{c1: 0.5, c2: 1, boundary: periodic}" BODY "}\nrun: {steps: 2}\nanalysis:\n  one: "
+             "{plane-mode: {material: m, wave-vector: [0.3, 0.1]}}\n  two: {plane-mode: {material: "
+             "m, wave-vector: [-0.2, 0.5]}}\n  up: {plane-mode: {material: m, wave-vector: "
+             "[0, 0.4]}}\n");
+    fw_run *run;
+    assert_fine(fw_run_begin(&run, s, &(fw_run_options){.threads = 1}, &error));
+    for (int a = 0; a < 3; ++a)
+        for (int m = 0; m < FW_MODES; ++m)
+            assert_close(fw_run_observer(run)->analyses[a]->mode.speed[m],
+                         fw_automaton_phase_speed(automaton_of(s)->speeds, waves[a], m), 1e-12);
+    fw_run_destroy(run);
+    fw_scenario_destroy(s);
+}
+
 static void threads_do_not_change_an_analysis(void **state)
 {
     (void)state;
@@ -356,6 +376,7 @@ int main(void)
         cmocka_unit_test(displaced_body_starts_at_rest),
         cmocka_unit_test(torn_bar_counts_its_bonds),
         cmocka_unit_test(tables_read_back_as_they_were_computed),
+        cmocka_unit_test(a_mode_has_the_speed_of_the_closed_form),
         cmocka_unit_test(threads_do_not_change_an_analysis),
         cmocka_unit_test(catalogue_shows_what_it_must),
     };
