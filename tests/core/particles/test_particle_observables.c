@@ -178,6 +178,51 @@ static void order_tells_axes(void **state)
     }
 }
 
+/* A hexagon of 12 bonds across its axes, and 4 x 3 squares of 17 bonds turned by 15 degrees from
+ * theirs. */
+static void each_body_has_its_own_symmetry_and_axes(void **state)
+{
+    (void)state;
+    const double degree = FW_PI / 180, angles[] = {7 * degree, -20 * degree};
+    const int folds[] = {6, 4};
+    fw_sites sites;
+    assert_int_equal(fw_sites_rectangle(&sites, 4, 3, NULL), FW_OK);
+    const fw_lattice square = {FW_SQUARE, 1, angles[1] + 15 * degree, {20, 0}};
+    const fw_crowd crowds[] = {crowd_disc(1, (fw_vec2){0, 0}, angles[0] + 30 * degree, 0, 1),
+                               crowd_of(sites, square, 0, 1)};
+    fw_particle_group_def groups[2];
+    for (int g = 0; g < 2; ++g) {
+        groups[g] = fw_particle_group_def_default();
+        groups[g].name = g == 0 ? "hexagon" : "squares";
+        groups[g].count = crowds[g].count;
+        groups[g].positions = crowds[g].at;
+        groups[g].return_force = return_force_of(folds[g], 1, FW_AXES_LAB, FW_RETURN_CONSERVATIVE);
+        groups[g].return_force.angle = angles[g];
+    }
+    fw_particles_def def = fw_particles_def_default();
+    def.groups = groups;
+    def.group_count = 2;
+    fw_solid *solid;
+    assert_int_equal(fw_particles_create(&solid, &def, NULL), FW_OK);
+    const double lab[] = {-1, 0.5, (24 * -1 + 34 * 0.5) / 58};
+    const double coordination[] = {24. / 7, 34. / 12, 58. / 19};
+    for (int n = 0; n < 3; ++n) {
+        const fw_particle_order order = fw_particle_order_of(solid, n < 2 ? n : -1);
+        assert_close(order.lab, lab[n], 1e-12);
+        assert_close(order.local, 1, 1e-12);
+        assert_close(order.coordination, coordination[n], 1e-12);
+    }
+    double values[2][19];
+    fw_solid_find_field(solid, "lab-order")->fill(solid, values[0]);
+    fw_solid_find_field(solid, "local-order")->fill(solid, values[1]);
+    for (int i = 0; i < 19; ++i) {
+        assert_close(values[0][i], lab[i >= 7], 1e-12);
+        assert_close(values[1][i], 1, 1e-12);
+    }
+    for (int g = 0; g < 2; ++g) free(crowds[g].at);
+    fw_solid_destroy(solid);
+}
+
 static void crystals_have_bragg_peaks(void **state)
 {
     (void)state;
@@ -313,6 +358,7 @@ int main(void)
         cmocka_unit_test(motion_is_measured_beside_its_drift),
         cmocka_unit_test(order_is_of_those_that_are_bonded),
         cmocka_unit_test(order_tells_axes),
+        cmocka_unit_test(each_body_has_its_own_symmetry_and_axes),
         cmocka_unit_test(crystals_have_bragg_peaks),
         cmocka_unit_test(a_crystal_that_is_turned_or_stretched_a_little_is_found),
         cmocka_unit_test(pair_correlation_counts_neighbours),
