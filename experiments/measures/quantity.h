@@ -50,7 +50,7 @@ typedef struct fw_quantity {
     const char *meaning;
     const char *model; /* only of bodies of these models (analyses of this kind), names with blanks
                         * between; NULL: of any */
-    /* NULL for what comes out of a study. */
+    /* NULL for what comes out of a study. Without memory the numbers are NaN. */
     void (*measure)(const fw_experiment *experiment, fw_subject subject, double *out);
     /* When there is none to measure, as the end of a sentence: "no force acts along its normal".
      * The numbers are not finite then. NULL: there always is. */

@@ -49,9 +49,10 @@ static fw_lb_spectrum spectrum_of(const fw_experiment *experiment, fw_subject su
 {
     const fw_scenario *scenario = experiment->scenario;
     int material = scenario->bodies[subject.body].material;
-    fw_lb_spectrum worst = {NAN, NAN};
-    fw_lb_spectrum_over_grid(scenario->materials[material].boltzmann.rest_mass, 33, &worst, NULL);
-    return worst;
+    const fw_sym2 rest_mass = scenario->materials[material].boltzmann.rest_mass;
+    fw_lb_spectrum worst;
+    const fw_status status = fw_lb_spectrum_over_grid(rest_mass, 33, &worst, NULL);
+    return status == FW_OK ? worst : (fw_lb_spectrum){NAN, NAN};
 }
 
 static void dispersion_error(const fw_experiment *experiment, fw_subject subject, double *out)
