@@ -205,11 +205,16 @@ fw_status fw_trajectory_discard(const fw_folder *folder, fw_error *error)
     return forget(folder, error);
 }
 
-/* The fresh file becomes the result. */
+/* The fresh file becomes the result. One of which nobody knows whether the disk has its name is
+ * none. */
 static fw_status publish(const fw_folder *folder, fw_error *error)
 {
     FW_TRY(forget(folder, error));
-    return fw_folder_replace(folder, FRESH_FILE, FW_TRAJECTORY_FILE, error);
+    const bool is_there = fw_folder_has(folder, FRESH_FILE);
+    const fw_status status = fw_folder_replace(folder, FRESH_FILE, FW_TRAJECTORY_FILE, error);
+    if (status != FW_OK && is_there && !fw_folder_has(folder, FRESH_FILE))
+        fw_folder_discard(folder, FW_TRAJECTORY_FILE);
+    return status;
 }
 
 static fw_status create_in(fw_folder *folder, fw_trajectory **trajectory,
