@@ -178,6 +178,44 @@ static void what_sticks_long_is_counted(void **state)
     }
 }
 
+/* A block that stuck is pulled off: once the floor neither pushes nor rubs it none of it counts any
+ * more, from that step on. */
+static void what_has_come_off_sticks_no_longer(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 6, ROWS = 3, ALL = COLUMNS * ROWS, PULLED = 450 };
+    static const fw_vec2 ground[] = {{-50, 0}, {50, 0}};
+    fw_scene *scene = empty_scene(1e3);
+    add_body(scene, (body_options){.columns = COLUMNS, .rows = ROWS, .mu = 0.9});
+    fw_wall_def floor = fw_wall_def_default();
+    floor.name = "floor";
+    floor.shape = FW_CHAIN;
+    floor.points = ground;
+    floor.point_count = 2;
+    floor.surface = (fw_surface){.law = FW_COULOMB, .friction = 0.5};
+    must(fw_scene_add_wall(scene, &floor, &error));
+    int all[ALL];
+    for (int p = 0; p < ALL; ++p) all[p] = p;
+    fw_load_def load = {.kind = FW_LOAD_TOTAL,
+                        .particles = all,
+                        .particle_count = ALL,
+                        .vector = {0.01, -0.1},
+                        .until = PULLED};
+    must(fw_scene_add_load(scene, 0, &load, &error));
+    load.vector = (fw_vec2){0, 5};
+    load.from = PULLED;
+    load.until = INT64_MAX;
+    must(fw_scene_add_load(scene, 0, &load, &error));
+    begin(scene);
+    run(scene, PULLED);
+    assert_int_equal(fw_scene_count_stuck(scene, 0, 0, ALL), COLUMNS);
+    for (int step = 0; step < 4 && fw_scene_wall_ledger(scene, 0)->contacts > 0; ++step)
+        run(scene, 1);
+    assert_int_equal(fw_scene_wall_ledger(scene, 0)->contacts, 0);
+    assert_int_equal(fw_scene_count_stuck(scene, 0, 0, ALL), 0);
+    fw_scene_destroy(scene);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -188,6 +226,7 @@ int main(void)
         cmocka_unit_test(each_body_has_its_own_penetration),
         cmocka_unit_test(a_folded_body_is_found),
         cmocka_unit_test(what_sticks_long_is_counted),
+        cmocka_unit_test(what_has_come_off_sticks_no_longer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
