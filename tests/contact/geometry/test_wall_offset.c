@@ -78,18 +78,24 @@ static void corners_lie_where_moved_faces_cross(void **state)
         {FW_CHAIN, FW_INSIDE, false, 1, 3, {{4, 3}, {4, 0}, {0, 0}}, {{5, 3}, {5, -1}, {0, -1}}},
         {FW_CHAIN, FW_INSIDE, true, 1, 3, {{0, 0}, {0, 3}, {4, 0}}, {{-1, -1}, {-1, 5}, {7, -1}}},
     };
-    for (size_t n = 0; n < sizeof shapes / sizeof *shapes; ++n) {
-        const fw_wall_def def = def_of(&shapes[n]);
-        fw_wall_def moved;
-        fw_vec2 points[MOST];
-        fw_error error;
-        assert_int_equal(fw_wall_offset(&def, shapes[n].distance, points, &moved, &error), FW_OK);
-        assert_ptr_equal(moved.points, points);
-        for (int k = 0; k < shapes[n].count; ++k) {
-            assert_close(points[k].x, shapes[n].expected[k].x, 1e-14);
-            assert_close(points[k].y, shapes[n].expected[k].y, 1e-14);
+    /* In every quarter of the plane. */
+    static const fw_vec2 places[] = {{0, 0}, {30, 50}, {-30, 50}, {30, -50}, {-30, -50}};
+    for (size_t n = 0; n < sizeof shapes / sizeof *shapes; ++n)
+        for (size_t p = 0; p < sizeof places / sizeof *places; ++p) {
+            shape there = shapes[n];
+            for (int k = 0; k < there.count; ++k)
+                there.points[k] = fw_vec2_add(there.points[k], places[p]);
+            const fw_wall_def def = def_of(&there);
+            fw_wall_def moved;
+            fw_vec2 points[MOST];
+            fw_error error;
+            assert_int_equal(fw_wall_offset(&def, there.distance, points, &moved, &error), FW_OK);
+            assert_ptr_equal(moved.points, points);
+            for (int k = 0; k < there.count; ++k) {
+                assert_close(points[k].x, places[p].x + there.expected[k].x, 3e-14);
+                assert_close(points[k].y, places[p].y + there.expected[k].y, 3e-14);
+            }
         }
-    }
 }
 
 static void circles_grow_outside_and_shrink_inside(void **state)
