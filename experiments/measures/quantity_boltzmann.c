@@ -14,16 +14,31 @@ static const fw_solid *body_of(const fw_experiment *experiment, fw_subject subje
     return fw_experiment_solid(experiment, subject.body);
 }
 
+/* Outermost columns and rows. */
+static void find_frame(const fw_sites *sites, fw_site *low, fw_site *high)
+{
+    *low = *high = sites->site[0];
+    for (int l = 0; l < sites->count; ++l) {
+        const fw_site site = sites->site[l];
+        low->i = site.i < low->i ? site.i : low->i;
+        high->i = site.i > high->i ? site.i : high->i;
+        low->j = site.j < low->j ? site.j : low->j;
+        high->j = site.j > high->j ? site.j : high->j;
+    }
+}
+
 /* Energy-weighted mean distance from the middle of the body, along x. */
 static void wave_front(const fw_experiment *experiment, fw_subject subject, double *out)
 {
     const fw_solid *solid = body_of(experiment, subject);
     const fw_lattice *lattice = &experiment->scenario->bodies[subject.body].lattice;
     const fw_sites *sites = &experiment->bodies[subject.body].sites;
-    double first = sites->site[0].i, last = sites->site[sites->count - 1].i, sum = 0, weight = 0;
+    fw_site low, high;
+    double sum = 0, weight = 0;
+    find_frame(sites, &low, &high);
     for (int l = 0; l < solid->count; ++l) {
         double share = fw_lb_solid_energy(solid, l);
-        sum += share * fabs(sites->site[l].i - 0.5 * (first + last)) * lattice->spacing;
+        sum += share * fabs(sites->site[l].i - 0.5 * (low.i + high.i)) * lattice->spacing;
         weight += share;
     }
     out[0] = weight > 0 ? sum / weight : 0;
@@ -99,13 +114,8 @@ static void stress(const fw_experiment *experiment, fw_subject subject, double *
 {
     const fw_solid *solid = body_of(experiment, subject);
     const fw_sites *sites = &experiment->bodies[subject.body].sites;
-    fw_site low = sites->site[0], high = sites->site[0];
-    for (int l = 0; l < sites->count; ++l) {
-        low.i = sites->site[l].i < low.i ? sites->site[l].i : low.i;
-        high.i = sites->site[l].i > high.i ? sites->site[l].i : high.i;
-        low.j = sites->site[l].j < low.j ? sites->site[l].j : low.j;
-        high.j = sites->site[l].j > high.j ? sites->site[l].j : high.j;
-    }
+    fw_site low, high;
+    find_frame(sites, &low, &high);
     for (int c = 0; c < 4; ++c) out[c] = 0;
     for (int l = 0; l < sites->count; ++l) {
         int right = 2 * sites->site[l].i - low.i - high.i,

@@ -91,26 +91,50 @@ static void relative_extent_is_that_of_the_largest_cluster(void **state)
 
 /* --- deformation --- */
 
+/* Also of a body that lies askew: its x and y go together. */
 static void deformation_rate_is_the_gradient_of_the_velocity(void **state)
 {
     (void)state;
     const double gradient[] = {.3, -.2, .7, .5};
     static const char *const names[] = {"xx", "xy", "yx", "yy"};
-    begin("title: one\n" CRYSTAL "bodies: {a: {material: m, shape: {disc: 4}, lattice: hexagonal, "
-          "angle: 17, origin: [3, 1]}}\n"
-          "run: {steps: 1}\n");
-    const fw_solid *solid = &motion()->head;
-    for (int i = 0; i < solid->count; ++i) {
-        motion()->velocity_x[i] = 9 + gradient[0] * solid->x[i] + gradient[1] * solid->y[i];
-        motion()->velocity_y[i] = 7 + gradient[2] * solid->x[i] + gradient[3] * solid->y[i];
+    static const char *const shapes[] = {"{disc: 4}", "{rectangle: [7, 2]}"};
+    for (int n = 0; n < 2; ++n) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "title: one\n" CRYSTAL "bodies: {a: {material: m, shape: %s, lattice: hexagonal, "
+                 "angle: 17, origin: [3, 1]}}\nrun: {steps: 1}\n",
+                 shapes[n]);
+        begin(text);
+        const fw_solid *solid = &motion()->head;
+        for (int i = 0; i < solid->count; ++i) {
+            motion()->velocity_x[i] = 9 + gradient[0] * solid->x[i] + gradient[1] * solid->y[i];
+            motion()->velocity_y[i] = 7 + gradient[2] * solid->x[i] + gradient[3] * solid->y[i];
+        }
+        for (int c = 0; c < 4; ++c)
+            assert_close(value_of("deformation-rate", 0, names[c]), gradient[c], 1e-13);
+        end();
     }
-    for (int c = 0; c < 4; ++c)
-        assert_close(value_of("deformation-rate", 0, names[c]), gradient[c], 1e-13);
-    end();
     begin("title: a line\n" CRYSTAL
           "bodies: {a: {material: m, shape: {rectangle: [4, 1]}, angle: 30}}\n"
           "run: {steps: 1}\n");
     assert_true(isnan(value_of("deformation-rate", 0, "xx")));
+    end();
+}
+
+/* Displacements from the lattice, as they were given; of the inner half, askew too. */
+static void affine_strain_is_the_gradient_of_the_displacements(void **state)
+{
+    (void)state;
+    const double gradient[] = {.01, -.02, .03, .005};
+    static const char *const names[] = {"xx", "xy", "yx", "yy"};
+    begin("title: one\n" CRYSTAL
+          "bodies: {a: {material: m, shape: {rectangle: [9, 6]}, lattice: hexagonal, angle: 17, "
+          "origin: [3, 1], displacement: [{gradient: [.01, -.02, .03, .005]}]}}\n"
+          "run: {steps: 1}\n");
+    for (int c = 0; c < 4; ++c)
+        assert_close(value_of("affine-strain", 0, names[c]), gradient[c], 1e-13);
+    assert_close(value_of("poisson-ratio", 0, "x"), -.005 / .01, 1e-11);
+    assert_close(value_of("poisson-ratio", 0, "y"), -.01 / .005, 1e-11);
     end();
 }
 
@@ -229,6 +253,7 @@ int main(void)
         cmocka_unit_test(extent_is_that_of_bodies_and_of_the_scene),
         cmocka_unit_test(relative_extent_is_that_of_the_largest_cluster),
         cmocka_unit_test(deformation_rate_is_the_gradient_of_the_velocity),
+        cmocka_unit_test(affine_strain_is_the_gradient_of_the_displacements),
         cmocka_unit_test(bonds_are_lost_while_their_length_grows),
         cmocka_unit_test(torque_is_that_of_return_forces_and_loads),
         cmocka_unit_test(order_of_any_symmetry_in_any_body),

@@ -167,6 +167,24 @@ static void the_first_wave_is_what_turns(void **state)
     end();
 }
 
+/* Both half-steps multiply the wave action by -a, so a step takes the wave times a = 1 - damping.
+ */
+static void a_damped_wave_shrinks_by_as_much_each_step(void **state)
+{
+    (void)state;
+    begin("title: a wave\n"
+          "materials: {m: {elastic-automaton: {c1: .4, c2: .58, boundary: periodic, "
+          "damping: .03}}}\n"
+          "bodies: {b: {material: m, shape: {rectangle: [8, 8]}, displacement:\n"
+          "  [{mode: {wave-vector: [0.7853981633974483, 0], branch: fast, amplitude: .1}}]}}\n"
+          "run: {steps: 9}\n");
+    for (int step = 0; step < 9; ++step) {
+        run_steps(1);
+        assert_close(value_of("wave-damping", 0, NULL), .97, 1e-12);
+    }
+    end();
+}
+
 /* Without a wave, and with one that looks on each colour as its opposite does. */
 static void what_is_no_wave_does_not_turn(void **state)
 {
@@ -189,6 +207,40 @@ static void what_is_no_wave_does_not_turn(void **state)
     begin(PERIODIC("{wave: {amplitude: [.1, 0], "
                    "wave-vector: [2.356194490192345, 0.7853981633974483]}}"));
     assert_close(value_of("wave-size", 0, NULL), 1, 1e-12);
+    end();
+}
+
+/* --- bodies that share a solid, and one that does not --- */
+
+/* Both clouds of dust are one solid, the sheet is the second one, and the third body. */
+static void each_body_is_asked_in_its_own_solid(void **state)
+{
+    (void)state;
+    begin("title: dust and a sheet\n"
+          "materials: {dust: {movable-particles: {strength: 0, mass: 2}},\n"
+          "  m: {lattice-boltzmann: {rest-mass: 0}}}\n"
+          "bodies:\n"
+          "  a: {material: dust, shape: {points: [[0, 0], [2, 0]]}, origin: [5, 9], "
+          "velocity: [.1, 0]}\n"
+          "  b: {material: dust, shape: {points: [[0, 0], [2, 0], [4, 0]]}, origin: [15, 9],\n"
+          "    velocity: [0, .2]}\n"
+          "  sheet: {material: m, shape: {rectangle: [2, 2]}, origin: [9, 20], "
+          "velocity: [.03, .04]}\n"
+          "walls: {box: {box: [0, 0, 50, 50]}}\n"
+          "dynamics: {time-step: 1, strength-across: 0}\nrun: {steps: 1}\n");
+    /* Without a rest mass each end of the sheet's four links has a half. */
+    const double kinetic[] = {.02, .12, .5 * 4 * .0025}, x[] = {.1, 0, .03}, y[] = {0, .2, .04};
+    for (int b = 0; b < 3; ++b) {
+        assert_close(value_of("energy", b, NULL), kinetic[b], 1e-15);
+        assert_close(value_of("mean-velocity", b, "x"), x[b], 1e-15);
+        assert_close(value_of("mean-velocity", b, "y"), y[b], 1e-15);
+        assert_close(value_of("momentum-error", b, "x"), 0, 1e-15);
+        assert_close(value_of("penetration", b, NULL), 0, 0);
+    }
+    solid_of_body(2)->x[0] = -.25; /* a corner, behind the wall in the west */
+    assert_close(value_of("penetration", 0, NULL), 0, 0);
+    assert_close(value_of("penetration", 2, NULL), .25, 1e-15);
+    assert_close(value_of("penetration", -1, NULL), .25, 1e-15);
     end();
 }
 
@@ -229,7 +281,9 @@ int main(void)
         cmocka_unit_test(early_diffusion_is_free_flight),
         cmocka_unit_test(nothing_diffuses_without_temperature),
         cmocka_unit_test(the_first_wave_is_what_turns),
+        cmocka_unit_test(a_damped_wave_shrinks_by_as_much_each_step),
         cmocka_unit_test(what_is_no_wave_does_not_turn),
+        cmocka_unit_test(each_body_is_asked_in_its_own_solid),
         cmocka_unit_test(displacement_is_from_the_lattice_or_from_where_it_was_placed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -65,6 +65,25 @@ static void stress_is_half_the_difference_of_what_pulls_both_halves(void **state
     end();
 }
 
+/* The same of 3 x 2 sites from column 4 and row 1 on: 2 a and 3 b/2. */
+static void stress_has_its_halves_wherever_the_sites_begin(void **state)
+{
+    (void)state;
+    const double expected[] = {2 * .1, 2 * .7, 1.5 * .3, 1.5 * .5};
+    begin("title: a sheet\nmaterials: {m: {lattice-boltzmann: {}}}\n"
+          "bodies: {b: {material: m, shape: {sites: [[4, 1], [5, 1], [6, 1], [4, 2], [5, 2], "
+          "[6, 2]]}}}\nrun: {steps: 1}\n");
+    fw_solid *solid = solid_of_body(0);
+    for (int l = 0; l < solid->count; ++l) {
+        const fw_site site = experiment->bodies[0].sites.site[l];
+        solid->external_x[l] = .1 * (site.i - 5) + .3 * (site.j - 1.5) + 11;
+        solid->external_y[l] = .7 * (site.i - 5) + .5 * (site.j - 1.5) - 7;
+    }
+    for (int c = 0; c < 4; ++c)
+        assert_close(value_of("stress", 0, tensor_names[c]), expected[c], 1e-13);
+    end();
+}
+
 /* Section 9.2: damped to rest under balanced forces, S/e is the number of parallel links. */
 static void stress_over_strain_at_rest_counts_the_parallel_links(void **state)
 {
@@ -101,6 +120,24 @@ static void a_wave_front_is_where_the_energy_is(void **state)
     begin("title: a row at rest\nmaterials: {m: {lattice-boltzmann: {rest-mass: 1}}}\n"
           "bodies: {b: {material: m, shape: {rectangle: [7, 1]}}}\nrun: {steps: 1}\n");
     assert_close(value_of("wave-front", 0, NULL), 0, 0);
+    end();
+}
+
+/* The middle is that between the outermost columns, in whichever row they are: four in a row and
+ * one above the first. All move alike, M = (1 + links)/2. */
+static void a_wave_front_is_seen_from_the_middle_of_any_shape(void **state)
+{
+    (void)state;
+    begin("title: an L\nmaterials: {m: {lattice-boltzmann: {rest-mass: 1}}}\n"
+          "bodies: {b: {material: m, shape: {sites: [[5, 0], [6, 0], [7, 0], [8, 0], [5, 1]]},\n"
+          "  velocity: [.02, .01]}}\nrun: {steps: 1}\n");
+    const double mass[] = {1.5, 1.5, 1.5, 1, 1}, distance[] = {1.5, .5, .5, 1.5, 1.5};
+    double sum = 0, weight = 0;
+    for (int l = 0; l < 5; ++l) {
+        sum += mass[l] * distance[l];
+        weight += mass[l];
+    }
+    assert_close(value_of("wave-front", 0, NULL), sum / weight, 1e-13);
     end();
 }
 
@@ -239,8 +276,10 @@ int main(void)
         cmocka_unit_test(strain_is_the_mean_gradient_along_each_link),
         cmocka_unit_test(a_row_without_links_across_has_no_strain_along_them),
         cmocka_unit_test(stress_is_half_the_difference_of_what_pulls_both_halves),
+        cmocka_unit_test(stress_has_its_halves_wherever_the_sites_begin),
         cmocka_unit_test(stress_over_strain_at_rest_counts_the_parallel_links),
         cmocka_unit_test(a_wave_front_is_where_the_energy_is),
+        cmocka_unit_test(a_wave_front_is_seen_from_the_middle_of_any_shape),
         cmocka_unit_test(waves_of_a_linear_lattice_have_the_speed_of_its_bonds),
         cmocka_unit_test(damping_does_not_change_the_speed_that_is_told),
         cmocka_unit_test(a_body_without_a_plane_wave_or_a_middle_has_no_speed),
