@@ -76,6 +76,34 @@ static void rows_of_a_command_do_not_collide(void **state)
     }
 }
 
+/* A line for each row of a command, in their order: names, value, and what it is for. */
+static void help_says_of_each_option_what_its_row_says(void **state)
+{
+    (void)state;
+    for (const fw_command *c = fw_commands; c->name; ++c) {
+        char *text = NULL;
+        size_t size = 0;
+        FILE *out = open_memstream(&text, &size);
+        assert_non_null(out);
+        fw_option_print(out, c);
+        fclose(out);
+        char *rest = text;
+        for (int n = 0; c->options[n]; ++n) {
+            const fw_option *o = c->options[n];
+            char *line = strsep(&rest, "\n"), left[64];
+            assert_non_null(rest);
+            snprintf(left, sizeof left, "%s%s%s%s%s ", o->brief ? o->brief : "",
+                     o->brief ? ", " : "", o->name, o->value ? " " : "", o->value ? o->value : "");
+            assert_true(strncmp(line, "  ", 2) == 0);
+            assert_true(strncmp(line + 2, left, strlen(left)) == 0);
+            assert_string_equal(line + 2 + strlen(left) + strspn(line + 2 + strlen(left), " "),
+                                o->meaning);
+        }
+        assert_string_equal(rest, "");
+        free(text);
+    }
+}
+
 static const char study[] = "title: a gas that warms\n"
                             "materials: {gas: {movable-particles: {strength: 0}}}\n"
                             "bodies: {cloud: {material: gas, shape: {rectangle: [5, 5]}}}\n"
@@ -112,6 +140,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_value_goes_where_its_row_says),
         cmocka_unit_test(rows_of_a_command_do_not_collide),
+        cmocka_unit_test(help_says_of_each_option_what_its_row_says),
         cmocka_unit_test(a_seed_makes_one_run_of_a_study),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
