@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* linear_bonds.h - the bonds of the linear lattice for eight particles at a time.
+/* linear_bonds.h - the bonds of the linear lattice for eight particles at a time, and its loops.
  *
  * The bonds of a block of 8 particles stand in slots, direction after direction. A slot holds those
  * of one direction whose neighbour's number is `offset` more than the particle's own: in a lattice
@@ -8,6 +8,7 @@
 #ifndef FW_LINEAR_BONDS_H
 #define FW_LINEAR_BONDS_H
 
+#include "core/instruction_set.h"
 #include "core/particles/slots.h"
 #include "core/status.h"
 #include "core/vec2.h"
@@ -55,5 +56,17 @@ typedef struct fw_linear_task {
     fw_vec2 direction[FW_BOND_DIRECTIONS];
     const double *x, *y, *home_x, *home_y;
 } fw_linear_task;
+
+/* The loops of linear_lattice.c. */
+typedef struct fw_linear_kernels {
+    /* Of the particles of blocks begin to end - 1. */
+    void (*forces)(const fw_linear_task *task, int begin, int end, double *x, double *y);
+    /* Half of each bond's energy, and of u_i . (turning force) with displacements counted from
+     * `middle`. */
+    void (*energies)(const fw_linear_task *task, fw_vec2 middle, int begin, int end,
+                     double *energy);
+} fw_linear_kernels;
+
+FW_KERNELS(fw_linear_kernels, fw_linear_loops);
 
 #endif

@@ -3,7 +3,7 @@
  * particles at a time; compiled once for each instruction set. Keeps no state. Each particle adds
  * its bonds in the order of directions, and lanes without a bond add +0. Start reading at
  * bond_at(). */
-#include "linear_kernels.h"
+#include "linear_bonds.h"
 
 #include "core/noise_vectors.h"
 #include "core/vectors.h"

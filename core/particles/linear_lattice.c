@@ -4,7 +4,7 @@
  * The step is in langevin.c; start reading at find_forces(). */
 #include "core/particles/linear_lattice.h"
 
-#include "linear_kernels.h"
+#include "linear_bonds.h"
 
 #include <assert.h>
 #include <math.h>

@@ -122,48 +122,23 @@ static void find_near(const fw_cells *cells, const fw_lanes *lanes, const double
     }
 }
 
-/* Shell's sort, with the gaps of Ciura (2001): some dozen words, mostly in order. */
-static void sort_words(fw_near_words *words)
-{
-    static const int gaps[] = {57, 23, 10, 4, 1};
-    for (int g = 0; g < 5; ++g) {
-        const int gap = gaps[g];
-        for (int k = gap; k < words->count; ++k) {
-            const int used = words->used[k], word = words->word[used];
-            int place = k;
-            for (; place >= gap && words->word[words->used[place - gap]] > word; place -= gap)
-                words->used[place] = words->used[place - gap];
-            words->used[place] = used;
-        }
-    }
-}
-
-static void clear_words(fw_near_words *words)
-{
-    for (int k = 0; k < words->count; ++k) {
-        words->word[words->used[k]] = -1;
-        words->bytes[words->used[k]] = 0;
-    }
-    words->count = 0;
-}
-
 /* --- slots --- */
 
 /* Byte k of the window belongs to lane k of the slot: a lane has a neighbour there if its own bit
- * is set in its byte. */
-FW_INLINE void add_offset(fw_slots *slots, uint64_t window, int offset)
+ * is set in its byte. Writes slot number `count`, and returns how many there are then. */
+FW_INLINE uint32_t add_offset(const fw_slots *slots, uint32_t count, uint64_t window, int offset)
 {
     const uint64_t own = window & 0x8040201008040201;
-    slots->offset[slots->count] = offset;
-    slots->mask[slots->count] = (uint8_t)(own * 0x0101010101010101 >> 56);
-    slots->count += own != 0;
+    slots->offset[count] = offset;
+    slots->mask[count] = (uint8_t)(own * 0x0101010101010101 >> 56);
+    return count + (own != 0);
 }
 
 /* The bytes of this word that belong to particles begin to end - 1. */
-static uint64_t bytes_between(const fw_near_words *words, int used, int begin, int end)
+static uint64_t bytes_between(fw_near_word near, int begin, int end)
 {
-    const int first = words->word[used] * FW_LANES;
-    uint64_t bytes = words->bytes[used];
+    const int first = near.word * FW_LANES;
+    uint64_t bytes = near.bytes;
     if (first < begin) bytes &= first + FW_LANES <= begin ? 0 : ~(uint64_t)0 << 8 * (begin - first);
     if (first + FW_LANES > end) bytes &= first >= end ? 0 : ~(~(uint64_t)0 << 8 * (end - first));
     return bytes;
@@ -173,21 +148,24 @@ static uint64_t bytes_between(const fw_near_words *words, int used, int begin, i
 static void add_offsets(fw_slots *slots, const fw_near_words *words, int first, int begin, int end)
 {
     uint64_t before = 0;
-    for (int k = 0; k < words->count; ++k) {
-        const uint64_t bytes = bytes_between(words, words->used[k], begin, end);
-        const int word = words->word[words->used[k]];
+    uint32_t count = slots->count;
+    for (int k = 0; k < words->taken_count; ++k) {
+        const uint64_t bytes = bytes_between(words->taken[k], begin, end);
+        const int word = words->taken[k].word;
         const int offset = word * FW_LANES - first;
         if (bytes || before)
             for (int s = 1; s < FW_LANES; ++s)
-                add_offset(slots, before >> 8 * s | bytes << 8 * (FW_LANES - s),
-                           offset - FW_LANES + s);
-        add_offset(slots, bytes, offset);
+                count = add_offset(slots, count, before >> 8 * s | bytes << 8 * (FW_LANES - s),
+                                   offset - FW_LANES + s);
+        count = add_offset(slots, count, bytes, offset);
         before = bytes;
-        if (before && (k + 1 == words->count || words->word[words->used[k + 1]] != word + 1)) {
-            for (int s = 1; s < FW_LANES; ++s) add_offset(slots, before >> 8 * s, offset + s);
+        if (before && (k + 1 == words->taken_count || words->taken[k + 1].word != word + 1)) {
+            for (int s = 1; s < FW_LANES; ++s)
+                count = add_offset(slots, count, before >> 8 * s, offset + s);
             before = 0;
         }
     }
+    slots->count = count;
 }
 
 /* --- gather slots --- */
@@ -275,23 +253,51 @@ static bool gather(fw_slots *slots, uint32_t begin, int first, double favour, co
 
 /* --- building --- */
 
+/* Has this block the slots of the one before? Mostly so in a lattice, where the same lanes are near
+ * to what lies at the same offsets. Neither may see other bodies: words go up, so that lower ones
+ * are asked for of the block before, higher ones of this. */
+static bool is_like_before(const fw_chunk *chunk, const fw_slot_head *before,
+                           const fw_near_words *words)
+{
+    if (words->taken_count == 0 || !fw_near_words_repeat(words)) return false;
+    const int last = words->taken[words->taken_count - 1].word;
+    return before->count[0] == 0 && (last + 1) * FW_LANES <= chunk->body_end &&
+           !before->gathered[FW_RUN_OWN];
+}
+
+static void repeat_slots(fw_slots *slots, const fw_slot_head *before, fw_slot_head *head)
+{
+    const uint32_t count = before->count[FW_RUN_OWN];
+    *head = *before;
+    head->begin = slots->count;
+    memcpy(slots->offset + head->begin, slots->offset + before->begin,
+           count * sizeof *slots->offset);
+    memcpy(slots->mask + head->begin, slots->mask + before->begin, count * sizeof *slots->mask);
+    slots->count += count;
+}
+
 static bool build(fw_chunk *chunk, const fw_cells *cells, const int *number, const double *x,
                   const double *y, double reach, double favour, fw_near_words *words)
 {
     fw_slots *slots = &chunk->far;
     slots->count = slots->row_count = 0;
     if (!words->capacity && !fw_near_words_grow(words)) return false;
+    fw_near_words_forget(words);
     const int bounds[FW_SLOT_RUNS + 1] = {0, chunk->body_first, chunk->body_end, cells->count};
     bool failed = false;
     for (int block = 0; block < fw_chunk_blocks(chunk); ++block) {
         const fw_lanes lanes = lanes_of(chunk, block, x, y);
         find_near(cells, &lanes, x, y, reach * reach, words);
-        sort_words(words);
+        fw_near_words_take(words);
         /* A word touches at most 15 offsets, of which one is written and then taken back. */
         failed = failed || words->failed ||
-                 !fw_slots_reserve(slots, (size_t)words->count * 15 * FW_SLOT_RUNS + 1, 0);
+                 !fw_slots_reserve(slots, (size_t)words->taken_count * 15 * FW_SLOT_RUNS + 1, 0);
         if (failed) break;
         fw_slot_head *head = &slots->head[block];
+        if (block > 0 && is_like_before(chunk, head - 1, words)) {
+            repeat_slots(slots, head - 1, head);
+            continue;
+        }
         head->begin = slots->count;
         for (int run = 0; run < FW_SLOT_RUNS; ++run) {
             const uint32_t begin = slots->count;
@@ -301,9 +307,7 @@ static bool build(fw_chunk *chunk, const fw_cells *cells, const int *number, con
                                          in_order ? NULL : number, &failed);
             head->count[run] = slots->count - begin;
         }
-        clear_words(words);
     }
-    clear_words(words);
     return !failed;
 }
 

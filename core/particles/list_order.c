@@ -7,6 +7,8 @@
 
 #include <stdlib.h>
 
+enum { PARALLEL_FROM = 1024 }; /* particles; below it threads cost more than they bring */
+
 bool fw_list_order_create(fw_list_order *order, const int *counts, int bodies)
 {
     const size_t size = (size_t)bodies;
@@ -93,5 +95,15 @@ void fw_list_order_renumber(fw_list_order *order, const fw_cells *cells)
         const int place = order->scattered[body] ? order->next[body]++ : particle;
         order->number[place] = particle;
         order->place[particle] = place;
+    }
+}
+
+void fw_list_order_place(const fw_list_order *order, const double *x, const double *y)
+{
+    const int count = order->first[order->bodies];
+#pragma omp parallel for schedule(static) if (count > PARALLEL_FROM)
+    for (int k = 0; k < count; ++k) {
+        order->x[k] = x[order->number[k]];
+        order->y[k] = y[order->number[k]];
     }
 }

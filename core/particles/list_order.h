@@ -17,7 +17,7 @@ typedef struct fw_list_order {
     int *number;    /* the solid's, of each in the lists' order */
     int *place;     /* the other way round */
     double *memory; /* of the two below, and a block before and behind either */
-    double *x, *y;  /* positions in the lists' order; filled by the lists */
+    double *x, *y;  /* positions in the lists' order */
 } fw_list_order;
 
 /* False without memory; to be released then too. */
@@ -35,5 +35,7 @@ bool fw_list_order_find_scattered(fw_list_order *order, const double *x, const d
 bool fw_list_order_begin(fw_list_order *order, fw_chunk *chunks, int chunk_count);
 /* Numbers the particles of marked bodies as these cells, which hold the solid's numbers, do. */
 void fw_list_order_renumber(fw_list_order *order, const fw_cells *cells);
+/* Fills order->x, y with these positions; not before fw_list_order_renumber. */
+void fw_list_order_place(const fw_list_order *order, const double *x, const double *y);
 
 #endif

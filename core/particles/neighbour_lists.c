@@ -21,7 +21,9 @@ enum {
     CHUNK = 512,          /* particles */
     PARALLEL_FROM = 1024, /* particles; below it threads cost more than they bring */
     RENUMBER_FROM = 2048, /* particles; smaller bodies lie in the nearest cache anyway */
-    SLOTS_EACH = 24,      /* of a block, to begin with; a dense solid has 12 to 36 */
+    NEAR_EACH = 24,       /* slots of a block, to begin with; a dense solid has 12 to 36; */
+    FAR_EACH = 36,        /* as far ones are made, some more are reserved than come to be; */
+    SLOT_BYTES = 5,       /* an offset and a mask: four times as many keep offsets aligned */
     WEIGH_EVERY = 64,     /* renewals after which the reach of near lists is weighed again */
     WEIGHED = 8           /* chunks that are looked at for it */
 };
@@ -33,6 +35,8 @@ struct fw_neighbour_lists {
     int count, chunk_count, body_count;
     fw_chunk *chunks;
     int *first_chunk;        /* of each body, and the end */
+    fw_slot_head *heads;     /* of all chunks, */
+    void *slots;             /* and what their slots have to begin with */
     double reach, far, near; /* what the lists hold lies within these */
     double favour;           /* of offset slots, see list_kernels.h */
     fw_cells cells;
@@ -54,29 +58,31 @@ struct fw_neighbour_lists {
 
 /* --- memory --- */
 
-static bool longer(void *pointer, size_t count, size_t size)
+/* Offsets and behind them masks: of slots that are lent, in the same piece of memory for all. */
+static bool lengthen(fw_slots *slots, size_t capacity)
 {
-    void *old, *made;
-    memcpy(&old, pointer, sizeof old);
-    made = realloc(old, count * size);
-    if (!made) return false;
-    memcpy(pointer, &made, sizeof made);
+    int32_t *offset = malloc(capacity * (sizeof *slots->offset + sizeof *slots->mask));
+    if (!offset) return false;
+    uint8_t *mask = (uint8_t *)(offset + capacity);
+    memcpy(offset, slots->offset, slots->count * sizeof *offset);
+    memcpy(mask, slots->mask, slots->count * sizeof *mask);
+    if (!slots->lent) free(slots->offset);
+    slots->offset = offset;
+    slots->mask = mask;
+    slots->capacity = capacity;
+    slots->lent = false;
     return true;
 }
 
 bool fw_slots_reserve(fw_slots *slots, size_t more, size_t more_rows)
 {
     const size_t wanted = slots->count + more, rows = slots->row_count + more_rows;
-    if (wanted > slots->capacity) {
-        const size_t capacity = wanted + wanted / 2;
-        if (!longer(&slots->offset, capacity, sizeof *slots->offset) ||
-            !longer(&slots->mask, capacity, sizeof *slots->mask))
-            return false;
-        slots->capacity = capacity;
-    }
+    if (wanted > slots->capacity && !lengthen(slots, wanted + wanted / 2)) return false;
     if (rows > slots->row_capacity) {
         const size_t capacity = rows + rows / 2;
-        if (!longer(&slots->row, capacity, sizeof *slots->row)) return false;
+        void *longer = realloc(slots->row, capacity * sizeof *slots->row);
+        if (!longer) return false;
+        slots->row = longer;
         slots->row_capacity = capacity;
     }
     return true;
@@ -84,9 +90,7 @@ bool fw_slots_reserve(fw_slots *slots, size_t more, size_t more_rows)
 
 static void release_slots(fw_slots *slots)
 {
-    free(slots->head);
-    free(slots->offset);
-    free(slots->mask);
+    if (!slots->lent) free(slots->offset);
     free(slots->row);
 }
 
@@ -95,6 +99,8 @@ void fw_near_words_release(fw_near_words *words)
     free(words->word);
     free(words->bytes);
     free(words->used);
+    free(words->taken);
+    free(words->before);
     *words = (fw_near_words){0};
 }
 
@@ -102,11 +108,16 @@ bool fw_near_words_grow(fw_near_words *words)
 {
     enum { LEAST = 128 };
     const int capacity = words->capacity ? 2 * words->capacity : LEAST;
+    const size_t size = (size_t)capacity;
     fw_near_words grown = {.capacity = capacity,
-                           .word = malloc((size_t)capacity * sizeof *grown.word),
-                           .bytes = calloc((size_t)capacity, sizeof *grown.bytes),
-                           .used = malloc((size_t)capacity * sizeof *grown.used)};
-    if (!grown.word || !grown.bytes || !grown.used) {
+                           .word = malloc(size * sizeof *grown.word),
+                           .bytes = calloc(size, sizeof *grown.bytes),
+                           .used = malloc(size * sizeof *grown.used),
+                           .taken = malloc(size * sizeof *grown.taken),
+                           .before = malloc(size * sizeof *grown.before),
+                           .taken_count = -1,
+                           .before_count = -1};
+    if (!grown.word || !grown.bytes || !grown.used || !grown.taken || !grown.before) {
         fw_near_words_release(&grown);
         words->failed = true;
         return false;
@@ -135,6 +146,8 @@ void fw_neighbour_lists_destroy(fw_neighbour_lists *lists)
         fw_near_words_release(&lists->words[t]);
     free(lists->chunks);
     free(lists->first_chunk);
+    free(lists->heads);
+    free(lists->slots);
     fw_cells_release(&lists->cells);
     free(lists->built_x);
     free(lists->built_y);
@@ -144,34 +157,61 @@ void fw_neighbour_lists_destroy(fw_neighbour_lists *lists)
     free(lists);
 }
 
-static bool begin_chunk(fw_chunk *chunk)
+/* Lends slots what comes next of the heads and of the rest; moves both on. */
+static void lend(fw_slots *slots, size_t blocks, size_t each, fw_slot_head **head, char **memory)
 {
-    const size_t blocks = (size_t)fw_chunk_blocks(chunk);
-    chunk->far.head = calloc(blocks, sizeof *chunk->far.head);
-    chunk->near.head = calloc(blocks, sizeof *chunk->near.head);
-    return chunk->far.head && chunk->near.head &&
-           fw_slots_reserve(&chunk->far, blocks * SLOTS_EACH, 0);
+    const size_t capacity = blocks * each;
+    *slots = (fw_slots){.head = *head, .capacity = capacity, .lent = true};
+    slots->offset = (int32_t *)(void *)*memory;
+    slots->mask = (uint8_t *)(slots->offset + capacity);
+    *head += blocks;
+    *memory += capacity * (sizeof *slots->offset + sizeof *slots->mask);
 }
 
-static bool begin_chunks(fw_neighbour_lists *lists, const int *counts)
+static void begin_chunks(fw_neighbour_lists *lists, const int *counts)
 {
     int first = 0, c = 0;
+    fw_slot_head *head = lists->heads;
+    char *memory = lists->slots;
     for (int body = 0; body < lists->body_count; ++body) {
         lists->first_chunk[body] = c;
         for (int begin = 0; begin < counts[body]; begin += CHUNK) {
             const int left = counts[body] - begin;
-            lists->chunks[c] = (fw_chunk){.body = body,
-                                          .first = first + begin,
-                                          .count = left < CHUNK ? left : CHUNK,
-                                          .body_first = first,
-                                          .body_end = first + counts[body],
-                                          .in_order = {true, true, true}};
-            if (!begin_chunk(&lists->chunks[c++])) return false;
+            fw_chunk *chunk = &lists->chunks[c++];
+            *chunk = (fw_chunk){.body = body,
+                                .first = first + begin,
+                                .count = left < CHUNK ? left : CHUNK,
+                                .body_first = first,
+                                .body_end = first + counts[body],
+                                .in_order = {true, true, true}};
+            const size_t blocks = (size_t)fw_chunk_blocks(chunk);
+            lend(&chunk->far, blocks, FAR_EACH, &head, &memory);
+            lend(&chunk->near, blocks, NEAR_EACH, &head, &memory);
         }
         first += counts[body];
     }
     lists->first_chunk[lists->body_count] = c;
+}
+
+/* Slots of all chunks stand in one piece of memory: it comes in large pages. */
+static bool make_chunks(fw_neighbour_lists *lists, const int *counts)
+{
+    size_t blocks = 0;
+    for (int body = 0; body < lists->body_count; ++body)
+        blocks += (size_t)(counts[body] + FW_LANES - 1) / FW_LANES;
+    lists->chunks = calloc((size_t)lists->chunk_count, sizeof *lists->chunks);
+    lists->first_chunk = calloc((size_t)lists->body_count + 1, sizeof *lists->first_chunk);
+    lists->heads = fw_array_zeroed(2 * blocks, sizeof *lists->heads);
+    lists->slots = fw_array_zeroed(blocks * (FAR_EACH + NEAR_EACH), SLOT_BYTES);
+    if (!lists->chunks || !lists->first_chunk || !lists->heads || !lists->slots) return false;
+    begin_chunks(lists, counts);
     return true;
+}
+
+static fw_status fail_memory(const fw_neighbour_lists *lists, fw_error *error)
+{
+    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for the neighbours of %d particles",
+                   lists->count);
 }
 
 fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *counts, int bodies,
@@ -194,19 +234,16 @@ fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *count
     }
     const size_t count = (size_t)made->count;
     made->threads = omp_get_max_threads();
-    made->chunks = calloc((size_t)made->chunk_count, sizeof *made->chunks);
-    made->first_chunk = calloc((size_t)bodies + 1, sizeof *made->first_chunk);
     made->words = calloc((size_t)made->threads, sizeof *made->words);
-    made->built_x = fw_array_of_doubles(count);
-    made->built_y = fw_array_of_doubles(count);
+    made->built_x = fw_array_zeroed(count, sizeof *made->built_x);
+    made->built_y = fw_array_zeroed(count, sizeof *made->built_y);
     const bool ordered = fw_list_order_create(&made->order, counts, bodies);
     fw_status status = fw_cells_create(&made->cells, made->count, error);
     if (status == FW_OK) {
         made->boxes = fw_array_zeroed((size_t)made->cells.most, sizeof *made->boxes);
-        if (!made->chunks || !made->first_chunk || !made->words || !made->built_x ||
-            !made->built_y || !made->boxes || !ordered || !begin_chunks(made, counts))
-            status = fw_fail(error, FW_SYSTEM_FAILED,
-                             "not enough memory for the neighbours of %d particles", made->count);
+        if (!made->words || !made->built_x || !made->built_y || !made->boxes || !ordered ||
+            !make_chunks(made, counts))
+            status = fail_memory(made, error);
     }
     if (status != FW_OK) {
         fw_neighbour_lists_destroy(made);
@@ -229,14 +266,9 @@ void fw_neighbour_lists_favour(fw_neighbour_lists *lists, double favour)
 static void take_positions(fw_neighbour_lists *lists, const double *x, const double *y)
 {
     const fw_list_order *order = &lists->order;
+    if (order->number) fw_list_order_place(order, x, y);
     lists->x = order->number ? order->x : x;
     lists->y = order->number ? order->y : y;
-    if (!order->number) return;
-#pragma omp parallel for schedule(static) if (lists->count > PARALLEL_FROM)
-    for (int k = 0; k < lists->count; ++k) {
-        order->x[k] = x[order->number[k]];
-        order->y[k] = y[order->number[k]];
-    }
 }
 
 static bool fill_far(fw_neighbour_lists *lists)
@@ -341,8 +373,7 @@ fw_status fw_neighbour_lists_refresh(fw_neighbour_lists *lists, const double *x,
     if (!(lists->far_slack >= 0)) {
         if (!make_far(lists, x, y)) {
             lists->made = 0;
-            return fw_fail(error, FW_SYSTEM_FAILED,
-                           "not enough memory for the neighbours of %d particles", lists->count);
+            return fail_memory(lists, error);
         }
         lists->far_slack = lists->far - lists->near;
     }

@@ -41,6 +41,7 @@ typedef struct fw_slots {
     int32_t (*row)[FW_LANES];
     uint32_t count, row_count;
     size_t capacity, row_capacity;
+    bool lent; /* head belongs to whoever made the slots; so do offset and mask as long as this */
 } fw_slots;
 
 /* Some blocks of one body, for a thread to work on. */

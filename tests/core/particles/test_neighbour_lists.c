@@ -11,7 +11,20 @@ enum { COUNT = 300 };
 static const double REACH = 1.7;
 static const int BODIES[] = {120, 1, 179};
 
-/* Every walk ascends, and misses nobody within reach; the closest are the closest of all walks. */
+static int body_of(int particle)
+{
+    return particle < BODIES[0] ? 0 : particle < BODIES[0] + BODIES[1] ? 1 : 2;
+}
+
+/* Neighbours of lower bodies, of the own one, and of higher ones stand in three runs. */
+static int run_of(int particle, int neighbour)
+{
+    const int own = body_of(particle), other = body_of(neighbour);
+    return FW_RUN_OWN + (other > own) - (other < own);
+}
+
+/* Every walk ascends, from run to run, and misses nobody within reach; the closest are the closest
+ * of all walks. */
 static void assert_complete(const fw_neighbour_lists *lists, const double *x, const double *y)
 {
     double closest = INFINITY;
@@ -21,6 +34,7 @@ static void assert_complete(const fw_neighbour_lists *lists, const double *x, co
         for (int j = 0; j < COUNT; ++j) {
             const bool listed = j == next;
             if (listed) {
+                assert_int_equal(walk.run, run_of(i, j));
                 next = fw_neighbour_next(&walk);
                 assert_true(next < 0 || next > j);
                 assert_true(j != i);
@@ -129,6 +143,50 @@ static void sliding_solid_keeps_its_lists(void **state)
     fw_neighbour_lists_destroy(lists);
 }
 
+/* In long rows most blocks of eight see what the one before saw, one block further; but not beside
+ * a hole, at the ends of rows, and where a row belongs to another body from some particle on, or
+ * has one above it all along. */
+static void rows_that_repeat_miss_nobody(void **state)
+{
+    (void)state;
+    double x[COUNT + 16] = {0}, y[COUNT + 16] = {0};
+    double *const px = x + 8, *const py = y + 8;
+    const double favours[] = {2.5, 0, INFINITY};
+    const int columns[] = {20, 60, 100, 150};
+    for (int n = 0; n < 12; ++n) {
+        fw_neighbour_lists *lists = lists_of(0.5, favours[n % 3]);
+        for (int i = 0; i < COUNT; ++i) {
+            px[i] = i % columns[n / 3];
+            py[i] = i / columns[n / 3];
+        }
+        assert_int_equal(fw_neighbour_lists_refresh(lists, px, py, INFINITY, NULL), FW_OK);
+        assert_complete(lists, px, py);
+        for (int i = 47; i < COUNT; i += 83) px[i] += 1e3 * i;
+        assert_int_equal(fw_neighbour_lists_refresh(lists, px, py, INFINITY, NULL), FW_OK);
+        assert_complete(lists, px, py);
+        fw_neighbour_lists_destroy(lists);
+    }
+}
+
+/* Rows of eight, each alone with another one: the first with the last, the second with the last but
+ * one. All see alike, but nobody sees one row further than the one before. */
+static void rows_in_pairs_miss_nobody(void **state)
+{
+    (void)state;
+    enum { ROWS = 12 };
+    double x[COUNT + 16] = {0}, y[COUNT + 16] = {0};
+    double *const px = x + 8, *const py = y + 8;
+    fw_neighbour_lists *lists = lists_of(0.5, 2.5);
+    for (int i = 0; i < COUNT; ++i) {
+        const int row = i / 8, other = ROWS - 1 - row;
+        px[i] = i % 8;
+        py[i] = row < ROWS ? 10. * (row < other ? row : other) + (row > other) : 10. * row;
+    }
+    assert_int_equal(fw_neighbour_lists_refresh(lists, px, py, INFINITY, NULL), FW_OK);
+    assert_complete(lists, px, py);
+    fw_neighbour_lists_destroy(lists);
+}
+
 /* Crowded into one point, spread over 1e9, or not numbers at all: lists stay right for the others.
  */
 static void strange_places_are_survived(void **state)
@@ -159,6 +217,8 @@ int main(void)
         cmocka_unit_test(flowing_particles_miss_nobody),
         cmocka_unit_test(bodies_that_meet_miss_nobody),
         cmocka_unit_test(sliding_solid_keeps_its_lists),
+        cmocka_unit_test(rows_that_repeat_miss_nobody),
+        cmocka_unit_test(rows_in_pairs_miss_nobody),
         cmocka_unit_test(strange_places_are_survived),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
