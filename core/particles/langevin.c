@@ -126,6 +126,16 @@ void fw_langevin_set_velocity(fw_solid *head, int particle, fw_vec2 velocity)
     solid->velocity_y[particle] = velocity.y;
 }
 
+void fw_langevin_add_velocity(fw_solid *head, int first, int count, fw_vec2 velocity)
+{
+    fw_langevin *solid = langevin_of(head);
+    fw_langevin_forget(solid);
+    for (int i = first; i < first + count; ++i) {
+        solid->velocity_x[i] += velocity.x;
+        solid->velocity_y[i] += velocity.y;
+    }
+}
+
 fw_status fw_langevin_set_bath(fw_solid *head, double damping, double temperature, fw_error *error)
 {
     fw_langevin *solid = langevin_of(head);

@@ -80,6 +80,28 @@ double fw_pair_potential_hottest(const fw_pair_potential *potential, double stre
     return (strength * fw_pair_at(potential, soft * soft).energy + depth) / COLLISION;
 }
 
+/* Each term by itself, without those that are negative where U'' and U'/r are positive. With
+ * s = d/r, e = e^{-a (r - d)}, and the weight S from d on, where U >= -depth:
+ *     Lennard-Jones  U'' <= 156 depth/d^2 s^14,   U' = 12 depth/d (s^7 - s^13) <= 2.7 depth/d
+ *     Morse          U'' <= 4 a^2 depth e^2,      U' = 2 a depth e (1 - e) <= a depth/2
+ *     (U S)'' - U'' S <= U S'' <= 5.8 depth/(b - a)^2,   U S' <= 1.9 depth/(b - a)
+ * and U'/r <= U'/d, since U' is only positive there. */
+double fw_pair_potential_stiffest(const fw_pair_potential *potential, double closest)
+{
+    const double scale = potential->cut.scale, distance = potential->distance;
+    double curvature, slope; /* by the depth */
+    if (potential->kind == FW_LENNARD_JONES) {
+        curvature = 156 * pow(distance / closest, 14) / (distance * distance);
+        slope = 2.7 / distance;
+    } else {
+        const double a = potential->steepness, decay = exp(-a * (closest - distance));
+        curvature = 4 * a * a * decay * decay;
+        slope = a / 2;
+    }
+    return potential->depth *
+           fmax(curvature + 5.8 * scale * scale, (slope + 1.9 * scale) / distance);
+}
+
 double fw_pair_potential_stiffness(const fw_pair_potential *potential)
 {
     if (potential->kind == FW_MORSE)

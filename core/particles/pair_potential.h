@@ -40,6 +40,10 @@ double fw_pair_potential_stiffness(const fw_pair_potential *potential);
 /* U''(r) at any distance r > 0; 0 from the cut on. */
 double fw_pair_potential_curvature(const fw_pair_potential *potential, double r);
 
+/* U'' and U'/r of no pair that is at least so far apart, `closest` > 0, are larger. A bound that
+ * costs nothing, not the least one. */
+double fw_pair_potential_stiffest(const fw_pair_potential *potential, double closest);
+
 /* The largest temperature at which steps of that length follow the collisions of such particles,
  * with the potential taken `strength` times: a collision takes as much as 10 T now and then, and
  * where U >= -depth + 10 T the bond must still be soft enough for Verlet's step,

@@ -62,11 +62,13 @@ fw_status fw_particles_find_forces(fw_langevin *solid, double travel,
 
 /* Whatever fw_particles_create refuses before it builds. */
 fw_status fw_particles_check(const fw_particles_def *def, fw_error *error);
-/* The first pair whose energy is above the limit, if there is one. */
-fw_status fw_particles_check_overlaps(const fw_particles *particles, double limit, fw_error *error);
+/* The first pair whose energy is above the limit, if there is one; no pair is nearer to each other
+ * than `closest`. */
+fw_status fw_particles_check_overlaps(const fw_particles *particles, double closest, double limit,
+                                      fw_error *error);
 fw_status fw_particles_check_time_step(double time_step, double limit, fw_error *error);
-/* The time step at the positions of the start. */
-fw_status fw_particles_check_start(const fw_particles *particles, fw_error *error);
+/* The time step at the positions of the start, where no pair is nearer than `closest`. */
+fw_status fw_particles_check_start(const fw_particles *particles, double closest, fw_error *error);
 /* As fw_langevin.hottest. */
 double fw_particles_hottest_at(const fw_langevin *solid, double time_step);
 /* Stable for bodies of such particles. */

@@ -228,8 +228,9 @@ static fw_status build(fw_particles *particles, const fw_particles_def *def, fw_
     fw_langevin_set_controls(langevin, &def->controls);
     FW_TRY(fw_langevin_start(langevin, error));
     FW_TRY(fw_langevin_check_heat(&langevin->head, &def->controls, error));
-    FW_TRY(fw_particles_check_overlaps(particles, def->overlap_energy, error));
-    return fw_particles_check_start(particles, error);
+    const double closest = sqrt(fw_neighbour_lists_closest(particles->lists));
+    FW_TRY(fw_particles_check_overlaps(particles, closest, def->overlap_energy, error));
+    return fw_particles_check_start(particles, closest, error);
 }
 
 fw_status fw_particles_create(fw_solid **solid, const fw_particles_def *def, fw_error *error)

@@ -43,38 +43,27 @@ static void turn_about_middle(const fw_scenario_body *body, const fw_sites *site
     }
 }
 
-/* Adds velocity, spin about the middle of the places (all particles of a body weigh the same) and
- * the patterns to what is there. */
-static fw_status set_in_motion(const fw_scenario *scenario, int number, const fw_sites *sites,
-                               const fw_vec2 *positions, fw_vec2 *velocities, fw_error *error)
-{
-    const fw_scenario_body *body = &scenario->bodies[number];
-    if (body->spin == 0)
-        for (int l = 0; l < sites->count; ++l)
-            velocities[l] = fw_vec2_add(velocities[l], body->velocity);
-    else
-        turn_about_middle(body, sites, positions, velocities);
-    return fw_build_patterns(&body->velocities, sites, &body->lattice, (uint64_t)scenario->run.seed,
-                             fw_build_velocity_stream(number), velocities, error);
-}
-
-/* Thermal velocities come from the solid, which knows the masses; everything else is added. */
+/* Thermal velocities come from the solid, which knows the masses; everything else is added. A spin
+ * is about the middle of the places: all particles of a body weigh the same. */
 fw_status fw_build_motion(const fw_scenario *scenario, int number, const fw_sites *sites,
                           fw_solid *solid, int first, fw_vec2 *room, fw_error *error)
 {
     const fw_scenario_body *body = &scenario->bodies[number];
-    fw_vec2 *positions = room, *velocities = room + sites->count;
     if (body->temperature > 0) {
         const fw_langevin_controls hot = {scenario->dynamics.time_step, 1, body->temperature};
         FW_TRY(fw_build_fail(scenario, number, fw_langevin_check_heat(solid, &hot, error), error));
         fw_langevin_draw_velocities(solid, first, sites->count, body->temperature);
     }
+    if (body->spin == 0) fw_langevin_add_velocity(solid, first, sites->count, body->velocity);
+    if (body->spin == 0 && body->velocities.count == 0) return FW_OK;
+    fw_vec2 *positions = room, *velocities = room + sites->count;
     for (int l = 0; l < sites->count; ++l) {
-        const int i = first + l;
-        if (body->spin != 0) positions[l] = fw_solid_position(solid, i);
-        velocities[l] = fw_langevin_velocity(solid, i);
+        positions[l] = fw_solid_position(solid, first + l);
+        velocities[l] = fw_langevin_velocity(solid, first + l);
     }
-    FW_TRY(set_in_motion(scenario, number, sites, positions, velocities, error));
+    if (body->spin != 0) turn_about_middle(body, sites, positions, velocities);
+    FW_TRY(fw_build_patterns(&body->velocities, sites, &body->lattice, (uint64_t)scenario->run.seed,
+                             fw_build_velocity_stream(number), velocities, error));
     for (int l = 0; l < sites->count; ++l)
         fw_langevin_set_velocity(solid, first + l, velocities[l]);
     return FW_OK;

@@ -57,6 +57,25 @@ static void curvature_is_the_slope_of_the_force(void **state)
     }
 }
 
+/* Of pairs further apart than that none has a larger U'' or U'/r. */
+static void no_pair_is_stiffer_than_the_stiffest(void **state)
+{
+    (void)state;
+    const fw_pair_potential jones = fw_pair_potential_default();
+    fw_pair_potential kinds[] = {jones, morse(6), morse(1), jones, morse(1), jones, morse(4)};
+    kinds[3].cut = fw_smooth_cut_over(1, 1.05);
+    kinds[4].cut = fw_smooth_cut_over(1, 1.5);
+    kinds[5].cut = kinds[6].cut = fw_smooth_cut_over(5, 5);
+    for (int k = 0; k < 7; ++k)
+        for (double closest = 0.5; closest < 1.8; closest += 0.1) {
+            const double stiffest = fw_pair_potential_stiffest(&kinds[k], closest);
+            for (double r = closest; r < 1.8; r += 0.003) {
+                assert_true(fw_pair_potential_curvature(&kinds[k], r) <= stiffest);
+                assert_true(-fw_pair_at(&kinds[k], r * r).push <= stiffest);
+            }
+        }
+}
+
 /* A free pair is one oscillator, omega^2 = 2 U''/m: Verlet's step must be below 2/omega. */
 static void an_overlap_shortens_the_time_step(void **state)
 {
@@ -78,6 +97,40 @@ static void an_overlap_shortens_the_time_step(void **state)
             fw_solid_destroy(solid);
         else
             assert_non_null(strstr(error.sentence, "particle 0 of body 'pair' starts so near"));
+    }
+}
+
+static fw_status make_crystal(fw_solid **solid, double spacing, double time_step, fw_error *error)
+{
+    fw_crowd crowd = crowd_rectangle(9, 9, (fw_vec2){0, 0}, spacing, 0, 1);
+    fw_particle_group_def group = fw_particle_group_def_default();
+    group.count = crowd.count;
+    group.positions = crowd.at;
+    fw_particles_def def = fw_particles_def_default();
+    def.groups = &group;
+    def.group_count = 1;
+    def.controls.time_step = time_step;
+    def.overlap_energy = INFINITY;
+    const fw_status status = fw_particles_create(solid, &def, error);
+    free(crowd.at);
+    return status;
+}
+
+/* Inside, all of a particle's neighbours add up. */
+static void a_pressed_crystal_shortens_the_time_step(void **state)
+{
+    (void)state;
+    const double spacings[] = {0.95, 0.8, 0.6};
+    for (int n = 0; n < 3; ++n) {
+        fw_solid *solid;
+        fw_error error;
+        assert_int_equal(make_crystal(&solid, spacings[n], 1e-6, &error), FW_OK);
+        const double limit = fw_particles_start_limit(solid, NULL);
+        fw_solid_destroy(solid);
+        assert_int_equal(make_crystal(&solid, spacings[n], 0.99 * limit, &error), FW_OK);
+        fw_solid_destroy(solid);
+        assert_int_equal(make_crystal(&solid, spacings[n], 1.01 * limit, &error), FW_BAD_INPUT);
+        assert_non_null(strstr(error.sentence, "starts so near to its neighbours"));
     }
 }
 
@@ -138,7 +191,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(curvature_is_the_slope_of_the_force),
+        cmocka_unit_test(no_pair_is_stiffer_than_the_stiffest),
         cmocka_unit_test(an_overlap_shortens_the_time_step),
+        cmocka_unit_test(a_pressed_crystal_shortens_the_time_step),
         cmocka_unit_test(return_forces_limit_the_time_step),
         cmocka_unit_test(a_bath_too_hot_is_refused),
     };
