@@ -5,24 +5,26 @@
 
 #include "core/noise.h"
 
-/* Two beams, the lower held at its bottom, the upper pressed and moved by `path` at its top. */
-static fw_scene *two_surfaces(fw_friction friction, fw_path path)
+/* Two beams of at most 20 columns, the lower held at its bottom, the upper pressed and moved by
+ * `path` at its top. */
+static fw_scene *two_surfaces(int columns, fw_friction friction, fw_path path)
 {
     fw_scene *scene = empty_scene(1e4);
     int held[2][20];
-    for (int n = 0; n < 20; ++n) {
+    for (int n = 0; n < columns; ++n) {
         held[0][n] = n;
-        held[1][n] = 80 + n;
+        held[1][n] = 4 * columns + n;
     }
-    add_body(scene, (body_options){.columns = 20, .rows = 5, .mu = 0.9});
-    add_body(scene, (body_options){.columns = 20, .rows = 5, .origin = {0.5, 4.001}, .mu = 0.9});
+    add_body(scene, (body_options){.columns = columns, .rows = 5, .mu = 0.9});
+    add_body(scene,
+             (body_options){.columns = columns, .rows = 5, .origin = {0.5, 4.001}, .mu = 0.9});
     const fw_grip_def below = {.name = "held",
                                .particles = held[0],
-                               .particle_count = 20,
+                               .particle_count = columns,
                                .drive = {.prescribed_x = true, .prescribed_y = true}};
     const fw_grip_def above = {.name = "driven",
                                .particles = held[1],
-                               .particle_count = 20,
+                               .particle_count = columns,
                                .drive = {.prescribed_x = true, .path = path, .force = {0, -0.2}}};
     must(fw_scene_add_grip(scene, 0, &below, &error));
     must(fw_scene_add_grip(scene, 1, &above, &error));
@@ -35,7 +37,7 @@ static fw_scene *two_surfaces(fw_friction friction, fw_path path)
 
 static fw_scene *two_beams(double friction, fw_path path)
 {
-    return two_surfaces(fw_friction_of(friction, friction), path);
+    return two_surfaces(20, fw_friction_of(friction, friction), path);
 }
 
 static void assert_energy_closes(const fw_scene *scene, double tolerance)
@@ -69,7 +71,8 @@ static void what_slides_obeys_the_cone(void **state)
         const double friction = n == 0 ? 0.3 : 0.1;
         fw_scene *scene =
             two_beams(friction, (fw_path){.velocity = {1e-4, 0}, .from = 1000, .until = 4000});
-        run(scene, 3600);
+        /* The less friction the sooner all of them slide. */
+        run(scene, n == 0 ? 3600 : 2000);
         const double before = fw_scene_contact_ledger(scene)->heat;
         run(scene, 400);
         const fw_vec2 force = fw_scene_body_ledger(scene, 1, 0)->reaction;
@@ -89,7 +92,7 @@ static void what_slides_obeys_the_cone(void **state)
 static void what_sticks_bears_more_than_what_slides(void **state)
 {
     (void)state;
-    fw_scene *scene = two_surfaces((fw_friction){0.2, 0.4},
+    fw_scene *scene = two_surfaces(20, (fw_friction){0.2, 0.4},
                                    (fw_path){.velocity = {1e-4, 0}, .from = 1000, .until = 6000});
     double most = 0;
     for (int t = 0; t < 3600; ++t) {
@@ -100,12 +103,12 @@ static void what_sticks_bears_more_than_what_slides(void **state)
     /* Particles stick and slip, and what is stored in the beams comes and goes: over 400 steps the
      * heat is off by a tenth. */
     const double before = fw_scene_contact_ledger(scene)->heat;
-    run(scene, 2400);
+    run(scene, 1200);
     /* Normals and tangents lean on each other: in turn 100 of these steps would not settle, and
      * friction exceed its cone by .46. */
     assert_true(fw_scene_contact_ledger(scene)->overstep < 0.04);
     assert_true(fw_scene_contact_ledger(scene)->unconverged <= 5);
-    assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.24, 3.8e-4);
+    assert_close(fw_scene_contact_ledger(scene)->heat - before, 0.2 * 0.2 * 0.12, 1.9e-4);
     assert_energy_closes(scene, 1e-12);
     fw_scene_destroy(scene);
 }
@@ -160,13 +163,14 @@ static void what_lies_on_a_floor_does_not_creep(void **state)
 
 static fw_scene *shaken_beams(void)
 {
-    return two_beams(0.3, (fw_path){.amplitude = {0.1, 0}, .period = 400});
+    return two_surfaces(12, fw_friction_of(0.3, 0.3),
+                        (fw_path){.amplitude = {0.1, 0}, .period = 400});
 }
 
 static void friction_that_goes_on_elsewhere_has_the_same_bytes(void **state)
 {
     (void)state;
-    assert_goes_on_elsewhere(shaken_beams, 900, 311, 137);
+    assert_goes_on_elsewhere(shaken_beams, 600, 173, 197);
 }
 
 /* Bodies that strike each other at any angle: energy only falls, and is heat. */
