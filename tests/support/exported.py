@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""exported.py FOLDER NAME [EVERY [AGAIN]] - FOLDER/NAME.csv, .extxyz, .pvd and .xdmf, read by standard means,
-hold every number of FOLDER/NAME/trajectory.h5, to the last bit, NAME.data those of its last frame; MDAnalysis reads
-the .extxyz, where it is installed. AGAIN: these results begin where those end."""
+"""exported.py FOLDER NAME EVERY[,EVERY...] [AGAIN...] - FOLDER/NAME-EVERY.csv, .extxyz, .pvd and .xdmf, read by
+standard means, hold every number of each EVERY-th frame of FOLDER/NAME/trajectory.h5, to the last bit, NAME-EVERY.data
+those of its last frame; MDAnalysis reads the .extxyz, where it is installed. AGAIN: these results begin where those
+end."""
 
 import base64
 import csv
@@ -14,10 +15,9 @@ import h5py
 import numpy
 
 folder, name = pathlib.Path(sys.argv[1]), sys.argv[2]
-every = int(sys.argv[3]) if len(sys.argv) > 3 else 1
+every, stem, steps, times = 1, name, None, None  # of the files that are looked at
 results = h5py.File(folder / name / "trajectory.h5", "r")
 group = results["particles/trajectory"]
-steps, times = group["position/step"][::every], group["position/time"][::every]
 fields = [key for key, of in group.items() if "value" in of and of["value"].ndim == 2]
 vectors = [key for key in ("position", "velocity", "force") if key in group]
 bodies = list(group["body"].attrs["bodies"])
@@ -35,7 +35,7 @@ def same(what, found, wanted):
 
 
 def check_csv():
-    with open(folder / f"{name}.csv") as file:
+    with open(folder / f"{stem}.csv") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
     count = len(group["id"])
     column = {key: numpy.array([float(row[key] or "nan") for row in rows]) for key in rows[0] if key != "body"}
@@ -54,7 +54,7 @@ def check_csv():
 
 
 def check_extxyz():
-    path, columns = folder / f"{name}.extxyz", {"position": "pos", "velocity": "velo", "force": "forces"}
+    path, columns = folder / f"{stem}.extxyz", {"position": "pos", "velocity": "velo", "force": "forces"}
     lines, at = path.read_text().splitlines(), 0
     for frame, (step, time) in enumerate(zip(steps, times)):
         count, head = int(lines[at]), lines[at + 1]
@@ -88,7 +88,7 @@ def check_extxyz():
 
 def check_data():
     sections, found, head = ("Masses", "Atoms", "Velocities"), {}, None
-    for line in (folder / f"{name}.data").read_text().splitlines()[1:]:
+    for line in (folder / f"{stem}.data").read_text().splitlines()[1:]:
         words = line.split("#")[0].split()
         if words and words[0] in sections:
             head = words[0]
@@ -104,8 +104,8 @@ def check_data():
         same("data velocities", numpy.array(found["Velocities"])[:, 1:], group["velocity/value"][-1])
 
 
-def check_again():
-    again = h5py.File(folder / sys.argv[4] / "trajectory.h5", "r")
+def check_again(again):
+    again = h5py.File(folder / again / "trajectory.h5", "r")
     same("the start of the next run", again["particles/trajectory/position/value"][0], group["position/value"][-1])
 
 
@@ -121,7 +121,7 @@ def numbers(element):
 
 
 def check_vtp():
-    sets = xml.parse(folder / f"{name}.pvd").getroot().findall("./Collection/DataSet")
+    sets = xml.parse(folder / f"{stem}.pvd").getroot().findall("./Collection/DataSet")
     same("pvd times", [float(of.get("timestep")) for of in sets], times)
     links = results["connectivity/links"][()] if "connectivity/links" in results else numpy.zeros((0, 2))
     for frame, of in enumerate(sets):
@@ -154,7 +154,7 @@ def slab(item):
 
 
 def check_xdmf():
-    grids = xml.parse(folder / f"{name}.xdmf").getroot().findall("./Domain/Grid/Grid")
+    grids = xml.parse(folder / f"{stem}.xdmf").getroot().findall("./Domain/Grid/Grid")
     same("xdmf times", [float(grid.find("Time").get("Value")) for grid in grids], times)
     for frame, grid in enumerate(grids):
         same("xdmf positions", slab(grid.find("./Geometry/DataItem")), value("position")[frame])
@@ -167,10 +167,13 @@ def check_xdmf():
             same("xdmf links", slab(links), results["connectivity/links"][()])
 
 
-check_csv()
-check_extxyz()
-check_vtp()
-check_xdmf()
-check_data()
-if len(sys.argv) > 4:
-    check_again()
+for every in map(int, sys.argv[3].split(",")):
+    stem = f"{name}-{every}"
+    steps, times = group["position/step"][::every], group["position/time"][::every]
+    check_csv()
+    check_extxyz()
+    check_vtp()
+    check_xdmf()
+    check_data()
+for further in sys.argv[4:]:
+    check_again(further)

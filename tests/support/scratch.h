@@ -69,10 +69,12 @@ static bool h5py_missing __attribute__((unused));
 static inline int run_python(const char *script, const char *arguments)
 {
     static const char *const interpreters[] = {"python3", "/usr/bin/python3"};
+    static int found = -1; /* it takes a while to find that out */
     char command[1024];
-    for (int i = 0; i < 2; ++i) {
+    for (int i = found < 0 ? 0 : found; i < 2; ++i) {
         snprintf(command, sizeof command, "%s -c 'import h5py' 2>/dev/null", interpreters[i]);
-        if (system(command) != 0) continue;
+        if (found < 0 && system(command) != 0) continue;
+        found = i;
         snprintf(command, sizeof command, "%s -B '%s/tests/support/%s' %s", interpreters[i],
                  FW_SOURCE_DIR, script, arguments);
         int status = system(command);

@@ -25,22 +25,28 @@ static const char gas[] =
     "record: {velocity: false}\n"
     "measure: [energy]\n";
 
-static void export_everything(const char *folder, const char *options)
+/* As out-EVERY. */
+static void export_everything(const char *folder, int every)
 {
-    static const char *const formats[] = {"csv", "extxyz", "vtp", "xdmf", "data"};
+    static const char *const formats[][2] = {
+        {"csv", "csv"}, {"extxyz", "extxyz"}, {"vtp", "pvd"}, {"xdmf", "xdmf"}, {"data", "data"}};
     for (int n = 0; n < 5; ++n) {
-        char line[128];
-        snprintf(line, sizeof line, "export out --to %s%s", formats[n], options);
+        char line[128], said[64], thinned[32];
+        snprintf(thinned, sizeof thinned, " --every %d", every);
+        if (every == 1) thinned[0] = '\0';
+        snprintf(line, sizeof line, "export out --to %s -o out-%d.%s%s", formats[n][0], every,
+                 formats[n][1], thinned);
+        snprintf(said, sizeof said, "exported: out-%d.%s\n", every, formats[n][1]);
         const outcome seen = run_program(folder, line);
         expect_end(&seen, 0, "");
-        assert_non_null(strstr(seen.out, "exported: out."));
+        assert_string_equal(seen.out, said);
     }
 }
 
 static void check_exported(const char *folder, const char *more)
 {
     char arguments[128];
-    snprintf(arguments, sizeof arguments, "%s out%s", folder, more);
+    snprintf(arguments, sizeof arguments, "%s out %s", folder, more);
     const int status = run_python("exported.py", arguments);
     if (status > 0) fail_msg("what was exported is not what the results say");
 }
@@ -52,13 +58,9 @@ static void check_scenario(const char *text)
     write_scenario(folder, "file.yaml", text);
     const outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
     expect_end(&seen, 0, "");
-    export_everything(folder, "");
-    check_exported(folder, "");
-    export_everything(folder, " --every 2");
-    check_exported(folder, " 2");
-    /* Of six frames the first and the fifth, of four only the first. */
-    export_everything(folder, " --every 4");
-    check_exported(folder, " 4");
+    /* By four: of six frames the first and the fifth, of four only the first. */
+    for (int every = 1; every <= 4; every *= 2) export_everything(folder, every);
+    check_exported(folder, "1,2,4");
     remove_folder(folder);
     skip_unseen();
 }
@@ -85,19 +87,21 @@ static void a_run_starts_where_an_exported_one_ended(void **state)
     write_scenario(folder, "file.yaml", gas);
     outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
     expect_end(&seen, 0, "");
-    export_everything(folder, "");
+    export_everything(folder, 1);
     for (int n = 0; n < 2; ++n) {
         snprintf(line, sizeof line,
                  "title: again\nmaterials: {gas: {movable-particles: {strength: 0}}}\n"
-                 "bodies: {cloud: {material: gas, shape: {file: out.%s}}}\nrun: {steps: 1}\n",
+                 "bodies: {cloud: {material: gas, shape: {file: out-1.%s}}}\nrun: {steps: 1}\n",
                  endings[n]);
         write_scenario(folder, "again.yaml", line);
-        seen = run_program(folder, "run again.yaml -o again --overwrite --no-plot --quiet");
+        snprintf(line, sizeof line, "run again.yaml -o %s --no-plot --quiet", endings[n]);
+        seen = run_program(folder, line);
         expect_end(&seen, 0, "");
-        check_exported(folder, " 1 again");
-        seen = run_program(folder, "rerun again -o third --overwrite");
+        snprintf(line, sizeof line, "rerun %s -o third --overwrite", endings[n]);
+        seen = run_program(folder, line);
         expect_end(&seen, 0, "");
     }
+    check_exported(folder, "1 data extxyz");
     remove_folder(folder);
     skip_unseen();
 }
