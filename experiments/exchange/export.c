@@ -43,7 +43,8 @@ static fw_status check_name(const char *name, const format *of, fw_error *error)
                    of->name, of->ending, of->also ? " or " : "", of->also ? of->also : "");
 }
 
-/* "results/bounce/" and "results/bounce/trajectory.h5" become "results/bounce" and the ending. */
+/* "results/bounce/" and "results/bounce/trajectory.h5", no longer than FW_PATH_SIZE, become
+ * "results/bounce" and the ending. */
 static fw_status default_name(char name[FW_PATH_SIZE], const char *results, const char *ending,
                               fw_error *error)
 {
@@ -51,10 +52,8 @@ static fw_status default_name(char name[FW_PATH_SIZE], const char *results, cons
     const char *slash = strrchr(results, '/');
     if (strcmp(slash ? slash + 1 : results, file) != 0)
         return fw_path_beside(name, results, ending, error);
-    char folder[FW_PATH_SIZE];
-    if (snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash - results) : 1,
-                 slash ? results : ".") >= FW_PATH_SIZE)
-        return fw_fail(error, FW_BAD_INPUT, "the name '%.60s...' is too long", results);
+    char folder[FW_PATH_SIZE] = ".";
+    if (slash) snprintf(folder, sizeof folder, "%.*s", (int)(slash - results), results);
     return fw_path_beside(name, folder, ending, error);
 }
 
