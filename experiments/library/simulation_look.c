@@ -131,11 +131,12 @@ fw_status fw_simulation_field(fw_simulation *s, int body, const char *name, cons
 {
     const fw_body_range *range = range_of(s, body);
     const fw_body_field field = fw_body_field_find(experiment_of(s), body, name);
-    const char *first = fw_simulation_field_name(s, body, 0);
+    const char *first = fw_simulation_field_name(s, body, 0); /* every solid has some */
     double *all;
     if (!field.name)
-        return fw_fail(error, FW_BAD_INPUT, "body %s has no field %s, expected one that it has%s%s",
-                       range->name, name, first ? ", such as " : "", first ? first : "");
+        return fw_fail(error, FW_BAD_INPUT,
+                       "body %s has no field %s, expected one that it has, such as %s", range->name,
+                       name, first);
     FW_TRY(find_window(s, range->solid, field.name, 1, &all, error));
     fw_body_field_fill(experiment_of(s), body, &field, all);
     *values = all + range->first;
