@@ -140,23 +140,6 @@ typedef struct check_plan {
     run_cost cost;     /* of one of them; its steps are known last */
 } check_plan;
 
-/* What keeps out of nothing but walls is not seen to at the start: a run warns when it happens. */
-static void print_passing(FILE *out, const fw_experiment *experiment)
-{
-    int pairs = 0;
-    for (int a = 0; a < experiment->body_count; ++a)
-        for (int b = a + 1; b < experiment->body_count; ++b) {
-            const int first = experiment->bodies[a].solid, second = experiment->bodies[b].solid;
-            if (first == second || fw_scene_bodies_meet(experiment->scene, first, second)) continue;
-            if (pairs++ > 0) continue;
-            fprintf(out, "  %-14s bodies %s and %s", "pass", experiment->bodies[a].name,
-                    experiment->bodies[b].name);
-        }
-    if (pairs == 0) return;
-    if (pairs > 1) fprintf(out, " (and %d more pairs)", pairs - 1);
-    fprintf(out, " pass through each other where they come together\n");
-}
-
 /* What a run would warn of at its start; the speed was reported in better words. */
 static fw_status warn_as_run(const fw_experiment *experiment, int *warnings, fw_error *error)
 {
@@ -202,7 +185,6 @@ static fw_status check_run(fw_run *run, const char *name, check_plan *plan,
     print_study(plan->scenario);
     print_sizes(experiment->scenario, &size, memory);
     FW_TRY(check_limits(experiment, &warnings, error));
-    print_passing(stdout, experiment);
     FW_TRY(warn_as_run(experiment, &warnings, error));
     if (arguments->output) printf("  %-14s %s\n", "picture", arguments->output);
     fflush(stdout);
