@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* test_simulation_stop.c - a simulation that is stopped where its checkpoint cannot be written. */
+/* test_simulation_stop.c - simulations that stop before their end: where the
+ * checkpoint cannot be written, and where the numbers diverge. */
 #include "tests/support/laws.h"
 
 #include "experiments/library/simulation.h"
@@ -34,8 +35,38 @@ static void a_stop_without_its_checkpoint_says_so(void **state)
     remove_folder(folder);
 }
 
+static bool count_calls(fw_simulation *simulation, void *context)
+{
+    (void)simulation;
+    *(int *)context += 1;
+    return true;
+}
+
+/* Pulled out of all bounds while somebody looks on. */
+static void whoever_looks_is_told_that_it_diverges(void **state)
+{
+    (void)state;
+    static const char *const settings[] = {"forces.pull={body: one, force: [1e6, 0]}"};
+    fw_simulation_def def = fw_simulation_def_default();
+    fw_simulation *simulation;
+    int calls = 0;
+    def.text = flight;
+    def.settings = settings;
+    def.setting_count = 1;
+    assert_fine(fw_simulation_create(&simulation, &def, &error));
+    assert_refused(fw_simulation_run(simulation, 10, count_calls, &calls, &error), FW_DIVERGED,
+                   "of body one");
+    assert_int_equal(calls, 1);
+    assert_true(fw_simulation_step(simulation) < 10);
+    assert_false(fw_simulation_is_at_end(simulation));
+    fw_simulation_destroy(simulation);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(a_stop_without_its_checkpoint_says_so)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_stop_without_its_checkpoint_says_so),
+        cmocka_unit_test(whoever_looks_is_told_that_it_diverges),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
