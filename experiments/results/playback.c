@@ -133,7 +133,8 @@ static char (*list_members(fw_playback *playback, const char *path, int *count))
     *count = 0;
     if (!names) return NULL;
     *count = fw_hdf5_list(playback->file->hdf5, path, names[0], FW_NAME_SIZE, MAX_MEMBERS);
-    if (*count > MAX_MEMBERS) *count = MAX_MEMBERS;
+    if (*count < 0) fw_hdf5_refuse(playback->file->hdf5, path);
+    *count = *count < 0 ? 0 : *count > MAX_MEMBERS ? MAX_MEMBERS : *count;
     return names;
 }
 

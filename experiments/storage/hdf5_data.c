@@ -78,7 +78,7 @@ int fw_hdf5_list(fw_hdf5 *file, const char *path, char *names, int size, int cap
     H5G_info_t members = {0};
     if (H5Gget_info_by_name(file->id, path, &members, H5P_DEFAULT) < 0) {
         fw_hdf5_miss(file);
-        members.nlinks = 0;
+        return -1;
     }
     for (hsize_t i = 0; i < members.nlinks; ++i) {
         char *name = count < capacity ? names + (size_t)count * (size_t)size : NULL;

@@ -108,7 +108,8 @@ bool fw_hdf5_shape(fw_hdf5 *file, fw_dataset dataset, fw_shape *shape);
  * allocated for it. */
 bool fw_hdf5_is_stored(fw_hdf5 *file, fw_dataset dataset);
 /* Names of the members of a group in the order of their making, each at most `size` - 1 bytes long;
- * returns how many there are and writes at most `capacity`. Longer names are left out. */
+ * returns how many there are, -1 where there is no such group, and writes at most `capacity`. Longer
+ * names are left out. */
 int fw_hdf5_list(fw_hdf5 *file, const char *path, char *names, int size, int capacity);
 /* The text of an attribute into `text`; false, and "" there, when there is no such text. */
 bool fw_hdf5_read_attribute(fw_hdf5 *file, const char *path, const char *name, char *text,

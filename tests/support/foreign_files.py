@@ -4,6 +4,7 @@
 foreign_files.py RIGHT FOLDER [KIND]    one .h5 file for each kind of damage:
   damages   that is seen when the file is opened (the default)
   parts     of one part: the file is opened, and that part refused
+  rows      where a run that was killed would go on
   oddities  that are none: all else is read
 """
 import shutil
@@ -112,6 +113,14 @@ DAMAGES = {
     "links-of-halves": new_data("connectivity/links", np.zeros((5, 2))),
     "flat-links": new_data("connectivity/links", np.zeros(10, np.int32)),
     "position-in-words": new_data(f"{PARTICLES}/position/value", np.bytes_("none")),
+    "title-of-variable-length": new_data("parameters/title", "a run"),
+    "row-of-titles": new_data("parameters/title", np.array([b"one", b"two"])),
+    "short-species": new_data(f"{PARTICLES}/species", np.zeros(8, np.int16)),
+    "species-of-bytes": new_data(f"{PARTICLES}/species", np.zeros(8, np.uint8)),
+    "species-of-pairs": new_data(f"{PARTICLES}/species", np.zeros(8, "i4,i4")),
+    "position-of-five-ranks": new_data(f"{PARTICLES}/position/value", np.zeros((40, 8, 3, 1, 1))),
+    "bodies-in-numbers": attribute(f"{PARTICLES}/species", "bodies", np.zeros(2)),
+    "no-series": without("parameters/series"),
     "integral-observable": new_data(f"{ENERGY}/value", np.zeros(300, np.int32)),
     "cubic-observable": new_data(f"{ENERGY}/value", np.zeros((300, 2, 2))),
     "observable-without-components": new_data(f"{ENERGY}/value", np.zeros((300, 0))),
@@ -182,7 +191,26 @@ PARTS = {
     "few-frame-times": new_data(f"{PARTICLES}/position/time", np.zeros(39)),
     "integral-mass": new_data(f"{PARTICLES}/mass", np.zeros(8, np.int32)),
 }
+ROWS = {
+    "no-position": without(f"{PARTICLES}/position"),
+    "position-in-words": new_data(f"{PARTICLES}/position/value", np.bytes_("none")),
+    "flat-position": new_data(f"{PARTICLES}/position/value", np.zeros((40, 24))),
+    "plane-position": new_data(f"{PARTICLES}/position/value", np.zeros((40, 8, 2))),
+    "position-of-integers": new_data(f"{PARTICLES}/position/value", np.zeros((40, 8, 3), np.int64)),
+    "short-velocity": new_data(f"{PARTICLES}/velocity/value", np.zeros((39, 8, 3))),
+    "no-steps": without(f"{PARTICLES}/position/step"),
+    "steps-in-words": new_data(f"{PARTICLES}/position/step", np.bytes_("none")),
+    "steps-of-halves": new_data(f"{PARTICLES}/position/step", np.zeros(40)),
+    "few-steps": new_data(f"{PARTICLES}/position/step", np.zeros(39, np.int64)),
+    "plane-of-steps": new_data(f"{PARTICLES}/position/step", np.zeros((40, 1), np.int64)),
+    "few-times": new_data(f"{PARTICLES}/position/time", np.zeros(39)),
+    "integral-times": new_data(f"{PARTICLES}/position/time", np.zeros(40, np.int64)),
+    "species-of-halves": new_data(f"{PARTICLES}/species", np.zeros(8)),
+    "plane-species": new_data(f"{PARTICLES}/species", np.zeros((8, 1), np.int32)),
+    "no-reason": without("parameters/provenance/exit_reason"),
+}
 ODDITIES = {
+    "name-of-hundreds": lambda file: file[PARTICLES].create_group("x" * 300),
     "escape-in-field": lambda file: file.move(f"{PARTICLES}/strain", f"{PARTICLES}/str\x1bain"),
     "other-letters": attribute(f"{PARTICLES}/strain", "unit",
                                np.bytes_("\u00b5m \u00a0\u00c0".encode())),
@@ -191,7 +219,7 @@ ODDITIES = {
 
 if __name__ == "__main__":
     right, folder = sys.argv[1:3]
-    kinds = {"damages": DAMAGES, "parts": PARTS, "oddities": ODDITIES}
+    kinds = {"damages": DAMAGES, "parts": PARTS, "rows": ROWS, "oddities": ODDITIES}
     for name, damage in kinds[sys.argv[3] if len(sys.argv) > 3 else "damages"].items():
         path = f"{folder}/{name}.h5"
         shutil.copy(right, path)

@@ -29,6 +29,13 @@ static int end(void **state)
     return 0;
 }
 
+static const char *path_in(const char *name)
+{
+    static char path[128];
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return path;
+}
+
 static void record_until(int64_t samples, const char *reason)
 {
     fw_trajectory_def def = run_def(folder);
@@ -124,6 +131,38 @@ static void a_changed_structure_does_not_fit_its_seal(void **state)
                    "is damaged");
 }
 
+/* Killed, so that the file has room for all rows. */
+static void a_file_with_other_rows_is_not_gone_on_with(void **state)
+{
+    (void)state;
+    char command[400], arguments[256];
+    fw_trajectory_def def = run_def(folder);
+    assert_fine(fw_trajectory_create(&trajectory, &def, &error));
+    assert_fine(run_write_until(trajectory, STOPPED));
+    assert_fine(fw_trajectory_sync(trajectory, &error));
+    fw_trajectory_destroy(trajectory);
+    shell(folder, "mkdir files");
+    snprintf(arguments, sizeof arguments, "%s/trajectory.h5 %s/files rows", folder, folder);
+    const int status = run_python("foreign_files.py", arguments);
+    if (status > 0) fail_msg("foreign_files.py failed");
+    shell(folder, "cp trajectory.h5 files/right.h5; ls files > names");
+    FILE *names = fopen(path_in("names"), "r");
+    int count = 0;
+    for (char name[64]; fscanf(names, "%63s", name) == 1; ++count) {
+        snprintf(command, sizeof command, "cp files/%s trajectory.h5", name);
+        shell(folder, command);
+        error = (fw_error){0};
+        const fw_status opened =
+            fw_trajectory_reopen(&trajectory, &def, run_frames_at(STOPPED), STOPPED, &error);
+        if (opened != (strcmp(name, "right.h5") == 0 ? FW_OK : FW_BAD_INPUT))
+            fail_msg("%s: status %d, '%s'", name, (int)opened, error.sentence);
+        if (opened == FW_OK) fw_trajectory_destroy(trajectory);
+    }
+    fclose(names);
+    assert_true(count == 1 || count > 10);
+    skip_unseen();
+}
+
 /* --- the copy of the structure of a file that was cut --- */
 
 typedef struct copy_start {
@@ -200,6 +239,7 @@ int main(void)
         TEST(what_has_no_room_or_name_is_refused),
         TEST(a_folder_without_results_has_nothing_to_mend),
         TEST(a_changed_structure_does_not_fit_its_seal),
+        TEST(a_file_with_other_rows_is_not_gone_on_with),
         TEST(a_copy_of_another_file_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -7,6 +7,7 @@
 #include "experiments/storage/claim.h"
 #include "experiments/storage/row_writer.h"
 #include "experiments/storage/sealed_file.h"
+#include "experiments/storage/whole_file.h"
 #include "tests/support/refused_calls.h"
 #include "tests/support/scratch.h"
 
@@ -147,6 +148,56 @@ static fw_status write_row(void)
     return FW_OK;
 }
 
+/* A row that is long enough to go past the cache, where the file lies on a disk that has that: what
+ * lies between two multiples of 4096, and its two ends apart. */
+static fw_status write_long_row(void)
+{
+    enum { NUMBERS = 2048, ADDRESS = 4096 - 64 };
+    static double found[NUMBERS];
+    int reason = -1;
+    double *memory = fw_row_memory(sizeof found), *row = fw_row_place(memory, ADDRESS);
+    for (int n = 0; n < NUMBERS; ++n) row[n] = n + .5;
+    const fw_row_piece piece = {row, sizeof found, ADDRESS};
+    const int descriptor = open(row_file, O_RDWR | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    fw_row_writer *writer = fw_row_writer_create(descriptor, keep_reason, &reason);
+    assert_non_null(writer);
+    fw_row_writer_start(writer, &piece, 1);
+    fw_row_writer_destroy(writer);
+    const ssize_t moved = pread(descriptor, found, sizeof found, ADDRESS);
+    close(descriptor);
+    const bool same = moved == sizeof found && memcmp(found, row, sizeof found) == 0;
+    free(memory);
+    if (reason != 0) return fw_fail(&error, FW_SYSTEM_FAILED, "%s", strerror(reason));
+    assert_true(same);
+    return FW_OK;
+}
+
+/* What was there stays where the new file cannot be brought to disk. */
+static fw_status expect_whole(fw_status status, const char *fresh_words)
+{
+    char *bytes;
+    size_t size;
+    fw_error ignored;
+    assert_int_equal(fw_regular_file_read(&bytes, &size, file, 100, &ignored), FW_OK);
+    assert_string_equal(bytes, status == FW_OK ? fresh_words : words);
+    free(bytes);
+    assert_int_equal(fw_whole_file_write(file, words, strlen(words), &ignored), FW_OK);
+    return status;
+}
+
+static fw_status write_whole(void)
+{
+    return expect_whole(fw_whole_file_write(file, "other", 5, &error), "other");
+}
+
+static fw_status write_by_and_by(void)
+{
+    fw_whole_file *whole;
+    FW_TRY(fw_whole_file_begin(&whole, file, &error));
+    fputs("other", fw_whole_file_stream(whole));
+    return expect_whole(fw_whole_file_commit(whole, &error), "other");
+}
+
 static const struct {
     attempted *attempt;
     refused_call kind;
@@ -191,6 +242,18 @@ static const struct {
     {write_row, REFUSED_PWRITE, 1, BY_HALF, FW_OK, NULL},
     {write_row, REFUSED_PWRITE, 1, NOTHING_MOVES, FW_SYSTEM_FAILED, "Input/output error"},
     {write_row, REFUSED_PWRITE, 1, ENOSPC, FW_SYSTEM_FAILED, "No space left on device"},
+    {write_row, REFUSED_OPEN, 2, EINVAL, FW_OK, NULL}, /* all goes through the cache */
+    {write_long_row, REFUSED_OPEN, 2, EINVAL, FW_OK, NULL},
+    {write_long_row, REFUSED_PWRITE, 1, EINTR, FW_OK, NULL},
+    {write_long_row, REFUSED_PWRITE, 1, ENOSPC, FW_SYSTEM_FAILED, "No space left on device"},
+    {write_whole, REFUSED_OPEN, 1, EACCES, FW_SYSTEM_FAILED, "words' (5 bytes): Permission denied"},
+    {write_whole, REFUSED_FSYNC, 1, EIO, FW_SYSTEM_FAILED, "words' (5 bytes): Input/output error"},
+    {write_whole, REFUSED_FSYNC, 1, EROFS, FW_OK, NULL}, /* there is nothing to synchronise */
+    {write_whole, REFUSED_FSYNC, 1, ENOTSUP, FW_OK, NULL},
+    {write_whole, REFUSED_FSYNC, 2, EIO, FW_OK, NULL}, /* of the folder */
+    {write_by_and_by, REFUSED_OPEN, 1, EACCES, FW_SYSTEM_FAILED, "words': Permission denied"},
+    {write_by_and_by, REFUSED_FSYNC, 1, EIO, FW_SYSTEM_FAILED, "words': Input/output error"},
+    {write_by_and_by, REFUSED_FCLOSE, 1, ENOSPC, FW_SYSTEM_FAILED, "words': No space left"},
 };
 
 static void what_the_system_refuses_is_said_or_done_again(void **state)
