@@ -22,16 +22,23 @@ static inline void end(void)
     fw_scenario_destroy(scenario);
 }
 
-/* body -1: of the scene. component NULL: of what is one number. */
-static inline double value_of(const char *name, int body, const char *component)
+/* component NULL: of what is one number. */
+static inline double value_at(const char *name, fw_subject subject, const char *component)
 {
     double out[FW_COMPONENTS_MAX];
     const fw_quantity *quantity = fw_quantity_find(name);
     assert_non_null(quantity);
-    quantity->measure(experiment, (fw_subject){.body = body, .wall = -1, .particle = -1}, out);
+    quantity->measure(experiment, subject, out);
     const int c = component ? fw_quantity_find_component(quantity, component) : 0;
     assert_true(c >= 0);
     return out[c];
+}
+
+/* body -1: of the scene. */
+static inline double value_of(const char *name, int body, const char *component)
+{
+    return value_at(name, (fw_subject){.body = body, .wall = -1, .grip = -1, .particle = -1},
+                    component);
 }
 
 static inline fw_solid *solid_of_body(int body)
