@@ -188,12 +188,12 @@ static fw_range bins_of(const fw_profile_table *table)
     return (fw_range){table->edges[0] - bin, table->edges[table->bin_count] + bin};
 }
 
-/* The last frame in which most of the bodies are above the bins: where they have been squeezed out,
- * later ones show nothing. The first where there is none. */
+/* The last frame in which three quarters of the particles are above the bins: where they have been
+ * squeezed out, later ones show nothing. The first where there is none. */
 static fw_status find_frame(const fw_plot_result *result, const fw_profile_table *table,
                             int64_t *frame, fw_error *error)
 {
-    const int least = 3 * (result->playback->particle_count / 4);
+    const int count = result->playback->particle_count, least = count - count / 4;
     for (; *frame > 0; *frame -= 1) {
         fw_plot_view view;
         fw_range across = fw_range_empty();
@@ -204,7 +204,7 @@ static fw_status find_frame(const fw_plot_result *result, const fw_profile_table
             elsewhere = include_above(&across, &view.view, bins_of(table));
         }
         fw_plot_view_clear(&view);
-        if (status != FW_OK || result->playback->particle_count - elsewhere >= least) return status;
+        if (status != FW_OK || count - elsewhere >= least) return status;
     }
     return FW_OK;
 }

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""reported.py PAGE FOLDER - the page asks nothing of anybody, its markup is its own, and its player shows the
-places, fields, forces and curves of FOLDER/trajectory.h5 as closely as its grid and its shades are."""
+"""reported.py PAGE FOLDER [BREAK-AT] - the page asks nothing of anybody, its markup is its own, and its player shows the
+places, fields, forces and curves of FOLDER/trajectory.h5 as closely as its grid and its shades are. BREAK-AT: its links
+break in the first frame in which they are stretched by more, against the first of all."""
 
 import base64
 import html.parser
@@ -70,7 +71,20 @@ for field in motion["fields"]:
 if "force" in group:
     near("forces", numbers("<f4", motion["forces"]).reshape(frames, -1, 2),
          group["force/value"][::every][:, shown, :2], 1e-6)
+if len(sys.argv) > 3:
+    where, links = group["position/value"][::every, :, :2], results["connectivity/links"][()]
+    across = where[:, links[:, 1]] - where[:, links[:, 0]]
+    broken = numpy.linalg.norm(across - across[0], axis=2) > float(sys.argv[3])
+    first = numpy.where(broken.any(axis=0), broken.argmax(axis=0), 2**31 - 1)
+    wanted = numpy.column_stack([links, first])
+    found = numbers("<i4", motion["links"]).reshape(-1, 3)
+    if sorted(map(tuple, found)) != sorted(map(tuple, wanted)) or not 0 < broken[-1].sum() < len(links):
+        fail("breaks other links")
 by = int(numpy.ceil(len(results["parameters/series/energy/value"]) / len(run["sampled"])))
 curve = next(curve for curve in run["curves"] if curve["name"] == "energy")
-wanted = results["parameters/series/energy/value"][::by]
+energy = results["parameters/series/energy/value"]
+said = energy.attrs.get("physical", b"1 energy").decode().split()  # "0.2 eV"
+if curve["unit"] != said[1]:
+    fail(f"has an energy in {curve['unit']}")
+wanted = energy[::by] * float(said[0])
 near("energy", numbers("<f4", curve["values"]), wanted, 1e-6 * abs(wanted).max())

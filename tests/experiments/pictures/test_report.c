@@ -31,6 +31,30 @@ static const char sweep[] =
     "study: {sweep: {parameters: {T: {values: [.5, 1]}}, set: ['dynamics.temperature=T']}}\n"
     "pictures: {all: {kind: sweep}}\n";
 
+/* Pulled apart until links between its halves break. */
+static const char torn[] =
+    "title: a bar is torn\n"
+    "units: {length: 0.5 nm, energy: 0.2 eV, mass: 60 u}\n"
+    "materials: {glass: {lattice-boltzmann: {damping: 0.05, break-at: 0.1}}}\n"
+    "bodies: {bar: {material: glass, shape: {mask: \"###.###\\n#######\\n#######\"}}}\n"
+    "forces:\n"
+    "  left: {body: bar, sites: left, force: [-0.05, 0]}\n"
+    "  right: {body: bar, sites: right, force: [0.05, 0]}\n"
+    "run: {steps: 200, record-every: 10}\n"
+    "measure: [energy]\n";
+
+/* One of its cases goes out of all bounds. */
+static const char failing[] =
+    "title: a speck flies\n"
+    "about: of two velocities one is hopeless\n"
+    "materials: {dust: {lattice-boltzmann: {rest-mass: 1}}}\n"
+    "bodies: {speck: {material: dust, shape: {rectangle: [1, 1]}}}\n"
+    "run: {steps: 4}\n"
+    "measure: [energy]\n"
+    "expect: [{quantity: energy, above: 0}]\n"
+    "study: {sweep: {parameters: {v: {values: [0.5, 1e6]}}, set: ['bodies.speck.velocity=[v, "
+    "0]']}}\n";
+
 static void run_in(char folder[64], const char *text)
 {
     make_quick_folder(folder, 64);
@@ -39,13 +63,13 @@ static void run_in(char folder[64], const char *text)
     expect_end(&seen, 0, "");
 }
 
-static void check_page(const char *folder, const char *results)
+static void check_page(const char *folder, const char *results, const char *more)
 {
     char arguments[256];
     const outcome seen = run_program(folder, "report out -o page.html");
     expect_end(&seen, 0, "");
     assert_non_null(strstr(seen.out, "report: page.html"));
-    snprintf(arguments, sizeof arguments, "%s/page.html %s/%s", folder, folder, results);
+    snprintf(arguments, sizeof arguments, "%s/page.html %s/%s%s", folder, folder, results, more);
     const int status = run_python("reported.py", arguments);
     if (status > 0) fail_msg("the page is not as it should be");
 }
@@ -55,7 +79,7 @@ static void report_shows_the_results_and_titles_as_text(void **state)
     (void)state;
     char folder[64];
     run_in(folder, scenario);
-    check_page(folder, "out");
+    check_page(folder, "out", "");
     remove_folder(folder);
     skip_unseen();
 }
@@ -65,9 +89,38 @@ static void report_of_a_sweep_has_its_cases(void **state)
     (void)state;
     char folder[64];
     run_in(folder, sweep);
-    check_page(folder, "out/T=0.5");
+    check_page(folder, "out/T=0.5", "");
     shell(folder,
           "test $(grep -c '\"certificate\"' page.html) = 2; grep -q '\"name\": \"T=1\"' page.html");
+    remove_folder(folder);
+    skip_unseen();
+}
+
+/* In units of nature: lengths by their factor, in nm. */
+static void report_shows_when_links_break(void **state)
+{
+    (void)state;
+    char folder[64];
+    run_in(folder, torn);
+    check_page(folder, "out", " 0.1");
+    shell(folder, "grep -q '\"lengthUnit\": \"nm\"' page.html && grep -q '\"lengthFactor\": 0.5,' "
+                  "page.html");
+    remove_folder(folder);
+    skip_unseen();
+}
+
+static void report_of_a_sweep_says_what_failed(void **state)
+{
+    (void)state;
+    char folder[64];
+    make_quick_folder(folder, sizeof folder);
+    write_scenario(folder, "file.yaml", failing);
+    const outcome seen = run_program(folder, "run file.yaml -o out --no-plot --quiet");
+    expect_end(&seen, 3, "case v=1000000 of 2 failed");
+    check_page(folder, "out/v=0.5", "");
+    shell(folder, "grep -q '\"about\": \"of two velocities one is hopeless\"' page.html");
+    shell(folder, "grep -q '\"failure\": \"step 2: particle 0 of body speck is at ' page.html");
+    shell(folder, "test $(grep -c '\"certificate\"' page.html) = 1");
     remove_folder(folder);
     skip_unseen();
 }
@@ -96,6 +149,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(report_shows_the_results_and_titles_as_text),
         cmocka_unit_test(report_of_a_sweep_has_its_cases),
+        cmocka_unit_test(report_shows_when_links_break),
+        cmocka_unit_test(report_of_a_sweep_says_what_failed),
         cmocka_unit_test(report_refuses_what_it_cannot_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

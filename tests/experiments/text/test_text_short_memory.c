@@ -48,6 +48,12 @@ static fw_status make_documents(const void *input, uint64_t *result, fw_error *e
     }
     if (status == FW_OK) status = print(document, result, error);
     if (status == FW_OK) status = print(clone, result, error);
+    if (status == FW_OK) {
+        /* The copy knows its options. */
+        fw_error said;
+        fw_document_fail(clone, (fw_place){0, 0, 1}, &said, "wrong");
+        assert_string_equal(said.sentence, "--set e=2*x: wrong");
+    }
     fw_document_destroy(clone);
     fw_document_destroy(document);
     return status;
