@@ -20,14 +20,10 @@
 enum { PATH_SIZE = FW_SWEEP_NAME + 64, STRUCTURE = 1 << 16 };
 static const size_t largest = (size_t)1 << 32;
 
-/* "energy, at the end" as part of a path. */
+/* "energy, at the end" as part of a path: no name of a scenario has a '/'. */
 static const char *join(char path[PATH_SIZE], const char *group, const char *name, const char *part)
 {
-    char plain[FW_SWEEP_NAME];
-    snprintf(plain, sizeof plain, "%s", name);
-    for (char *c = plain; *c; ++c)
-        if (*c == '/') *c = ':';
-    snprintf(path, PATH_SIZE, "%s/%s%s%s", group, plain, part[0] ? "/" : "", part);
+    snprintf(path, PATH_SIZE, "%s/%.*s%s%s", group, FW_SWEEP_NAME, name, part[0] ? "/" : "", part);
     return path;
 }
 
