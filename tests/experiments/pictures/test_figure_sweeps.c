@@ -4,6 +4,7 @@
 #include "tests/support/laws.h"
 
 #include "experiments/drawing/palette.h"
+#include "experiments/pictures/plot_sweep_parts.h"
 #include "experiments/study/sweep_table.h"
 #include "tests/support/flying_sheets.h"
 #include "tests/support/program.h"
@@ -230,11 +231,148 @@ static void bisection_is_drawn_with_its_thresholds(void **state)
     }
 }
 
+/* --- tables by hand --- */
+
+static fw_plot_sweep made;
+static fw_page blank;
+
+/* A scenario that is never run, and room for its numbers. */
+static void make_table(const char *text, const char *const *columns, int count)
+{
+    fw_scenario *scenario;
+    assert_fine(fw_scenario_read(&scenario, "t.yaml", text, strlen(text), NULL, 0, &error));
+    made = (fw_plot_sweep){.directory = "it", .scenario = scenario};
+    assert_fine(fw_sweep_table_create(&made.table, &scenario->study.sweep, 3, &error));
+    for (int c = 0; c < count; ++c)
+        assert_non_null(fw_sweep_table_column(&made.table, columns[c], "energy"));
+    blank = fw_page_default();
+    blank.file = NEVER_DRAWN;
+}
+
+static void clear_table(void)
+{
+    fw_sweep_table_clear(&made.table);
+    fw_scenario_destroy(made.scenario);
+}
+
+/* A number, its standard error, and how its cell has both: the error in units of the last digit,
+ * with two digits where it begins with 1. */
+static const struct {
+    double mean, error;
+    const char *text; /* NULL: none */
+} cells[] = {
+    {.83, .02, "0.83(2)"},
+    {.831, .012, "0.831(12)"},
+    {1.4e-5, 2e-6, "1.4(2)e-5"},
+    {123456, 700, "1.235(7)e5"},
+    {1234, 30, "1234(30)"},
+    {1.5, 1e-9, "1.5"},
+    {2, NAN, "2"},
+    {2.5, 0, "2.5"},
+    {NAN, NAN, NULL},
+    {.5, INFINITY, "0.5"},
+    {0, 3, "0(3)"},
+    {-.25, .01, "-0.250(10)"},
+};
+
+static void look_at_cells(const void *plan)
+{
+    const fw_figure_map_plan *map = plan;
+    assert_int_equal(map->columns, 4);
+    assert_int_equal(map->rows, 3);
+    for (int n = 0; n < 12; ++n) {
+        if (!cells[n].text) assert_null(map->texts[n]);
+        if (cells[n].text) assert_string_equal(map->texts[n], cells[n].text);
+    }
+    assert_int_equal(map->curve_count, 0);
+    expect_caption("Drawn: energy, at the end. ");
+    expect_caption("Means over 3 seeds, with their standard errors. ");
+    expect_caption("Grey: no number. ");
+    /* Units of nature stand beside the axes. */
+    assert_null(strstr(seen_caption, "Reduced units"));
+}
+
+#define BY_HAND(parameters)                                                                        \
+    "units: {length: 1 nm, energy: 1 eV, mass: 1 u}\n" FLIGHT(parameters, "above: 0")
+
+static void cells_have_as_many_digits_as_their_errors(void **state)
+{
+    (void)state;
+    static const char *const columns[] = {"energy, at the end"};
+    make_table(BY_HAND("v: {values: [1, 2, 3, 4]}, x0: {values: [0, 1, 2]}"), columns, 1);
+    made.scenario->study.seeds = 3;
+    for (int r = 0; r < 12; ++r) {
+        const int n = 4 * (int)made.table.values[2 * r + 1] + (int)made.table.values[2 * r] - 1;
+        made.table.columns[0].mean[r] = cells[n].mean;
+        made.table.columns[0].error[r] = cells[n].error;
+    }
+    look = look_at_cells;
+    looks = 0;
+    static const char *const energy[] = {"energy"};
+    const fw_plot_wish wish = {.kind = "map", .observables = energy, .observable_count = 1};
+    assert_fine(fw_plot_sweep_map(&made, &wish, NULL, &blank, &error));
+    assert_int_equal(looks, 1);
+    const fw_plot_wish along = {
+        .kind = "map", .observables = energy, .observable_count = 1, .along = "energy"};
+    assert_refused(fw_plot_sweep_map(&made, &along, NULL, &blank, &error), FW_BAD_INPUT,
+                   "a map lies over two parameters, and energy is a number of the sweep");
+    const fw_plot_wish unlike = {.kind = "map"};
+    assert_refused(fw_plot_sweep_map(&made, &unlike, NULL, &blank, &error), FW_BAD_INPUT,
+                   "it: the sweep has no number to draw");
+    clear_table();
+    make_table(BY_HAND("v: {values: [1, 2]}"), columns, 1);
+    assert_refused(fw_plot_sweep_map(&made, &wish, NULL, &blank, &error), FW_BAD_INPUT,
+                   "it: a map needs two parameters, but the sweep has 1");
+    clear_table();
+}
+
+/* More lines than there are colours: the first, the last and some between; two numbers of two
+ * bodies, each called by its own. */
+static void look_at_many_lines(const void *plan)
+{
+    const fw_figure_stack_plan *sweep = plan;
+    const int drawn = sweep->charts[0].curve_count;
+    char words[64];
+    assert_int_equal(sweep->chart_count, 2);
+    assert_int_equal(drawn, FW_PALETTE_KINDS - 1);
+    assert_string_equal(sweep->charts[0].label.text, "energy of one, at the end (eV)");
+    assert_string_equal(sweep->charts[1].label.text, "energy of two, at the end (eV)");
+    assert_string_equal(sweep->charts[0].curves[0].label, "x0 = 0");
+    assert_string_equal(sweep->charts[0].curves[drawn - 1].label, "x0 = 11");
+    assert_null(sweep->charts[1].curves[0].label);
+    assert_close(sweep->charts[0].curves[drawn - 1].y[1], 11 + 100 * 3, 0);
+    assert_close(sweep->charts[1].curves[0].y[0], -1, 0);
+    snprintf(words, sizeof words, "%d of 12 lines. ", drawn);
+    expect_caption(words);
+    expect_caption("Drawn: energy.one, at the end; energy.two, at the end. ");
+}
+
+static void lines_beyond_all_colours_are_left_out(void **state)
+{
+    (void)state;
+    static const char *const columns[] = {"energy.one, at the end", "energy.two, at the end"};
+    static const char *const energy[] = {"energy"};
+    make_table(BY_HAND("v: {values: [1, 3]}, x0: {from: 0, to: 11, count: 12}"), columns, 2);
+    for (int r = 0; r < made.table.row_count; ++r) {
+        const double v = made.table.values[2 * r], x0 = made.table.values[2 * r + 1];
+        made.table.columns[0].mean[r] = x0 + 100 * v;
+        made.table.columns[1].mean[r] = -v;
+    }
+    look = look_at_many_lines;
+    looks = 0;
+    const fw_plot_wish wish = {.observables = energy, .observable_count = 1, .along = "v"};
+    assert_fine(fw_plot_sweep_curves(&made, &wish, NULL, &blank, &error));
+    assert_int_equal(looks, 1);
+    clear_table();
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(sweep_is_drawn_as_lines_and_as_a_map),
         cmocka_unit_test(bisection_is_drawn_with_its_thresholds),
+        cmocka_unit_test(cells_have_as_many_digits_as_their_errors),
+        cmocka_unit_test(lines_beyond_all_colours_are_left_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
