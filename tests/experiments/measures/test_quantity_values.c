@@ -241,6 +241,20 @@ static void each_body_is_asked_in_its_own_solid(void **state)
     assert_close(value_of("penetration", 0, NULL), 0, 0);
     assert_close(value_of("penetration", 2, NULL), .25, 1e-15);
     assert_close(value_of("penetration", -1, NULL), .25, 1e-15);
+    /* The second cloud, at x = 15, 17, 19, is stood upright about its middle. */
+    for (int i = 0; i < 3; ++i) {
+        solid_of_body(1)->x[2 + i] = 17;
+        solid_of_body(1)->y[2 + i] = 9 + 2 * (i - 1);
+    }
+    for (int b = 0; b < 2; ++b) {
+        assert_close(value_of("rotation", b, NULL), b * 90, 1e-12);
+        assert_close(value_of("bond-angle", b, NULL), b * 90, 1e-12);
+        assert_close(value_of("return-error", b, NULL), b * 2, 1e-14);
+        assert_close(value_of("mean-square-displacement", b, NULL), b * 16. / 3, 1e-14);
+        assert_close(value_of("elongation", b, "x"), b * -4, 1e-14);
+        assert_close(value_of("elongation", b, "y"), b * 4, 1e-14);
+        assert_close(value_of("centre-of-mass", b, "x"), b == 0 ? 6 : 17, 1e-14);
+    }
     end();
 }
 
