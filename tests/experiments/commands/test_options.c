@@ -104,6 +104,41 @@ static void help_says_of_each_option_what_its_row_says(void **state)
     }
 }
 
+/* Each command's section is its summary and its options in their order, but for --help. */
+static void the_manual_page_says_what_the_rows_say(void **state)
+{
+    (void)state;
+    char *page = NULL, *section = NULL, *line = NULL;
+    size_t size = 0, room = 0;
+    FILE *made = popen("'" FW_PROGRAM "' manual-page | sed 's/\\\\-/-/g'", "r");
+    FILE *kept = open_memstream(&page, &size);
+    assert_true(made && kept);
+    while (getline(&line, &room, made) > 0) fputs(line, kept);
+    assert_int_equal(pclose(made), 0);
+    fclose(kept);
+    free(line);
+    for (const fw_command *c = fw_commands; c->name; ++c) {
+        if (c->hidden) continue;
+        FILE *wanted = open_memstream(&section, &size);
+        fprintf(wanted, ".SS \"fretwork %s\"\n%s.\n", c->usage, c->summary);
+        for (int n = 0; c->options[n] != &fw_option_help; ++n) {
+            char left[64];
+            fw_option_usage(c->options[n], left);
+            fprintf(wanted, ".TP\n.B %s\n%s\n", left, c->options[n]->meaning);
+        }
+        fprintf(wanted, ".S");
+        fclose(wanted);
+        if (!strstr(page, section)) fail_msg("the page does not have\n%s", section);
+        free(section);
+    }
+    for (const fw_exit_code *e = fw_exit_codes; e->code >= 0; ++e) {
+        char wanted[256];
+        snprintf(wanted, sizeof wanted, "\n.B %d\n%s\n", e->code, e->meaning);
+        if (!strstr(page, wanted)) fail_msg("the page does not have%s", wanted);
+    }
+    free(page);
+}
+
 static const char study[] = "title: a gas that warms\n"
                             "materials: {gas: {movable-particles: {strength: 0}}}\n"
                             "bodies: {cloud: {material: gas, shape: {rectangle: [5, 5]}}}\n"
@@ -141,6 +176,7 @@ int main(void)
         cmocka_unit_test(every_value_goes_where_its_row_says),
         cmocka_unit_test(rows_of_a_command_do_not_collide),
         cmocka_unit_test(help_says_of_each_option_what_its_row_says),
+        cmocka_unit_test(the_manual_page_says_what_the_rows_say),
         cmocka_unit_test(a_seed_makes_one_run_of_a_study),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
