@@ -14,6 +14,9 @@
  * of one row at its limit, which moves with all that stick. */
 #define ROUNDING 1e-13
 #define FEEDS    1e-12
+/* What sticking still lets through is left out below this part of how far loads would take a
+ * particle in the step. */
+#define STILL 1e-4
 
 bool joint_rubs(const fw_joint_row *rows, const int *list, int count)
 {
@@ -130,6 +133,32 @@ static void set_tangent(fw_joint *joint, const fw_joint_end *ends, fw_joint_row 
     joint->slip[line] = along(row, smooth);
 }
 
+/* How far a row would slip freely by all but momentum: by loads and what is stretched. */
+static double pulled_along(const fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *row)
+{
+    fw_vec2 free[3], inertial[3];
+    collect(joint, ends, row, NULL, free, inertial);
+    return along(row, free) - along(row, inertial);
+}
+
+/* Friction only takes energy: of what swings about a load, the half that goes with the load is let
+ * through, and the other is not. Where it swings by that little, all hold, or the half that passes
+ * would add up. */
+static void hold_what_swings(fw_joint *joint, const fw_joint_end *ends, const fw_joint_row *rows,
+                             const int *list, int count)
+{
+    double load = 0, target = 0;
+    for (int n = 0; n < count; ++n) {
+        const int line = joint->tangent_of[n];
+        if (line < 0) continue;
+        load = fmax(load, fabs(pulled_along(joint, ends, &rows[list[n]])));
+        target = fmax(target, fabs(joint->target[line]));
+    }
+    if (target > STILL * load) return;
+    for (int n = 0; n < count; ++n)
+        if (joint->tangent_of[n] >= 0) joint->target[joint->tangent_of[n]] = 0;
+}
+
 /* The tangents of the island as lines, each with its limit and target. Returns how many. */
 static int make_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row *rows,
                          const int *list, int count, const fw_vec2 *z)
@@ -150,6 +179,7 @@ static int make_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_row
         joint->limit[lines] = rub->limit;
         joint->tangent_of[n] = lines++;
     }
+    hold_what_swings(joint, ends, rows, list, count);
     return lines;
 }
 
@@ -169,6 +199,7 @@ int joint_make_all_tangents(fw_joint *joint, const fw_joint_end *ends, fw_joint_
         set_tangent(joint, ends, row, NULL, lines);
         joint->tangent_of[n] = lines++;
     }
+    hold_what_swings(joint, ends, rows, list, count);
     return lines;
 }
 
@@ -288,23 +319,44 @@ bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *
     return any;
 }
 
-/* Of what slides; for all that stick together see find_tractions(). What is left of a slip by
- * rounding means nothing: where all ends rest, they would go far without forces. */
+/* What is left of a slip by rounding means nothing: where all ends rest, they would go far without
+ * forces. */
+static bool is_pushed_along(const fw_joint_end *ends, const fw_joint_row *row)
+{
+    const fw_joint_rub *rub = &row->rub;
+    return rub->coefficient > 0 && !rub->stuck &&
+           rub->traction * rub->slip > FEEDS * fabs(rub->traction) * span_of(ends, row);
+}
+
+bool joint_hold_all(fw_joint_row *rows, const int *list, int count)
+{
+    bool any_left = false;
+    for (int n = 0; n < count; ++n) {
+        any_left |= !rows[list[n]].rub.firm;
+        rows[list[n]].rub.firm = true;
+    }
+    return any_left;
+}
+
+/* Of what slides; for all that stick together see find_tractions(). What is pushed along moves with
+ * what sticking lets through: that row lets nothing through, then none, since rows that share an
+ * end cannot want different slips of it; one that is pushed along all the same has no friction. */
 bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
 {
-    bool any = false;
+    bool any = false, again = false;
     joint_find_slips(ends, rows, list, count);
     for (int n = 0; n < count; ++n) {
-        fw_joint_rub *rub = &rows[list[n]].rub;
-        if (!(rub->coefficient > 0) || rub->stuck) continue;
-        if (rub->traction * rub->slip <=
-            FEEDS * fabs(rub->traction) * span_of(ends, &rows[list[n]]))
-            continue;
-        if (rub->firm)
-            rub->barred = true;
-        else
-            rub->firm = true;
+        const fw_joint_row *row = &rows[list[n]];
+        if (!is_pushed_along(ends, row)) continue;
         any = true;
+        again |= row->rub.firm;
+    }
+    if (again && joint_hold_all(rows, list, count)) return true;
+    for (int n = 0; n < count; ++n) {
+        fw_joint_row *row = &rows[list[n]];
+        if (!is_pushed_along(ends, row)) continue;
+        row->rub.barred = again;
+        row->rub.firm = true;
     }
     return any;
 }
@@ -351,6 +403,13 @@ void joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const
         fw_joint_row *row = &rows[list[n]];
         row->rub.barred |= power_of_row(ends, row) > rounding_of_row(ends, row);
     }
+}
+
+bool joint_any_firm(const fw_joint_row *rows, const int *list, int count)
+{
+    for (int n = 0; n < count; ++n)
+        if (rows[list[n]].rub.firm) return true;
+    return false;
 }
 
 bool joint_any_barred(const fw_joint_row *rows, const int *list, int count)
