@@ -263,34 +263,6 @@ static void add_rough_plane(problem *p, int particle, int piston, fw_vec2 normal
                        .fresh = true};
 }
 
-/* A piston that so many points of another one hold, none of which gives way by itself: what pushes
- * it along stays within the cones of all together, and it does not move but for rounding. */
-static void what_only_pistons_share_holds_to_rounding(void **state)
-{
-    (void)state;
-    for (int trial = 0; trial < 200; ++trial) {
-        const uint64_t seed = 9000 + (uint64_t)trial;
-        const double push = 0.2 + 0.1 * random_of(seed, 0), normal = 0.6 + 0.4 * random_of(seed, 1);
-        problem p = {0};
-        for (int n = 0; n < 2; ++n)
-            p.ends[p.end_count++] = (fw_joint_end){
-                .mobility = fw_sym2_scalar(n == 0 ? 0.02 : 0.05 * (trial % 2)), .wide = true};
-        p.ends[0].free = p.ends[0].displacement = (fw_vec2){0.02 * push * normal, 0.02 * -normal};
-        for (int n = 0; n < 4 + trial % 16; ++n) add_rough_plane(&p, 0, 1, (fw_vec2){0, 1}, 0);
-        for (int n = 0; n < p.row_count; ++n) {
-            p.rows[n].rub.coefficient = 0.3;
-            p.rows[n].rub.before = 2 * normal * (1 + random_of(seed, 2 + n)) / p.row_count;
-            p.rows[n].rub.stuck_before = true;
-        }
-        solve(&p);
-        assert_int_equal(p.outcome.unconverged, 0);
-        for (int n = 0; n < p.row_count; ++n) {
-            assert_true(fabs(p.rows[n].rub.slip) <= 1e-15 * normal);
-            assert_true(fabs(p.rows[n].rub.traction) <= p.rows[n].rub.limit * (1 + 1e-12));
-        }
-    }
-}
-
 /* A particle that a load would take along by .01, and that sticks: of a change c of its own
  * momentum e c/4 passes, e = .343, if that is more than 1e-4 of .01, and else nothing. */
 static void what_swings_by_little_is_held(void **state)
@@ -448,7 +420,6 @@ int main(void)
         cmocka_unit_test(a_nearer_end_is_rubbed_by_more),
         cmocka_unit_test(a_wall_takes_along_what_lies_on_it),
         cmocka_unit_test(what_swings_by_little_is_held),
-        cmocka_unit_test(what_only_pistons_share_holds_to_rounding),
         cmocka_unit_test(contradictions_of_what_sticks_press_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

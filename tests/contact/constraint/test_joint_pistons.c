@@ -178,6 +178,35 @@ static void springs_give_way_together(void **state)
     }
 }
 
+/* Two pistons touch at so many points, none of which gives way by itself: what pushes one along the
+ * other stays within the cones of all together, and slips by rounding. */
+static void pistons_that_rub_hold_to_rounding(void **state)
+{
+    (void)state;
+    for (int trial = 0; trial < 200; ++trial) {
+        const uint64_t seed = 9000 + (uint64_t)trial;
+        const int points = 4 + trial % 16;
+        const double push = 0.2 + 0.1 * random_of(seed, 0), load = 0.6 + 0.4 * random_of(seed, 1);
+        const fw_vec2 none = {0, 0};
+        problem p = with_room(2, points);
+        const int upper =
+            add_wide(&p, none, (fw_vec2){0.02 * push * load, -0.02 * load}, fw_sym2_scalar(0.02));
+        const int lower = add_wide(&p, none, none, fw_sym2_scalar(0.05 * (trial % 2)));
+        for (int n = 0; n < points; ++n)
+            add_plane(&p, upper, lower, (fw_vec2){0, 1})->rub =
+                (fw_joint_rub){.coefficient = 0.3,
+                               .before = 2 * load * (1 + random_of(seed, 2 + n)) / points,
+                               .stuck_before = true};
+        solve(&p, NULL);
+        for (int n = 0; n < points; ++n) {
+            const fw_joint_rub *rub = &p.rows[n].rub;
+            assert_true(fabs(rub->slip) <= 1e-15 * load);
+            assert_true(fabs(rub->traction) <= rub->limit * (1 + 1e-12));
+        }
+        release(&p);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -185,6 +214,7 @@ int main(void)
         cmocka_unit_test(particles_between_pistons_keep_energy_and_momentum),
         cmocka_unit_test(a_foil_on_a_floor_stops_the_piston),
         cmocka_unit_test(springs_give_way_together),
+        cmocka_unit_test(pistons_that_rub_hold_to_rounding),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
