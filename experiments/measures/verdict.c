@@ -275,6 +275,15 @@ static void average_seeds(fw_verdict *verdict, const fw_measurement *measurement
     verdict->seeds = verdict->seeds_asked = measurement->seed_count;
 }
 
+/* The first run that shows no number, to tell why; of a single run that one. */
+static const fw_measurement *without_number(const fw_measurement *measurement,
+                                            const fw_expectation *e, int number)
+{
+    for (int n = 0; measurement->seeds && n < measurement->seed_count; ++n)
+        if (!isfinite(value_in(measurement->seeds[n], e, number))) return measurement->seeds[n];
+    return measurement;
+}
+
 /* With as many digits as the first two of its error, where that is known. */
 static void write_found(fw_verdict *verdict)
 {
@@ -330,9 +339,9 @@ fw_verdict fw_verdict_of(const fw_scenario *scenario, const fw_measurement *meas
             verdict.error = error_in_time(measurement, e, number, &verdict.at_least);
         }
         if (!isfinite(verdict.measured))
-            snprintf(
-                verdict.why, sizeof verdict.why, "%s",
-                reason_of(measurement, e, probe, probe->first + measurement->component[number]));
+            snprintf(verdict.why, sizeof verdict.why, "%s",
+                     reason_of(without_number(measurement, e, number), e, probe,
+                               probe->first + measurement->component[number]));
         name_quantity(&verdict, probe, measurement->component[number]);
     }
     verdict.asked = fw_verdict_is_asked(scenario, e);
