@@ -265,7 +265,12 @@ static void a_table_has_notes_below_and_cases_in_front(void **state)
          .error = NAN,
          .seeds = 1,
          .quantity = "energy, last"},
-        {.expectation = &noted, .in = "v=2", .asked = false, .measured = 2, .error = NAN},
+        {.expectation = &noted,
+         .in = "v=2",
+         .asked = false,
+         .measured = 2,
+         .error = NAN,
+         .quantity = "a quantity with a long name"},
     };
     char text[512] = "";
     FILE *out = fmemopen(text, sizeof text, "w");
