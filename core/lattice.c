@@ -163,19 +163,39 @@ fw_site fw_site_neighbour(fw_site site, int direction)
     return (fw_site){site.i + step[direction].i, site.j + step[direction].j};
 }
 
-static fw_vec2 turn_by(fw_vec2 v, double angle)
+/* `turn`: cosine and sine. */
+static fw_vec2 turned(fw_vec2 v, fw_vec2 turn)
 {
-    if (angle == 0) return v;
-    double c = cos(angle), s = sin(angle);
-    return (fw_vec2){c * v.x - s * v.y, s * v.x + c * v.y};
+    return (fw_vec2){turn.x * v.x - turn.y * v.y, turn.y * v.x + turn.x * v.y};
 }
 
-fw_vec2 fw_lattice_vector(const fw_lattice *lattice, fw_site site)
+static fw_vec2 turn_by(fw_vec2 v, double angle)
+{
+    return angle == 0 ? v : turned(v, (fw_vec2){cos(angle), sin(angle)});
+}
+
+/* Before the lattice is turned. */
+static fw_vec2 upright(const fw_lattice *lattice, fw_site site)
 {
     fw_vec2 v = {site.i, site.j};
     if (lattice->kind == FW_HEXAGONAL)
         v = (fw_vec2){site.i + 0.5 * (site.j & 1), site.j * ROW_HEIGHT};
-    return turn_by(fw_vec2_scale(lattice->spacing, v), lattice->angle);
+    return fw_vec2_scale(lattice->spacing, v);
+}
+
+fw_vec2 fw_lattice_vector(const fw_lattice *lattice, fw_site site)
+{
+    return turn_by(upright(lattice, site), lattice->angle);
+}
+
+void fw_lattice_place(const fw_lattice *lattice, const fw_site *sites, int count,
+                      fw_vec2 *positions)
+{
+    const fw_vec2 turn = {cos(lattice->angle), sin(lattice->angle)};
+    for (int n = 0; n < count; ++n) positions[n] = upright(lattice, sites[n]);
+    for (int n = 0; n < count && lattice->angle != 0; ++n)
+        positions[n] = turned(positions[n], turn);
+    for (int n = 0; n < count; ++n) positions[n] = fw_vec2_add(lattice->origin, positions[n]);
 }
 
 fw_vec2 fw_lattice_position(const fw_lattice *lattice, fw_site site)

@@ -75,6 +75,9 @@ static inline int fw_sites_find_next(const fw_sites *sites, fw_site site, int *a
 fw_site fw_site_neighbour(fw_site site, int direction);
 
 fw_vec2 fw_lattice_position(const fw_lattice *lattice, fw_site site);
+/* The same of `count` sites, sooner. */
+void fw_lattice_place(const fw_lattice *lattice, const fw_site *sites, int count,
+                      fw_vec2 *positions);
 /* The same without the origin: exact differences even where the origin is large. */
 fw_vec2 fw_lattice_vector(const fw_lattice *lattice, fw_site site);
 /* Lattice vector of direction d of the square lattice. */

@@ -109,16 +109,25 @@ void lb_displacements_release(lb_solid *lb)
     free(lb->form.kept);
 }
 
-void lb_displacements_start(lb_solid *lb, int l, fw_vec2 site, fw_vec2 u, fw_vec2 velocity)
+void lb_displacements_start(lb_solid *lb, int first, int count, const fw_vec2 *sites,
+                            const fw_lb_solid_def *def)
 {
-    displacement_form *form = &lb->form;
-    const int place = form->grid.place[l], ahead = lb->parity, behind = !lb->parity;
-    form->site_x[l] = site.x;
-    form->site_y[l] = site.y;
-    form->x[ahead][place] = u.x + 0.5 * velocity.x;
-    form->y[ahead][place] = u.y + 0.5 * velocity.y;
-    form->x[behind][place] = u.x - 0.5 * velocity.x;
-    form->y[behind][place] = u.y - 0.5 * velocity.y;
+    const displacement_form *form = &lb->form;
+    double *ahead_x = form->x[lb->parity], *ahead_y = form->y[lb->parity];
+    double *behind_x = form->x[!lb->parity], *behind_y = form->y[!lb->parity];
+    const int *place = form->grid.place + first;
+    for (int k = 0; k < count; ++k) {
+        form->site_x[first + k] = sites[k].x;
+        form->site_y[first + k] = sites[k].y;
+    }
+    for (int k = 0; k < count; ++k) {
+        const fw_vec2 u = lb_start_displacement(def, first + k);
+        const fw_vec2 velocity = lb_start_velocity(def, first + k);
+        ahead_x[place[k]] = u.x + 0.5 * velocity.x;
+        ahead_y[place[k]] = u.y + 0.5 * velocity.y;
+        behind_x[place[k]] = u.x - 0.5 * velocity.x;
+        behind_y[place[k]] = u.y - 0.5 * velocity.y;
+    }
 }
 
 void lb_displacements_state(lb_solid *lb, fw_state_list *list)

@@ -10,8 +10,9 @@
  * FW_SYSTEM_FAILED without memory. */
 fw_status lb_displacements_make(lb_solid *lb, const fw_sites *sites, fw_error *error);
 void lb_displacements_release(lb_solid *lb);
-/* Where a particle is at the start: its site, u and V. */
-void lb_displacements_start(lb_solid *lb, int l, fw_vec2 site, fw_vec2 u, fw_vec2 velocity);
+/* Where `count` particles from `first` on are at the start, whose sites lie there. */
+void lb_displacements_start(lb_solid *lb, int first, int count, const fw_vec2 *sites,
+                            const fw_lb_solid_def *def);
 void lb_displacements_state(lb_solid *lb, fw_state_list *list);
 
 fw_prediction lb_displacements_predict(const lb_solid *lb, int l);

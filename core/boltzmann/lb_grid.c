@@ -25,6 +25,9 @@ static int end_of_row(const fw_sites *sites, int first)
 static int end_of_block(const fw_sites *sites, int first, int row_end)
 {
     int l = first;
+    const int whole = first + LB_BLOCK;
+    if (whole <= row_end && block_of(sites->site[whole - 1]) == block_of(sites->site[first]))
+        return whole;
     while (l < row_end && block_of(sites->site[l]) == block_of(sites->site[first])) ++l;
     return l;
 }
@@ -36,6 +39,17 @@ static int64_t length_of_row(const fw_sites *sites, int first, int end)
     const int64_t blocks =
         (int64_t)block_of(sites->site[end - 1]) - block_of(sites->site[first]) + 1;
     return (blocks | 1) * LB_BLOCK;
+}
+
+/* Up to eight bytes, the first one lowest. */
+static uint64_t word_of(const uint8_t *bytes, int count)
+{
+    uint64_t word = 0;
+    if (count == LB_BLOCK)
+        for (int k = 0; k < LB_BLOCK; ++k) word |= (uint64_t)bytes[k] << 8 * k;
+    else
+        for (int k = 0; k < count; ++k) word |= (uint64_t)bytes[k] << 8 * k;
+    return word;
 }
 
 static void add_run(lb_grid *grid, lb_run run, bool fill)
@@ -51,8 +65,8 @@ static void add_runs(lb_grid *grid, const lb_grid_def *def, int first, int end, 
     lb_run run = {0};
     for (int l = first, next; l < end; l = next) {
         next = end_of_block(def->sites, l, end);
-        bool plain = next - l == LB_BLOCK;
-        for (int k = l; k < next; ++k) plain &= def->plain[k] != 0;
+        const bool plain =
+            next - l == LB_BLOCK && word_of(def->plain + l, LB_BLOCK) == 0x0101010101010101;
         const int begin = (int)(shift + (int64_t)block_of(def->sites->site[l]) * LB_BLOCK);
         if (run.end != begin || run.plain != plain) {
             add_run(grid, run, fill);
@@ -63,22 +77,38 @@ static void add_runs(lb_grid *grid, const lb_grid_def *def, int first, int end, 
     add_run(grid, run, fill);
 }
 
+/* Bit d of each byte as bit k of one: that of byte k, at 8 k, comes to 56 + k times 2^(56 - 7 k),
+ * and nothing else does. */
+static unsigned bits_of(uint64_t word, int d)
+{
+    return (unsigned)((word >> d & 0x0101010101010101) * 0x0102040810204080 >> 56);
+}
+
+static void fill_stretch(lb_grid *grid, const lb_grid_def *def, lb_stretch stretch)
+{
+    const uint8_t *present = def->present + stretch.particle;
+    for (int k = 0; k < stretch.count; ++k) grid->place[stretch.particle + k] = stretch.place + k;
+    for (int k = 0, next; k < stretch.count; k = next) {
+        const int place = stretch.place + k, lane = place % LB_BLOCK;
+        uint8_t *links = grid->links[place / LB_BLOCK];
+        next = k + LB_BLOCK - lane < stretch.count ? k + LB_BLOCK - lane : stretch.count;
+        const uint64_t word = word_of(present + k, next - k);
+        for (int d = 0; d < FW_DIRECTIONS; ++d) links[d] |= (uint8_t)(bits_of(word, d) << lane);
+    }
+}
+
 static void add_stretches(lb_grid *grid, const lb_grid_def *def, int first, int end, int64_t shift,
                           bool fill)
 {
-    for (int l = first; l < end; ++l) {
-        const int place = (int)(shift + def->sites->site[l].i);
-        const bool goes_on =
-            l > first && (int64_t)def->sites->site[l].i - def->sites->site[l - 1].i == 1;
-        if (!goes_on) grid->stretch_count += 1;
-        if (!fill) continue;
-        lb_stretch *stretch = &grid->stretches[grid->stretch_count - 1];
-        if (!goes_on) *stretch = (lb_stretch){.particle = l, .place = place};
-        stretch->count += 1;
-        grid->place[l] = place;
-        for (int d = 0; d < FW_DIRECTIONS; ++d)
-            grid->links[place / LB_BLOCK][d] |=
-                (uint8_t)(((def->present[l] >> d) & 1) << place % LB_BLOCK);
+    for (int l = first, next; l < end; l = next) {
+        next = fw_sites_run_end(def->sites, l);
+        const lb_stretch stretch = {
+            .particle = l, .place = (int)(shift + def->sites->site[l].i), .count = next - l};
+        if (fill) {
+            grid->stretches[grid->stretch_count] = stretch;
+            fill_stretch(grid, def, stretch);
+        }
+        grid->stretch_count += 1;
     }
 }
 

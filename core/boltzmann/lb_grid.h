@@ -37,7 +37,7 @@ typedef struct lb_grid {
 typedef struct lb_grid_def {
     const fw_sites *sites;
     const uint8_t *present; /* bit d: the link in direction d exists */
-    const uint8_t *plain;   /* has four links and the mass that most of the body has */
+    const uint8_t *plain; /* 1: it has four links and the mass that most of the body has; else 0 */
 } lb_grid_def;
 
 /* False: the grid would be so empty, or so large, that it is of no use. */

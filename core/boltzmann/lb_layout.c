@@ -21,10 +21,9 @@ static run run_from(const fw_sites *sites, int begin)
 
 static void link_run(lb_solid *lb, run here)
 {
-    for (int l = here.begin; l + 1 < here.end; ++l) {
-        lb->present[l] |= 1u << FW_EAST;
-        lb->present[l + 1] |= 1u << FW_WEST;
-    }
+    for (int l = here.begin; l < here.end; ++l) lb->present[l] |= 1u << FW_EAST | 1u << FW_WEST;
+    lb->present[here.begin] &= (uint8_t) ~(1u << FW_WEST);
+    lb->present[here.end - 1] &= (uint8_t) ~(1u << FW_EAST);
 }
 
 /* Two runs, one in the row above the other's. Where one of them ends, the particles of the other
@@ -116,18 +115,32 @@ static bool lies_at_crack(const lb_solid *lb, int l)
     return false;
 }
 
+/* Those of one particle to the east and north. */
+static inline void list_links(lb_solid *lb, int l)
+{
+    int(*link)[2] = &lb->head.links[lb->head.link_count];
+    if (lb->present[l] == LB_ALL_LINKS) {
+        link[0][0] = link[1][0] = l;
+        link[0][1] = l + 1;
+        link[1][1] = lb->north[l];
+        lb->head.link_count += 2;
+        return;
+    }
+    for (int d = FW_EAST; d <= FW_NORTH; ++d)
+        if (lb->present[l] & (1u << d)) {
+            lb->head.links[lb->head.link_count][0] = l;
+            lb->head.links[lb->head.link_count][1] = lb_neighbour(lb, l, d);
+            lb->head.link_count += 1;
+        }
+}
+
 void lb_layout_rebuild(lb_solid *lb)
 {
     fw_solid *head = &lb->head;
     head->link_count = 0;
     head->boundary_count = 0;
     for (int l = 0; l < head->count; ++l) {
-        for (int d = FW_EAST; d <= FW_NORTH; ++d)
-            if (lb->present[l] & (1u << d)) {
-                head->links[head->link_count][0] = l;
-                head->links[head->link_count][1] = lb_neighbour(lb, l, d);
-                head->link_count += 1;
-            }
+        list_links(lb, l);
         if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS || (lb->built && lies_at_crack(lb, l)))
             head->boundary[head->boundary_count++] = l;
     }

@@ -246,32 +246,38 @@ static fw_status list_links(lb_solid *lb, fw_error *error)
 
 /* Starting fields for displacements u and velocities V: half the stretch, a quarter of the summed
  * velocities per link end, M0 V/2 at rest. A rigid motion started so does not ring. */
+static void start_populations(lb_solid *lb, const fw_lb_solid_def *def, int l)
+{
+    const fw_vec2 u = lb_start_displacement(def, l), velocity = lb_start_velocity(def, l);
+    for (int d = 0; d < FW_DIRECTIONS; ++d) {
+        if (!(lb->present[l] & (1u << d))) continue;
+        const int m = lb_neighbour(lb, l, d);
+        const fw_vec2 um = lb_start_displacement(def, m), vm = lb_start_velocity(def, m);
+        lb->slot_x[d][l] = 0.5 * (um.x - u.x) + 0.25 * (velocity.x + vm.x);
+        lb->slot_y[d][l] = 0.5 * (um.y - u.y) + 0.25 * (velocity.y + vm.y);
+    }
+    if (!lb->resting) return;
+    fw_vec2 rest = fw_sym2_apply(lb_get(&lb->rest_mass, l), fw_vec2_scale(0.5, velocity));
+    lb->rest_x[l] = rest.x;
+    lb->rest_y[l] = rest.y;
+}
+
 static void start(lb_solid *lb, const fw_lb_solid_def *def)
 {
-    const fw_vec2 zero = {0, 0};
-    for (int l = 0; l < lb->head.count; ++l) {
-        fw_vec2 u = def->displacement ? def->displacement[l] : zero;
-        fw_vec2 velocity = def->velocity ? def->velocity[l] : def->drift;
-        fw_vec2 site = fw_lattice_position(&def->lattice, def->sites->site[l]);
-        lb->head.x[l] = site.x + u.x;
-        lb->head.y[l] = site.y + u.y;
-        if (lb->displaced) {
-            lb_displacements_start(lb, l, site, u, velocity);
-            continue;
+    enum { SOME = 256 };
+    for (int first = 0; first < lb->head.count; first += SOME) {
+        fw_vec2 site[SOME];
+        const int left = lb->head.count - first, count = left < SOME ? left : SOME;
+        fw_lattice_place(&def->lattice, def->sites->site + first, count, site);
+        for (int k = 0; k < count; ++k) {
+            const fw_vec2 u = lb_start_displacement(def, first + k);
+            lb->head.x[first + k] = site[k].x + u.x;
+            lb->head.y[first + k] = site[k].y + u.y;
         }
-        for (int d = 0; d < FW_DIRECTIONS; ++d) {
-            if (!(lb->present[l] & (1u << d))) continue;
-            const int m = lb_neighbour(lb, l, d);
-            fw_vec2 um = def->displacement ? def->displacement[m] : zero;
-            fw_vec2 vm = def->velocity ? def->velocity[m] : def->drift;
-            lb->slot_x[d][l] = 0.5 * (um.x - u.x) + 0.25 * (velocity.x + vm.x);
-            lb->slot_y[d][l] = 0.5 * (um.y - u.y) + 0.25 * (velocity.y + vm.y);
-        }
-        if (lb->resting) {
-            fw_vec2 rest = fw_sym2_apply(lb_get(&lb->rest_mass, l), fw_vec2_scale(0.5, velocity));
-            lb->rest_x[l] = rest.x;
-            lb->rest_y[l] = rest.y;
-        }
+        if (lb->displaced)
+            lb_displacements_start(lb, first, count, site, def);
+        else
+            for (int k = 0; k < count; ++k) start_populations(lb, def, first + k);
     }
 }
 

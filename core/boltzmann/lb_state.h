@@ -163,6 +163,16 @@ static inline fw_sym2 lb_stiffness(const lb_solid *lb, int l, int direction)
     return lb_get(&lb->stiffness[direction % 2], owner);
 }
 
+/* u and V of a particle at the start. */
+static inline fw_vec2 lb_start_displacement(const fw_lb_solid_def *def, int l)
+{
+    return def->displacement ? def->displacement[l] : (fw_vec2){0, 0};
+}
+static inline fw_vec2 lb_start_velocity(const fw_lb_solid_def *def, int l)
+{
+    return def->velocity ? def->velocity[l] : def->drift;
+}
+
 /* Where the field arriving at l from direction d is kept. */
 typedef struct slot_place {
     double *x, *y;

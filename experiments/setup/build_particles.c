@@ -19,10 +19,11 @@ static fw_status place(const fw_scenario *scenario, int number, const fw_sites *
                                    fw_vec2_add(origin, body->shape.high), body->shape.apart,
                                    fw_build_seed(scenario, number), error);
     }
-    for (int l = 0; l < sites->count; ++l)
-        positions[l] = body->shape.kind == FW_SHAPE_POINTS
-                           ? fw_vec2_add(body->lattice.origin, body->shape.points[l])
-                           : fw_lattice_position(&body->lattice, sites->site[l]);
+    if (body->shape.kind == FW_SHAPE_POINTS)
+        for (int l = 0; l < sites->count; ++l)
+            positions[l] = fw_vec2_add(body->lattice.origin, body->shape.points[l]);
+    else
+        fw_lattice_place(&body->lattice, sites->site, sites->count, positions);
     return FW_OK;
 }
 

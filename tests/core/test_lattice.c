@@ -105,11 +105,28 @@ static void lattices_turn_against_the_clock(void **state)
     assert_close(step.y, 2, 1e-15);
 }
 
+/* To the last bit: in results a site's place is the same whoever made it. */
+static void many_sites_lie_where_each_does(void **state)
+{
+    (void)state;
+    const fw_site sites[] = {{0, 0}, {3, -2}, {-7, 5}, {1000, 1}};
+    for (int n = 0; n < 4; ++n) {
+        const fw_lattice lattice = {n % 2 ? FW_HEXAGONAL : FW_SQUARE, 1.1, n / 2 * 0.3, {0.1, -7}};
+        fw_vec2 places[4];
+        fw_lattice_place(&lattice, sites, 4, places);
+        for (int s = 0; s < 4; ++s) {
+            const fw_vec2 at = fw_lattice_position(&lattice, sites[s]);
+            assert_true(places[s].x == at.x && places[s].y == at.y);
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rectangle_is_in_row_order),
         cmocka_unit_test(lattices_turn_against_the_clock),
+        cmocka_unit_test(many_sites_lie_where_each_does),
         cmocka_unit_test(discs_have_gauss_counts),
         cmocka_unit_test(mask_reads_as_it_looks),
         cmocka_unit_test(listed_twice_is_refused),
