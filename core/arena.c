@@ -37,16 +37,18 @@ static void set(const fw_arena_array *array, void *address)
 fw_status fw_arena_allocate(fw_arena *arena, const char *what, fw_error *error)
 {
     assert(!arena->memory);
-    const size_t pages = (arena->bytes + LINE) / PAGE + 1;
+    /* Arrays begin with the first whole page behind malloc()'s note. */
+    const size_t page = fw_array_page(arena->bytes);
+    const size_t bytes = ((arena->bytes + LINE) / PAGE + 1) * PAGE + page;
     /* Large memory of calloc() is zero before it is touched: what nobody needs takes no room. */
-    if (arena->bytes < SIZE_MAX / 4) arena->block = calloc(pages + 1, PAGE);
+    if (arena->bytes < SIZE_MAX / 4) arena->block = calloc(bytes, 1);
     if (!arena->block) {
         for (int n = 0; n < arena->count; ++n) set(&arena->array[n], NULL);
         return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for %s (%.0f MB)", what,
                        (double)arena->bytes * 1e-6);
     }
-    fw_array_ask_for_large_pages(arena->block, (pages + 1) * PAGE);
-    arena->memory = (char *)arena->block + (PAGE - (uintptr_t)arena->block % PAGE);
+    fw_array_ask_for_large_pages(arena->block, bytes);
+    arena->memory = (char *)arena->block + (page - (uintptr_t)arena->block % page);
     size_t end = 0;
     for (int n = 0; n < arena->count; ++n) {
         const size_t start = start_of(end, n);

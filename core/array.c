@@ -45,6 +45,11 @@ void fw_array_ask_for_large_pages(void *memory, size_t bytes)
 #endif
 }
 
+size_t fw_array_page(size_t bytes)
+{
+    return bytes < 2 * LARGE_PAGE ? (size_t)sysconf(_SC_PAGESIZE) : LARGE_PAGE;
+}
+
 void *fw_array_allocate(size_t count, size_t element_size)
 {
     if (element_size != 0 && count > (SIZE_MAX / 2) / element_size) return NULL;
