@@ -295,6 +295,68 @@ static void an_automaton_has_a_profile_without_forces(void **state)
     release(&b);
 }
 
+/* From step 3 on every fifth: 8, 13, 18, 23, each with the places of the step before. */
+static void samples_count_from_the_beginning_of_their_phase(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "title: flies\n"
+        "materials: {m: {elastic-automaton: {c1: 1, c2: 0}}}\n"
+        "bodies: {slab: {material: m, shape: {rectangle: [8, 6]}, velocity: [0.01, 0.002]}}\n"
+        "phases: {settle: {until: 3}, sample: {until: 24}}\n"
+        "run: {steps: 24}\n"
+        "profile: {axis: y, phase: sample, every: 5, middle: 2, contact: 0.6, far: [1.5, 4]}\n";
+    bench b;
+    assert_fine(fw_scenario_read(&b.scenario, "flies.yaml", text, strlen(text), NULL, 0, &error));
+    assert_fine(fw_observer_create(&b.observer, b.scenario, &error));
+    const fw_profile *p = b.observer->profile;
+    for (int step = 1; step <= 24; ++step) {
+        assert_fine(fw_observer_advance(b.observer, 1, &error));
+        assert_int_equal(fw_profile_sample_count(p), step < 8 ? 0 : (step - 3) / 5);
+        if (step >= 8) assert_close(fw_profile_value(p, 0, FW_PROFILE_DRIFT), .01, 1e-14);
+    }
+    release(&b);
+}
+
+/* Two sheets of 4 x 3, bent anyhow, at rest: the links pull a particle by the sum of what each of
+ * them is longer than 1. Only the middle rows lie in the contact. */
+static void what_pulls_at_the_contact_is_of_all_bodies(void **state)
+{
+    (void)state;
+    enum { COLUMNS = 4, ROWS = 3 };
+    static const char text[] =
+        "title: two sheets\n"
+        "materials: {m: {lattice-boltzmann: {rest-mass: 0}}}\n"
+        "bodies:\n"
+        "  a: {material: m, shape: {rectangle: [4, 3]}, displacement: [{random: 0.1}]}\n"
+        "  b: {material: m, shape: {rectangle: [4, 3]}, origin: [9, 0],\n"
+        "    displacement: [{gradient: [0.02, 0.1, -0.07, 0.03]}, {random: 0.2}]}\n"
+        "run: {steps: 10}\n"
+        "profile: {axis: y, every: 5, middle: 1, contact: 0.6, far: [0.6, 3]}\n";
+    bench b;
+    assert_fine(fw_scenario_read(&b.scenario, "sheets.yaml", text, strlen(text), NULL, 0, &error));
+    assert_fine(fw_observer_create(&b.observer, b.scenario, &error));
+    double sum = 0;
+    for (int body = 0; body < 2; ++body) {
+        const fw_solid *solid = fw_experiment_solid(b.observer->experiment, body);
+        for (int i = 0; i < COLUMNS; ++i) {
+            const int l = COLUMNS + i;
+            const int beside[] = {l + 1, l + COLUMNS, l - 1, l - COLUMNS};
+            fw_vec2 pull = {0, 0};
+            for (int d = 0; d < 4; ++d) {
+                if ((d == 0 && i == COLUMNS - 1) || (d == 2 && i == 0)) continue;
+                const fw_vec2 link = fw_vec2_subtract(fw_solid_position(solid, beside[d]),
+                                                      fw_solid_position(solid, l));
+                const fw_site step = fw_site_neighbour((fw_site){0, 0}, d);
+                pull = fw_vec2_add(pull, fw_vec2_subtract(link, (fw_vec2){step.i, step.j}));
+            }
+            sum += hypot(pull.x, pull.y);
+        }
+    }
+    assert_close(fw_profile_contact_now(b.observer->profile), sum / (2 * COLUMNS), 1e-13);
+    release(&b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -304,6 +366,8 @@ int main(void)
         cmocka_unit_test(a_sheared_slab_moves_row_by_row),
         cmocka_unit_test(a_linear_lattice_has_a_profile),
         cmocka_unit_test(an_automaton_has_a_profile_without_forces),
+        cmocka_unit_test(samples_count_from_the_beginning_of_their_phase),
+        cmocka_unit_test(what_pulls_at_the_contact_is_of_all_bodies),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -109,6 +109,29 @@ static void temperature_counts_what_is_free(void **state)
     end();
 }
 
+/* A particle by itself, and a pair 1 apart from its mean in x and 2 in y: m v^2 of two with two
+ * degrees of freedom. */
+static void one_that_is_alone_leaves_the_temperature_to_the_others(void **state)
+{
+    (void)state;
+    begin("title: one and two\n"
+          "materials: {m: {movable-particles: {mass: 3}}}\n"
+          "bodies:\n"
+          "  one: {material: m, shape: {points: [[0, 0]]}}\n"
+          "  two: {material: m, shape: {points: [[9, 0], [11, 0]]}}\n"
+          "run: {steps: 1}\n"
+          "measure: [temperature, temperature.two, temperature.one]\n");
+    set_velocity(0, 7, 7);
+    set_velocity(1, 4, 5);
+    set_velocity(2, 6, 1);
+    fw_measurement_take(measurement, observer->experiment);
+    const double wanted = 3 * (2 * 1 + 2 * 4) / 2.;
+    assert_close(now("temperature", 0), wanted, 1e-12);
+    assert_close(now("temperature.two", 0), wanted, 1e-12);
+    assert_true(is_plain_nan(now("temperature.one", 0)));
+    end();
+}
+
 static void what_is_held_or_alone_has_no_temperature(void **state)
 {
     (void)state;
@@ -243,6 +266,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(errors_of_energy_have_the_scale_of_what_went_through),
         cmocka_unit_test(temperature_counts_what_is_free),
+        cmocka_unit_test(one_that_is_alone_leaves_the_temperature_to_the_others),
         cmocka_unit_test(what_is_held_or_alone_has_no_temperature),
         cmocka_unit_test(rounding_is_no_momentum_to_start_from),
         cmocka_unit_test(a_layer_has_no_ratio_to_nothing),

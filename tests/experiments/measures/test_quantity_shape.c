@@ -89,6 +89,39 @@ static void relative_extent_is_that_of_the_largest_cluster(void **state)
     end();
 }
 
+/* The second body is stretched and sheared, the first one rests beside it in the same solid. */
+static void each_body_has_its_own_shape(void **state)
+{
+    (void)state;
+    begin("title: two\n" CRYSTAL "bodies:\n"
+          "  a: {material: m, shape: {rectangle: [4, 3]}}\n"
+          "  b: {material: m, shape: {rectangle: [6, 4]}, origin: [20, 1]}\n"
+          "run: {steps: 1}\n");
+    fw_solid *solid = &motion()->head;
+    for (int i = 12; i < 36; ++i) {
+        motion()->velocity_x[i] = .3 * solid->y[i];
+        solid->x[i] = 20 + 1.3 * (solid->x[i] - 20);
+        solid->y[i] = 1 + .9 * (solid->y[i] - 1);
+        motion()->velocity_y[i] = -.2 * solid->y[i];
+    }
+    const double x[] = {3, 1.3 * 5}, y[] = {2, .9 * 3}, stretch[] = {1.3, .9};
+    for (int b = 0; b < 2; ++b) {
+        assert_close(value_of("extent", b, "x"), x[b], 1e-13);
+        assert_close(value_of("extent", b, "y"), y[b], 1e-13);
+        assert_close(value_of("relative-extent", b, "x"), b ? stretch[0] : 1, 1e-13);
+        assert_close(value_of("relative-extent", b, "y"), b ? stretch[1] : 1, 1e-13);
+        assert_close(value_of("largest-cluster", b, NULL), b ? 24 : 12, 0);
+        assert_close(value_of("deformation-rate", b, "xx"), 0, 1e-13);
+        assert_close(value_of("deformation-rate", b, "xy"), b ? .3 / .9 : 0, 1e-13);
+        assert_close(value_of("deformation-rate", b, "yx"), 0, 1e-13);
+        assert_close(value_of("deformation-rate", b, "yy"), b ? -.2 : 0, 1e-13);
+    }
+    /* Of the 38 bonds of 6 x 4, 20 along x became 1.3 long: lost by (1.3 - 1.25)/.375. */
+    assert_close(value_of("lost-bonds", 0, NULL), 0, 0);
+    assert_close(value_of("lost-bonds", 1, NULL), 20. / 38 * (.05 / .375), 1e-13);
+    end();
+}
+
 /* --- deformation --- */
 
 /* Also of a body that lies askew: its x and y go together. */
@@ -252,6 +285,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(extent_is_that_of_bodies_and_of_the_scene),
         cmocka_unit_test(relative_extent_is_that_of_the_largest_cluster),
+        cmocka_unit_test(each_body_has_its_own_shape),
         cmocka_unit_test(deformation_rate_is_the_gradient_of_the_velocity),
         cmocka_unit_test(affine_strain_is_the_gradient_of_the_displacements),
         cmocka_unit_test(bonds_are_lost_while_their_length_grows),

@@ -167,22 +167,46 @@ static void the_first_wave_is_what_turns(void **state)
     end();
 }
 
-/* Both half-steps multiply the wave action by -a, so a step takes the wave times a = 1 - damping.
- */
+/* Without damping each of them turns with its own frequency (Dong Eq 40), on all cells. */
+static void modes_are_where_their_own_frequencies_have_them(void **state)
+{
+    (void)state;
+    begin(PERIODIC("{mode: {wave-vector: [0.7853981633974483, 1.5707963267948966], branch: fast, "
+                   "amplitude: .1}}, {mode: {wave-vector: [0.7853981633974483, "
+                   "-0.7853981633974483], branch: slow, amplitude: .07, phase: 50}}"));
+    for (int step = 0; step < 40; ++step) {
+        run_steps(1);
+        assert_close(value_of("mode-error", 0, NULL), 0, 1e-13);
+    }
+    end();
+}
+
+/* Both half-steps multiply the wave action by -a, whatever the shape of the wave, so a step takes
+ * it times a^2 and the wave times a = 1 - damping: one mode, and two in any directions together. */
 static void a_damped_wave_shrinks_by_as_much_each_step(void **state)
 {
     (void)state;
-    begin("title: a wave\n"
-          "materials: {m: {elastic-automaton: {c1: .4, c2: .58, boundary: periodic, "
-          "damping: .03}}}\n"
-          "bodies: {b: {material: m, shape: {rectangle: [8, 8]}, displacement:\n"
-          "  [{mode: {wave-vector: [0.7853981633974483, 0], branch: fast, amplitude: .1}}]}}\n"
-          "run: {steps: 9}\n");
-    for (int step = 0; step < 9; ++step) {
-        run_steps(1);
-        assert_close(value_of("wave-damping", 0, NULL), .97, 1e-12);
+#define MODE "{mode: {wave-vector: [0.7853981633974483, 1.5707963267948966], branch: "
+    static const char *const modes[] = {MODE "fast, amplitude: .1}}",
+                                        MODE "fast, amplitude: .1}}, " MODE
+                                             "slow, amplitude: .07, phase: 50}}"};
+#undef MODE
+    for (int n = 0; n < 2; ++n) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "title: a wave\n"
+                 "materials: {m: {elastic-automaton: {c1: .4, c2: .58, boundary: periodic, "
+                 "damping: .03}}}\n"
+                 "bodies: {b: {material: m, shape: {rectangle: [8, 8]}, displacement:\n"
+                 "  [%s]}}\nrun: {steps: 9}\n",
+                 modes[n]);
+        begin(text);
+        for (int step = 0; step < 9; ++step) {
+            run_steps(1);
+            assert_close(value_of("wave-damping", 0, NULL), .97, 1e-12);
+        }
+        end();
     }
-    end();
 }
 
 /* Without a wave, and with one that looks on each colour as its opposite does. */
@@ -295,6 +319,7 @@ int main(void)
         cmocka_unit_test(early_diffusion_is_free_flight),
         cmocka_unit_test(nothing_diffuses_without_temperature),
         cmocka_unit_test(the_first_wave_is_what_turns),
+        cmocka_unit_test(modes_are_where_their_own_frequencies_have_them),
         cmocka_unit_test(a_damped_wave_shrinks_by_as_much_each_step),
         cmocka_unit_test(what_is_no_wave_does_not_turn),
         cmocka_unit_test(each_body_is_asked_in_its_own_solid),
