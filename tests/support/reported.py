@@ -66,6 +66,8 @@ for field in motion["fields"]:
     values = numpy.clip(group[key]["value"][::every][:, shown], field["low"], field["high"])
     shades = numbers("u1", field["shades"]).reshape(frames, -1).astype(float)
     shades[shades > SHADES] = numpy.nan
+    if not numpy.array_equal(numpy.isnan(shades), numpy.isnan(values)):
+        fail(f"shows {key} where there is none, or none where it is")
     near(key, field["low"] + shades * (field["high"] - field["low"]) / SHADES, values,
          (field["high"] - field["low"]) / SHADES)
 if "force" in group:

@@ -43,6 +43,20 @@ static const char torn[] =
     "run: {steps: 200, record-every: 10}\n"
     "measure: [energy]\n";
 
+/* A lattice has no order of its own: nothing is shown for it. */
+static const char mixed[] =
+    "title: two kinds\n"
+    "materials:\n"
+    "  gas: {movable-particles: {strength: 0}}\n"
+    "  net: {linear-lattice: {k1: 1, k2: 1}}\n"
+    "bodies:\n"
+    "  cloud: {material: gas, lattice: hexagonal, shape: {rectangle: [5, 5]}, temperature: 1}\n"
+    "  net: {material: net, lattice: hexagonal, shape: {rectangle: [3, 3]}, origin: [20, 0]}\n"
+    "dynamics: {time-step: 0.01}\n"
+    "run: {steps: 30, record-every: 10}\n"
+    "record: {fields: [local-order]}\n"
+    "measure: [energy]\n";
+
 /* One of its cases goes out of all bounds. */
 static const char failing[] =
     "title: a speck flies\n"
@@ -109,6 +123,16 @@ static void report_shows_when_links_break(void **state)
     skip_unseen();
 }
 
+static void report_shows_fields_where_they_are(void **state)
+{
+    (void)state;
+    char folder[64];
+    run_in(folder, mixed);
+    check_page(folder, "out", "");
+    remove_folder(folder);
+    skip_unseen();
+}
+
 static void report_of_a_sweep_says_what_failed(void **state)
 {
     (void)state;
@@ -150,6 +174,7 @@ int main(void)
         cmocka_unit_test(report_shows_the_results_and_titles_as_text),
         cmocka_unit_test(report_of_a_sweep_has_its_cases),
         cmocka_unit_test(report_shows_when_links_break),
+        cmocka_unit_test(report_shows_fields_where_they_are),
         cmocka_unit_test(report_of_a_sweep_says_what_failed),
         cmocka_unit_test(report_refuses_what_it_cannot_do),
     };
