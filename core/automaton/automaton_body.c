@@ -19,9 +19,6 @@ void fw_automaton_release(fw_automaton *body)
         free(colour->gaps);
     }
     free(body->run);
-    free(body->cell);
-    free(body->white);
-    free(body->border);
     free(body->bonds);
     free(body->built);
     free(body->torn);

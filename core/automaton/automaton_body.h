@@ -107,7 +107,7 @@ typedef struct fw_automaton {
     int row_count;         /* rows of the lattice that have cells, ascending */
     bool ring_of_rows;     /* the last row has bonds to the first */
     fw_automaton_colour colour[FW_COLOURS];
-    fw_arena cells;   /* of the arrays of both colours but spans and rims */
+    fw_arena cells;   /* of the arrays of both colours but spans and rims, and of the next three */
     int *cell;        /* of each particle: its number within its colour */
     uint8_t *white;   /* of each particle: FW_BLACK or FW_WHITE */
     uint8_t *border;  /* of each particle: bit d, its bond in direction d crosses a seam; bit 4,

@@ -64,9 +64,6 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
                               fw_error *error)
 {
     const size_t size = (size_t)body->head.count;
-    body->cell = fw_array_zeroed(size, sizeof *body->cell);
-    body->white = fw_array_zeroed(size, sizeof *body->white);
-    if (!body->cell || !body->white) return fw_fail_memory(error, "the colours of an automaton");
     for (int r = 0; r < body->run_count; ++r) {
         const int first = colour_of(body->run[r].site, def), count = body->run[r].count;
         body->colour[first].count += count - count / 2;
@@ -83,6 +80,9 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
         for (int d = 0; d < FW_DIRECTIONS; ++d)
             colour->matrix[d] = &body->matrices.bond[c == FW_BLACK ? d : fw_opposite(d)];
     }
+    FW_ARENA_ADD(&body->cells, body->cell, size);
+    FW_ARENA_ADD(&body->cells, body->white, size);
+    FW_ARENA_ADD(&body->cells, body->border, size);
     FW_ARENA_ADD(&body->cells, body->sums, 1);
     FW_TRY(fw_arena_allocate(&body->cells, "the cells of an automaton", error));
     int cell[FW_COLOURS] = {0};
@@ -91,11 +91,24 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
     return FW_OK;
 }
 
-/* `before`: neighbours of the cell before this one. */
+/* Makes room for one more at the end of an array, whose pointer that is; false without memory. */
+static bool make_room(void *pointer, int count, int *room, size_t size)
+{
+    enum { FEW = 16 };
+    void *array;
+    memcpy(&array, pointer, sizeof array);
+    if (count < *room) return true;
+    *room = *room > 0 ? 2 * *room : FEW;
+    void *longer = realloc(array, (size_t)*room * size);
+    if (!longer) return false;
+    memcpy(pointer, &longer, sizeof longer);
+    return true;
+}
+
+/* Does a cell go on a span? `before`: neighbours of the cell before it. */
 static bool continues(const fw_automaton_span *span, const fw_automaton *body, const int *before,
                       const int *next, int cell, int particle)
 {
-    if (span->count == 0) return false;
     if (span->begin + span->count != cell || span->particle + 2 * span->count != particle)
         return false;
     /* Two particles further there is one more cell of that colour. */
@@ -107,67 +120,72 @@ static bool continues(const fw_automaton_span *span, const fw_automaton *body, c
     return true;
 }
 
-/* Cuts the inside of a colour into spans, each in one row, and counts its rim; fills colour->place
- * and the rows. */
-static void cut_spans(fw_automaton *body, const fw_automaton_surroundings *around,
+/* How many cells of an inner one's colour, itself the first, surely go on its span: their particles
+ * lie before `end`, and all their neighbours two further each time. */
+static int alike(const fw_automaton_surroundings *around, int particle, int end)
+{
+    const int(*next)[FW_DIRECTIONS] = (const int(*)[FW_DIRECTIONS])around->next;
+    int count = 1;
+    for (int p = particle + 2; p < end; p += 2, ++count) {
+        bool two_further = true;
+        for (int d = 0; d < FW_DIRECTIONS; ++d) two_further &= next[p][d] == next[p - 2][d] + 2;
+        if (!two_further) break;
+    }
+    return count;
+}
+
+/* Cuts the inside of a colour into spans, each in one row, and lists its rim, of which the cells
+ * are all that is known yet; fills colour->place and the rows. False without memory. */
+static bool cut_spans(fw_automaton *body, const fw_automaton_surroundings *around,
                       fw_automaton_colour *colour)
 {
-    fw_automaton_span span = {0};
+    const bool one_by_one = body->boundary == FW_BOUNDARY_TRAPEZOID; /* bonds may differ */
+    fw_automaton_span *span = NULL;
     const int *before = NULL;
-    colour->span_count = colour->rim_count = 0;
-    int n = 0, row = 0;
+    int n = 0, row = 0, span_room = 0;
     for (int r = 0; r < body->run_count; ++r) {
         const fw_automaton_run *run = &body->run[r];
+        const int end = run->particle + run->count;
         if (r == 0 || run->site.j != run[-1].site.j) {
             colour->row[row++] = (fw_automaton_row){n, colour->span_count, colour->rim_count};
-            span.count = 0;
+            span = NULL;
         }
-        for (; n < colour->count && colour->particle[n] < run->particle + run->count; ++n) {
+        while (n < colour->count && colour->particle[n] < end) {
             const int particle = colour->particle[n], *next = around->next[particle];
             if (!is_inside(body, around, particle)) {
-                colour->place[n] = colour->rim_count++;
+                if (!make_room(&colour->rim, colour->rim_count, &colour->rim_room,
+                               sizeof *colour->rim))
+                    return false;
+                colour->rim[colour->rim_count] = (fw_automaton_rim){.cell = n, .span = -1};
+                colour->place[n++] = colour->rim_count++;
                 continue;
             }
-            if (!continues(&span, body, before, next, n, particle)) {
-                colour->span_count += 1;
-                span = (fw_automaton_span){.begin = n, .particle = particle};
-                for (int d = 0; d < FW_DIRECTIONS; ++d) span.offset[d] = body->cell[next[d]] - n;
+            if (!span || !continues(span, body, before, next, n, particle)) {
+                if (!make_room(&colour->span, colour->span_count, &span_room, sizeof *span))
+                    return false;
+                span = &colour->span[colour->span_count++];
+                *span = (fw_automaton_span){.begin = n, .particle = particle};
+                for (int d = 0; d < FW_DIRECTIONS; ++d) span->offset[d] = body->cell[next[d]] - n;
             }
-            span.count += 1;
-            before = next;
-            colour->place[n] = ~(colour->span_count - 1);
+            const int count = alike(around, particle, one_by_one ? particle : end);
+            for (int k = 0; k < count; ++k) colour->place[n + k] = ~(colour->span_count - 1);
+            before = around->next[particle + 2 * (count - 1)];
+            span->count += count;
+            n += count;
         }
     }
     colour->row[row] = (fw_automaton_row){n, colour->span_count, colour->rim_count};
-}
-
-static void fill_spans(const fw_automaton *body, const fw_automaton_surroundings *around,
-                       fw_automaton_colour *colour)
-{
-    for (int n = 0, end; n < colour->count; n = end) {
-        const int place = colour->place[n];
-        for (end = n + 1; end < colour->count && colour->place[end] == place;) ++end;
-        if (place >= 0) continue;
-        fw_automaton_span *span = &colour->span[~place];
-        span->begin = n;
-        span->count = end - n;
-        span->particle = colour->particle[n];
-        for (int d = 0; d < FW_DIRECTIONS; ++d)
-            span->offset[d] = body->cell[around->next[span->particle][d]] - n;
-    }
+    return true;
 }
 
 static fw_status fill_rim(fw_automaton *body, const fw_automaton_surroundings *around, int c,
                           const fw_sites *sites, fw_error *error)
 {
     fw_automaton_colour *colour = &body->colour[c];
-    for (int n = 0; n < colour->count; ++n) {
-        if (colour->place[n] < 0) continue;
-        const int particle = colour->particle[n], *next = around->next[particle];
+    for (int n = 0; n < colour->rim_count; ++n) {
+        fw_automaton_rim *rim = &colour->rim[n];
+        const int particle = colour->particle[rim->cell], *next = around->next[particle];
         const fw_site site = sites->site[particle];
-        fw_automaton_rim *rim = &colour->rim[colour->place[n]];
-        rim->cell = n;
-        rim->span = -1;
         for (int d = 0; d < FW_DIRECTIONS; ++d) {
             rim->neighbour[d] = next[d] < 0 ? -1 : body->cell[next[d]];
             rim->weight[d] = bond_weight(around, body->boundary, particle, d);
@@ -195,12 +213,7 @@ static fw_status lay_out_colour(fw_automaton *body, const fw_automaton_surroundi
     fw_automaton_colour *colour = &body->colour[c];
     colour->row = fw_array_allocate((size_t)body->row_count + 1, sizeof *colour->row);
     if (!colour->row) return fw_fail_memory(error, "the rows of an automaton");
-    cut_spans(body, around, colour);
-    colour->span = fw_array_allocate((size_t)colour->span_count, sizeof *colour->span);
-    colour->rim = fw_array_allocate((size_t)colour->rim_count, sizeof *colour->rim);
-    colour->rim_room = colour->rim_count;
-    if (!colour->span || !colour->rim) return fw_fail_memory(error, "the rims of an automaton");
-    fill_spans(body, around, colour);
+    if (!cut_spans(body, around, colour)) return fw_fail_memory(error, "the rims of an automaton");
     return fill_rim(body, around, c, sites, error);
 }
 
@@ -232,17 +245,37 @@ static size_t border_of_run(fw_automaton *body, const fw_automaton_surroundings 
     return links;
 }
 
+/* As list_run() does, of a body as it is made. */
+static void list_first_run(fw_automaton *body, const fw_automaton_surroundings *around,
+                           const fw_automaton_run *run)
+{
+    fw_solid *head = &body->head;
+    int links = head->link_count, boundary = head->boundary_count;
+    for (int p = run->particle; p < run->particle + run->count; ++p) {
+        const int *next = around->next[p], seam = body->border[p];
+        for (int d = FW_EAST; d <= FW_NORTH; ++d) {
+            /* Behind the last bond there is room for one more. */
+            head->links[links][0] = p;
+            head->links[links][1] = next[d];
+            links += next[d] >= 0 && !(seam >> d & 1);
+        }
+        head->boundary[boundary] = p;
+        boundary += (seam & EDGE) || (next[0] | next[1] | next[2] | next[3]) < 0;
+    }
+    head->link_count = links;
+    head->boundary_count = boundary;
+}
+
 /* Makes room for the list of bonds and fills it. */
 static fw_status find_borders(fw_automaton *body, const fw_automaton_surroundings *around,
                               fw_error *error)
 {
     size_t links = 0;
-    body->border = fw_array_zeroed((size_t)body->head.count, sizeof *body->border);
-    if (!body->border) return fw_fail_memory(error, "the borders of an automaton");
     for (int r = 0; r < body->run_count; ++r) links += border_of_run(body, around, &body->run[r]);
-    body->head.links = fw_array_zeroed(links, sizeof *body->head.links);
+    body->head.links = fw_array_zeroed(links + 1, sizeof *body->head.links);
     if (!body->head.links) return fw_fail_memory(error, "the bonds of an automaton");
-    fw_automaton_list_bonds(body);
+    for (int r = 0; r < body->run_count; ++r) list_first_run(body, around, &body->run[r]);
+    body->head.boundary_revision += 1;
     return FW_OK;
 }
 

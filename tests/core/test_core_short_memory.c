@@ -249,7 +249,7 @@ static void automaton_says_that_memory_is_missing(void **state)
     for (int side = -1; side <= 1;
          side += 2) { /* of what is stable: see test_automaton_stability */
         def.speeds = (fw_automaton_speeds){0.6, sqrt(2) * 0.6 * (1 + 0.02 * side)};
-        assert_true(fail_each_allocation("stability", judge_stability, &def) >= 15);
+        assert_true(fail_each_allocation("stability", judge_stability, &def) >= 12);
     }
     def.boundary = FW_BOUNDARY_MIRROR;
     assert_true(fail_each_allocation("mirror", find_spectral_radius, &def) >= 8);
