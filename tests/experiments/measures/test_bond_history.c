@@ -108,6 +108,46 @@ static void motion_is_followed_over_one_lag_and_over_all(void **state)
     fw_solid_destroy(solid);
 }
 
+/* Six particles away from the origin, each moved its own way: of each, over those that were near
+ * it, the change of what leads to them. */
+static void each_bond_changes_by_the_motion_of_its_ends(void **state)
+{
+    (void)state;
+    enum { COUNT = 6 };
+    static const fw_vec2 moves[COUNT] = {{.1, .02},  {-.03, .2}, {.05, -.07},
+                                         {.01, .11}, {.3, -.2},  {-.13, .04}};
+    fw_solid *solid = solid_of(crowd_rectangle(3, 2, (fw_vec2){5, 7}, 1, .1, 4),
+                               fw_return_force_default(), still, 1);
+    fw_bond_history *h = history_of(solid);
+    fw_vec2 before[COUNT];
+    for (int i = 0; i < COUNT; ++i) before[i] = fw_solid_position(solid, i);
+    fw_bond_history_remember(h, solid, 0);
+    for (int i = 0; i < COUNT; ++i) {
+        solid->x[i] += moves[i].x;
+        solid->y[i] += moves[i].y;
+    }
+    assert_int_equal(fw_langevin_refresh(solid, NULL), FW_OK);
+    const int snapshot = fw_bond_history_snapshot(h, 200, 1);
+    for (int i = 0; i < COUNT; ++i) {
+        const fw_bond_change change = fw_bond_history_change(h, solid, snapshot, i);
+        double bonds = 0, along[2] = {0};
+        for (int j = 0; j < COUNT; ++j) {
+            const fw_vec2 apart = fw_vec2_subtract(before[j], before[i]);
+            if (j == i || hypot(apart.x, apart.y) >= 1.25) continue;
+            bonds += 1;
+            along[0] += pow(moves[j].x - moves[i].x, 2);
+            along[1] += pow(moves[j].y - moves[i].y, 2);
+        }
+        assert_true(bonds >= 2);
+        assert_close(change.bonds, bonds, 0);
+        assert_close(change.along[0], along[0], 1e-14);
+        assert_close(change.along[1], along[1], 1e-14);
+        assert_close(change.square, along[0] + along[1], 1e-14);
+    }
+    fw_bond_history_destroy(h);
+    fw_solid_destroy(solid);
+}
+
 static void particles_that_there_are_not_are_noticed(void **state)
 {
     (void)state;
@@ -166,6 +206,7 @@ int main(void)
         cmocka_unit_test(a_bond_breaks_once_however_often_one_looks),
         cmocka_unit_test(only_what_is_due_is_looked_at),
         cmocka_unit_test(motion_is_followed_over_one_lag_and_over_all),
+        cmocka_unit_test(each_bond_changes_by_the_motion_of_its_ends),
         cmocka_unit_test(particles_that_there_are_not_are_noticed),
         cmocka_unit_test(a_width_resolves_what_is_finer_than_a_bin),
     };
