@@ -259,6 +259,8 @@ static void each_body_is_asked_in_its_own_solid(void **state)
         assert_close(value_of("mean-velocity", b, "x"), x[b], 1e-15);
         assert_close(value_of("mean-velocity", b, "y"), y[b], 1e-15);
         assert_close(value_of("momentum-error", b, "x"), 0, 1e-15);
+        assert_close(experiment->energy_at_start[b], kinetic[b], 1e-15);
+        assert_close(value_of("energy-error", b, NULL), 0, 1e-13);
         assert_close(value_of("penetration", b, NULL), 0, 0);
     }
     solid_of_body(2)->x[0] = -.25; /* a corner, behind the wall in the west */

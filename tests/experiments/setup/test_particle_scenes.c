@@ -6,6 +6,7 @@
 #include "core/particles/particles.h"
 #include "experiments/measures/verdict.h"
 #include "experiments/setup/body_range.h"
+#include "experiments/setup/solids.h"
 #include "experiments/study/run.h"
 #include "experiments/study/study.h"
 #include "tests/support/scenarios.h"
@@ -364,6 +365,41 @@ static void study_judges_the_mean_of_its_seeds(void **state)
     remove_folder(folder);
 }
 
+/* A bond of Lennard-Jones, k = 72 s, on a hexagonal lattice: m omega^2 is at most 6 k, with the
+ * strength s of a body's own pairs or of those with another body, whichever is larger. */
+static void the_limit_of_the_time_step_is_that_of_the_stiffest_pairs(void **state)
+{
+    (void)state;
+    static const struct {
+        double own, across, stiffest;
+    } strengths[] = {{1, .25, 1}, {1, 4, 4}, {0, 2, 2}};
+    for (size_t n = 0; n < sizeof strengths / sizeof *strengths; ++n) {
+        char text[512], wanted[64], *said = NULL;
+        size_t size = 0;
+        int warnings = 0;
+        snprintf(text, sizeof text,
+                 "title: two apart\nmaterials: {m: {movable-particles: {strength: %g, mass: 3}}}\n"
+                 "bodies:\n"
+                 "  a: {material: m, shape: {rectangle: [2, 1]}}\n"
+                 "  b: {material: m, shape: {rectangle: [2, 1]}, origin: [50, 0]}\n"
+                 "dynamics: {time-step: 0.01, strength-across: %g}\nrun: {steps: 1}\n",
+                 strengths[n].own, strengths[n].across);
+        fw_scenario *s = read_right(text);
+        fw_experiment *e = build_right(s);
+        const fw_start start = {
+            .scenario = s, .body = 1, .solid = fw_experiment_solid(e, 1), .range = &e->bodies[1]};
+        FILE *out = open_memstream(&said, &size);
+        assert_fine(fw_solid_kind_of(s, 1)->print_limits(out, &start, &warnings, &error));
+        fclose(out);
+        snprintf(wanted, sizeof wanted, "time step 0.01, expected below %.3g\n",
+                 2 / sqrt(6 * 72 * strengths[n].stiffest / 3));
+        if (!strstr(said, wanted)) fail_msg("'%s', expected '%s'", said, wanted);
+        free(said);
+        fw_experiment_destroy(e);
+        fw_scenario_destroy(s);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -375,6 +411,7 @@ int main(void)
         cmocka_unit_test(motion_is_measured_from_the_start),
         cmocka_unit_test(order_of_a_crystal_is_perfect),
         cmocka_unit_test(particles_run_back),
+        cmocka_unit_test(the_limit_of_the_time_step_is_that_of_the_stiffest_pairs),
         cmocka_unit_test(study_judges_the_mean_of_its_seeds),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
