@@ -206,6 +206,31 @@ static void a_push_that_does_not_fit_is_unmatched(void **state)
     fw_piston_destroy(piston);
 }
 
+/* By its momentum alone a block goes on with the velocity of its sheet; what is held goes as it is
+ * told, in each component by itself. */
+static void a_grip_coasts_where_it_is_not_held(void **state)
+{
+    (void)state;
+    static const int particles[] = {1, 2, 6};
+    const fw_vec2 told = {.1, -.2};
+    for (int held = 0; held < 4; ++held) {
+        fw_scene *scene = empty_scene(100);
+        add_body(scene, (body_options){.columns = 4, .rows = 3, .velocity = {.03, .04}, .mu = 1});
+        const fw_grip_def def = {.name = "hand",
+                                 .particles = particles,
+                                 .particle_count = 3,
+                                 .drive = {.prescribed_x = held & 1, .prescribed_y = held & 2}};
+        fw_grip *grip;
+        must(fw_grip_create(&grip, &def, &error));
+        (void)fw_grip_displacement(grip, fw_scene_body(scene, 0), 0);
+        const fw_vec2 inertial = fw_grip_inertial(grip, told);
+        assert_close(inertial.x, held & 1 ? told.x : .03, 1e-14);
+        assert_close(inertial.y, held & 2 ? told.y : .04, 1e-14);
+        fw_grip_destroy(grip);
+        fw_scene_destroy(scene);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -215,6 +240,7 @@ int main(void)
         cmocka_unit_test(the_ledger_of_a_grip_is_that_of_its_forces),
         cmocka_unit_test(the_ledger_of_a_piston_is_that_of_its_drive),
         cmocka_unit_test(a_push_that_does_not_fit_is_unmatched),
+        cmocka_unit_test(a_grip_coasts_where_it_is_not_held),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
