@@ -34,8 +34,8 @@ static fw_status run(const fw_scenario *scenario, const fw_run_options *options,
 {
     fw_study *study;
     FW_TRY(fw_study_begin(&study, scenario, options, error));
-    fw_leftovers_remove(leftovers);
-    const fw_status status = finish(study, scenario, options->directory, no_plot, error);
+    fw_status status = fw_leftovers_remove(leftovers, error);
+    if (status == FW_OK) status = finish(study, scenario, options->directory, no_plot, error);
     fw_study_destroy(study);
     return status;
 }
@@ -45,8 +45,9 @@ static fw_status run_sweep(const fw_scenario *scenario, const fw_run_options *op
 {
     fw_sweep *sweep;
     FW_TRY(fw_sweep_begin(&sweep, scenario, options, error));
-    fw_leftovers_remove(leftovers);
-    const fw_status status = fw_report_sweep(sweep, scenario, options->directory, no_plot, error);
+    fw_status status = fw_leftovers_remove(leftovers, error);
+    if (status == FW_OK)
+        status = fw_report_sweep(sweep, scenario, options->directory, no_plot, error);
     fw_sweep_destroy(sweep);
     return status;
 }

@@ -71,9 +71,9 @@ static fw_status prepare(const fw_scenario *scenario, const char *directory, con
     if (!overwrite) FW_TRY(is_same(scenario, directory, &same, error));
     if (same) return FW_OK;
     FW_TRY(fw_leftovers_find(&leftovers, directory, scenario, overwrite, error));
-    const fw_status status = fw_sweep_begin(&sweep, scenario, &options, error);
+    fw_status status = fw_sweep_begin(&sweep, scenario, &options, error);
     if (status == FW_OK) {
-        fw_leftovers_remove(leftovers);
+        status = fw_leftovers_remove(leftovers, error);
         fw_sweep_destroy(sweep);
     }
     fw_leftovers_destroy(leftovers);

@@ -78,8 +78,8 @@ static fw_status begin(fw_simulation *s, const fw_simulation_def *def, fw_error 
                                     .warnings = s->warnings};
     if (s->directory)
         FW_TRY(fw_leftovers_find(&leftovers, s->directory, s->scenario, def->overwrite, error));
-    const fw_status status = fw_study_begin(&s->study, s->scenario, &options, error);
-    if (status == FW_OK && leftovers) fw_leftovers_remove(leftovers);
+    fw_status status = fw_study_begin(&s->study, s->scenario, &options, error);
+    if (status == FW_OK && leftovers) status = fw_leftovers_remove(leftovers, error);
     fw_leftovers_destroy(leftovers);
     if (status == FW_OK) s->run = fw_study_run(s->study);
     return status;

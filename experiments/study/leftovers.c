@@ -9,8 +9,8 @@
 #include "experiments/storage/manifest.h"
 #include "experiments/storage/sealed_file.h"
 #include "experiments/study/study.h"
-#include "experiments/study/sweep.h"
 #include "experiments/study/summary.h"
+#include "experiments/study/sweep.h"
 #include "sweep_seeds.h"
 #include "sweep_threshold.h"
 
@@ -45,20 +45,27 @@ static fw_status add(fw_leftovers *list, fw_error *error, const char *directory,
     return FW_OK;
 }
 
-/* As it was run; NULL where nothing can be read. */
-static fw_scenario *scenario_in(const char *directory)
+static fw_status load(fw_scenario **scenario, const char *directory, fw_error *error)
 {
-    fw_scenario *scenario = NULL;
     fw_playback *playback;
-    fw_error ignored;
-    if (fw_sweep_is_in(directory))
-        return fw_sweep_load(&scenario, directory, &ignored) == FW_OK ? scenario : NULL;
-    if (fw_playback_open(&playback, directory, &ignored) != FW_OK) return NULL;
-    if (fw_scenario_read(&scenario, directory, playback->scenario, strlen(playback->scenario), NULL,
-                         0, &ignored) != FW_OK)
-        scenario = NULL;
+    if (fw_sweep_is_in(directory)) return fw_sweep_load(scenario, directory, error);
+    FW_TRY(fw_playback_open(&playback, directory, error));
+    const fw_status status = fw_scenario_read(scenario, directory, playback->scenario,
+                                              strlen(playback->scenario), NULL, 0, error);
     fw_playback_close(playback);
-    return scenario;
+    return status;
+}
+
+/* As it was run; *old is NULL where there is nothing to be read. */
+static fw_status load_old(fw_scenario **old, const char *directory, fw_error *error)
+{
+    fw_error own;
+    *old = NULL;
+    const fw_status status = load(old, directory, &own);
+    if (status != FW_OK) *old = NULL;
+    if (status != FW_SYSTEM_FAILED) return FW_OK;
+    *error = own;
+    return status;
 }
 
 /* Number of the case of that name, or -1. */
@@ -222,7 +229,7 @@ static fw_status add_result(fw_leftovers *list, const char *directory, const fw_
     for (int n = 0; fw_scenario_is_sweep(old) && n < old->study.sweep.case_count; ++n) {
         fw_scenario *case_of = NULL;
         fw_scenario_case_name(old, n, name);
-        if (fw_scenario_read_case(&case_of, old, n, error) != FW_OK) continue;
+        FW_TRY(fw_scenario_read_case(&case_of, old, n, error));
         const fw_status status =
             add_folder(list, directory, name, case_of, find_case(fresh, name) >= 0, error);
         fw_scenario_destroy(case_of);
@@ -238,8 +245,9 @@ fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
     FW_TRY(check_needs(directory, fresh, true, overwrite, error));
     *leftovers = calloc(1, sizeof **leftovers);
     if (!*leftovers) return fw_fail_memory(error, "a list of files");
-    fw_scenario *old = scenario_in(directory);
-    const fw_status status = old ? add_result(*leftovers, directory, old, fresh, error) : FW_OK;
+    fw_scenario *old;
+    fw_status status = load_old(&old, directory, error);
+    if (old) status = add_result(*leftovers, directory, old, fresh, error);
     fw_scenario_destroy(old);
     if (status == FW_OK) return FW_OK;
     fw_leftovers_destroy(*leftovers);
@@ -248,32 +256,40 @@ fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
 }
 
 /* The files by which a folder holds a result, as far as they are ours. */
-static void discard_result(const char *path)
+static fw_status discard_result(const char *path, fw_error *error)
 {
     fw_folder *folder;
-    fw_error ignored;
+    fw_error own;
     int count = 0;
     bool ours[32];
-    if (fw_path_check_inner(path, &ignored) != FW_OK) return;
-    for (; fw_result_file(count); ++count)
-        ours[count] = fw_result_file_check(path, count, &ignored) == FW_OK;
+    if (fw_path_check_inner(path, &own) != FW_OK) return FW_OK;
+    for (; fw_result_file(count); ++count) {
+        const fw_status found = fw_result_file_check(path, count, &own);
+        if (found == FW_SYSTEM_FAILED && is_there(path, fw_result_file(count)))
+            return fw_fail(error, found, "%s", own.sentence);
+        ours[count] = found == FW_OK;
+    }
     /* Whoever writes there keeps them. */
-    if (fw_folder_open(&folder, path, &ignored) != FW_OK) return;
+    const fw_status opened = fw_folder_open(&folder, path, &own);
+    if (opened == FW_SYSTEM_FAILED) return fw_fail(error, opened, "%s", own.sentence);
+    if (opened != FW_OK) return FW_OK;
     for (int n = 0; n < count; ++n)
-        if (ours[n]) fw_folder_remove(folder, fw_result_file(n), &ignored);
+        if (ours[n]) fw_folder_remove(folder, fw_result_file(n), &own);
     fw_folder_close(folder);
+    return FW_OK;
 }
 
-void fw_leftovers_remove(const fw_leftovers *leftovers)
+fw_status fw_leftovers_remove(const fw_leftovers *leftovers, fw_error *error)
 {
     for (int n = 0; n < leftovers->count; ++n) {
         const leftover *item = &leftovers->item[n];
-        if (item->is_folder) discard_result(item->path);
+        if (item->is_folder) FW_TRY(discard_result(item->path, error));
         if (item->is_folder)
             rmdir(item->path);
         else
             unlink(item->path);
     }
+    return FW_OK;
 }
 
 void fw_leftovers_destroy(fw_leftovers *leftovers)

@@ -21,8 +21,9 @@ fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
 /* Before a run goes on: FW_BAD_INPUT where it would write a table or a picture over a file that is
  * not the program's. */
 fw_status fw_leftovers_check(const char *directory, const fw_scenario *scenario, fw_error *error);
-/* A folder that holds other files as well stays, with these. */
-void fw_leftovers_remove(const fw_leftovers *leftovers);
+/* A folder that holds other files as well stays, with these. FW_SYSTEM_FAILED where it cannot be
+ * told what a folder holds: then the rest stays too. */
+fw_status fw_leftovers_remove(const fw_leftovers *leftovers, fw_error *error);
 void fw_leftovers_destroy(fw_leftovers *leftovers);
 
 #endif

@@ -100,7 +100,7 @@ static void add_file(uint64_t *hash, FILE *file)
         *hash = fw_checksum_add(*hash, bytes, count);
 }
 
-/* What it prints, and the file that it writes. */
+/* What it prints, the file that it writes, and what there is in its folder. */
 static fw_status do_line(const void *input, uint64_t *result, fw_error *failed)
 {
     const line *of = input;
@@ -133,6 +133,13 @@ static fw_status do_line(const void *input, uint64_t *result, fw_error *failed)
     *result = FW_CHECKSUM_OF_NOTHING;
     if (!of->says_times) add_file(result, said);
     fclose(said);
+    if (of->from && status == FW_OK) {
+        shell(folder, "find it | sort > listed");
+        FILE *listed = fopen("listed", "rb");
+        assert_non_null(listed);
+        add_file(result, listed);
+        fclose(listed);
+    }
     FILE *made = of->made ? fopen(of->made, "rb") : NULL;
     if (status == FW_OK && of->made && !made) fail_msg("%s makes no %s", of->words, of->made);
     /* Of `check` the picture is whole before the rest is said. */
@@ -146,6 +153,8 @@ static fw_status do_line(const void *input, uint64_t *result, fw_error *failed)
 #define BISECTED                                                                                   \
     "'study.sweep.parameters.v={from: .1, to: .3, tolerance: .05}' --set "                         \
     "'expect=[{quantity: centre-of-mass, component: x, crosses: 1.7, value: .2, within: .2}]'"
+
+#define ONE_CASE "study.sweep.parameters.v.values=[.1]"
 
 static void each_command_says_that_memory_is_missing(void **state)
 {
@@ -178,6 +187,9 @@ static void each_command_says_that_memory_is_missing(void **state)
         {"run sheets.yaml -q --no-plot -o it --overwrite -j 1", "it/sweep.csv", false, "swept"},
         {"run sheets.yaml -q --no-plot -o it -j 1 --set " BISECTED, "it/thresholds.csv", false,
          "empty"},
+        {"run sheets.yaml -q --no-plot -o it --overwrite -j 1 --set " ONE_CASE, NULL, false,
+         "swept"},
+        {"run blocks.yaml -q --no-plot -o it --overwrite", NULL, false, "swept"},
         {"resume it -q --no-plot -j 1", "it/sweep.csv", false, "cases"},
         {"sweep it --case v=0.2 -q", "it/v=0.2/summary.csv", false, "cases"},
         {"collect it --no-plot", "it/sweep.csv", false, "finished"},
