@@ -128,15 +128,52 @@ static fw_vec2 velocity_of(const fw_automaton *body, int colour, int cell)
                          fw_sym2_apply(fw_automaton_cell_inverse_mass(body, colour, cell), s));
 }
 
+/* The same of cells of a span from `begin` on, when no load acts: to the last bit, sooner. */
+static void velocities_of_span(const fw_automaton *body, int c, const fw_automaton_span *span,
+                               int begin, int count, double *restrict x, double *restrict y)
+{
+    const fw_automaton_colour *own = &body->colour[c], *other = &body->colour[!c];
+    const double sign = c == fw_automaton_moving(body) ? 1 : -1;
+    const fw_sym2 one = fw_sym2_scalar(1), east = *own->matrix[FW_EAST],
+                  north = *own->matrix[FW_NORTH], west = *own->matrix[FW_WEST],
+                  south = *own->matrix[FW_SOUTH];
+    const int *offset = span->offset, first = own->particle[begin];
+    for (int k = 0; k < count; ++k) {
+        const int n = begin + k;
+        const fw_vec2 self = fw_automaton_at(own, n);
+        const fw_vec2 to_east = fw_vec2_subtract(fw_automaton_at(other, n + offset[FW_EAST]), self);
+        const fw_vec2 to_north =
+            fw_vec2_subtract(fw_automaton_at(other, n + offset[FW_NORTH]), self);
+        const fw_vec2 to_west = fw_vec2_subtract(fw_automaton_at(other, n + offset[FW_WEST]), self);
+        const fw_vec2 to_south =
+            fw_vec2_subtract(fw_automaton_at(other, n + offset[FW_SOUTH]), self);
+        const fw_vec2 s =
+            fw_vec2_add(fw_vec2_add(fw_sym2_apply(east, to_east), fw_sym2_apply(north, to_north)),
+                        fw_vec2_add(fw_sym2_apply(west, to_west), fw_sym2_apply(south, to_south)));
+        const fw_vec2 v = fw_vec2_scale(sign, fw_sym2_apply(one, s));
+        x[first + 2 * k] = v.x;
+        y[first + 2 * k] = v.y;
+    }
+}
+
 void fw_automaton_velocities(const fw_solid *solid, double *x, double *y)
 {
     const fw_automaton *body = fw_automaton_of_const(solid);
-    for (int c = 0; c < FW_COLOURS; ++c)
-        for (int n = 0; n < body->colour[c].count; ++n) {
+    for (int c = 0; c < FW_COLOURS; ++c) {
+        const fw_automaton_colour *colour = &body->colour[c];
+        for (int n = 0, count; n < colour->count; n += count) {
+            const int place = colour->place[n];
+            count = 1;
+            if (place < 0 && !solid->loaded) {
+                while (n + count < colour->count && colour->place[n + count] == place) ++count;
+                velocities_of_span(body, c, &colour->span[~place], n, count, x, y);
+                continue;
+            }
             const fw_vec2 v = velocity_of(body, c, n);
-            x[body->colour[c].particle[n]] = v.x;
-            y[body->colour[c].particle[n]] = v.y;
+            x[colour->particle[n]] = v.x;
+            y[colour->particle[n]] = v.y;
         }
+    }
 }
 
 void fw_automaton_masses(const fw_solid *solid, double *values)

@@ -164,12 +164,32 @@ static void bytes_do_not_depend_on_threads(void **state)
     }
 }
 
+/* The field of speeds asks cell by cell. */
+static void velocities_are_those_of_each_cell(void **state)
+{
+    (void)state;
+    for (int k = 0; k < KINDS; ++k) {
+        fw_solid *solid = body_of(&kinds[k], 70, 20);
+        const size_t count = (size_t)solid->count;
+        double *x = malloc(3 * count * sizeof *x), *y = x + count, *speed = y + count;
+        for (int tick = 0; tick < 20; ++tick) {
+            advance_free(solid);
+            solid->model->velocities(solid, x, y);
+            fw_solid_find_field(solid, "speed")->fill(solid, speed);
+            for (size_t p = 0; p < count; ++p) assert_true(hypot(x[p], y[p]) == speed[p]);
+        }
+        free(x);
+        fw_solid_destroy(solid);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(bytes_do_not_depend_on_instructions),
         cmocka_unit_test(bytes_do_not_depend_on_threads),
         cmocka_unit_test(bytes_do_not_depend_on_how_many_ticks_are_taken_at_once),
+        cmocka_unit_test(velocities_are_those_of_each_cell),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
