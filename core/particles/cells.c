@@ -2,10 +2,7 @@
 /* cells.c - particles sorted by where they are. Start reading at fw_cells_sort(). */
 #include "core/particles/cells.h"
 
-#include "core/array.h"
-
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { SIDE_LEAST = 4 /* the 3 x 3 around a cell must be different ones */ };
@@ -17,19 +14,15 @@ fw_status fw_cells_create(fw_cells *cells, int count, fw_error *error)
 {
     *cells = (fw_cells){.count = count, .most = SIDE_LEAST * SIDE_LEAST};
     while (cells->most < 2 * (int64_t)count && cells->most < 1 << 29) cells->most *= 2;
-    cells->cell = fw_array_zeroed((size_t)count, sizeof *cells->cell);
-    cells->begin = fw_array_zeroed((size_t)cells->most + 1, sizeof *cells->begin);
-    cells->member = fw_array_zeroed((size_t)count, sizeof *cells->member);
-    if (cells->cell && cells->begin && cells->member) return FW_OK;
-    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for the neighbours of %d particles",
-                   count);
+    FW_ARENA_ADD(&cells->arena, cells->cell, (size_t)count);
+    FW_ARENA_ADD(&cells->arena, cells->begin, (size_t)cells->most + 1);
+    FW_ARENA_ADD(&cells->arena, cells->member, (size_t)count);
+    return fw_arena_allocate(&cells->arena, "the cells of particles", error);
 }
 
 void fw_cells_release(fw_cells *cells)
 {
-    free(cells->cell);
-    free(cells->begin);
-    free(cells->member);
+    fw_arena_release(&cells->arena);
     *cells = (fw_cells){0};
 }
 

@@ -5,6 +5,7 @@
 #ifndef FW_CELLS_H
 #define FW_CELLS_H
 
+#include "core/arena.h"
 #include "core/status.h"
 
 #include <stdbool.h>
@@ -18,6 +19,7 @@ typedef struct fw_cells {
     int *begin;  /* the particles of cell c are member[begin[c]] .. member[begin[c + 1] - 1] */
     int *member; /* ascending within each cell */
     int most;    /* cells that there is memory for */
+    fw_arena arena;
 } fw_cells;
 
 /* FW_SYSTEM_FAILED without memory; to be released then too. */

@@ -9,8 +9,6 @@
 #include "list_kernels.h"
 #include "list_order.h"
 
-#include "core/array.h"
-
 #include <assert.h>
 #include <math.h>
 #include <omp.h>
@@ -36,12 +34,13 @@ struct fw_neighbour_lists {
     fw_chunk *chunks;
     int *first_chunk;        /* of each body, and the end */
     fw_slot_head *heads;     /* of all chunks, */
-    void *slots;             /* and what their slots have to begin with */
+    char *slots;             /* and what their slots have to begin with */
     double reach, far, near; /* what the lists hold lies within these */
     double favour;           /* of offset slots, see list_kernels.h */
     fw_cells cells;
     double *built_x, *built_y; /* positions that the far lists were made for */
     fw_list_box *boxes;        /* one per cell */
+    fw_arena arena;            /* of heads, slots, built_x, built_y, boxes */
     int threads;
     fw_near_words *words; /* of each thread */
     const double *x, *y;  /* positions in the lists' order */
@@ -146,12 +145,8 @@ void fw_neighbour_lists_destroy(fw_neighbour_lists *lists)
         fw_near_words_release(&lists->words[t]);
     free(lists->chunks);
     free(lists->first_chunk);
-    free(lists->heads);
-    free(lists->slots);
     fw_cells_release(&lists->cells);
-    free(lists->built_x);
-    free(lists->built_y);
-    free(lists->boxes);
+    fw_arena_release(&lists->arena);
     free(lists->words);
     fw_list_order_release(&lists->order);
     free(lists);
@@ -193,25 +188,32 @@ static void begin_chunks(fw_neighbour_lists *lists, const int *counts)
     lists->first_chunk[lists->body_count] = c;
 }
 
-/* Slots of all chunks stand in one piece of memory: it comes in large pages. */
-static bool make_chunks(fw_neighbour_lists *lists, const int *counts)
+static fw_status fail_memory(const fw_neighbour_lists *lists, fw_error *error)
 {
+    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for the neighbours of %d particles",
+                   lists->count);
+}
+
+/* Slots of all chunks stand in one piece of memory: it comes in large pages. */
+static fw_status allocate(fw_neighbour_lists *lists, const int *counts, fw_error *error)
+{
+    const size_t count = (size_t)lists->count;
     size_t blocks = 0;
     for (int body = 0; body < lists->body_count; ++body)
         blocks += (size_t)(counts[body] + FW_LANES - 1) / FW_LANES;
     lists->chunks = calloc((size_t)lists->chunk_count, sizeof *lists->chunks);
     lists->first_chunk = calloc((size_t)lists->body_count + 1, sizeof *lists->first_chunk);
-    lists->heads = fw_array_zeroed(2 * blocks, sizeof *lists->heads);
-    lists->slots = fw_array_zeroed(blocks * (FAR_EACH + NEAR_EACH), SLOT_BYTES);
-    if (!lists->chunks || !lists->first_chunk || !lists->heads || !lists->slots) return false;
-    begin_chunks(lists, counts);
-    return true;
-}
-
-static fw_status fail_memory(const fw_neighbour_lists *lists, fw_error *error)
-{
-    return fw_fail(error, FW_SYSTEM_FAILED, "not enough memory for the neighbours of %d particles",
-                   lists->count);
+    lists->words = calloc((size_t)lists->threads, sizeof *lists->words);
+    if (!fw_list_order_create(&lists->order, counts, lists->body_count) || !lists->chunks ||
+        !lists->first_chunk || !lists->words)
+        return fail_memory(lists, error);
+    FW_TRY(fw_cells_create(&lists->cells, lists->count, error));
+    FW_ARENA_ADD(&lists->arena, lists->heads, 2 * blocks);
+    FW_ARENA_ADD(&lists->arena, lists->slots, SLOT_BYTES * blocks * (FAR_EACH + NEAR_EACH));
+    FW_ARENA_ADD(&lists->arena, lists->built_x, count);
+    FW_ARENA_ADD(&lists->arena, lists->built_y, count);
+    FW_ARENA_ADD(&lists->arena, lists->boxes, (size_t)lists->cells.most);
+    return fw_arena_allocate(&lists->arena, "the neighbours of particles", error);
 }
 
 fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *counts, int bodies,
@@ -232,23 +234,13 @@ fw_status fw_neighbour_lists_create(fw_neighbour_lists **lists, const int *count
         made->count += counts[body];
         made->chunk_count += (counts[body] + CHUNK - 1) / CHUNK;
     }
-    const size_t count = (size_t)made->count;
     made->threads = omp_get_max_threads();
-    made->words = calloc((size_t)made->threads, sizeof *made->words);
-    made->built_x = fw_array_zeroed(count, sizeof *made->built_x);
-    made->built_y = fw_array_zeroed(count, sizeof *made->built_y);
-    const bool ordered = fw_list_order_create(&made->order, counts, bodies);
-    fw_status status = fw_cells_create(&made->cells, made->count, error);
-    if (status == FW_OK) {
-        made->boxes = fw_array_zeroed((size_t)made->cells.most, sizeof *made->boxes);
-        if (!made->words || !made->built_x || !made->built_y || !made->boxes || !ordered ||
-            !make_chunks(made, counts))
-            status = fail_memory(made, error);
-    }
+    const fw_status status = allocate(made, counts, error);
     if (status != FW_OK) {
         fw_neighbour_lists_destroy(made);
         return status;
     }
+    begin_chunks(made, counts);
     made->near_slack = made->far_slack = -1;
     *lists = made;
     return FW_OK;
