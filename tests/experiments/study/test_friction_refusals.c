@@ -25,6 +25,9 @@ static void mistakes_are_refused(void **state)
         {"grips.left.hold=x", "moves that component whatever force acts"},
         {"profile.window=[90, 99]", "the profile has no particles: none lies at 90 <= y <= 99"},
         {"profile.middle=90", "the profile has no particles at the contact"},
+        /* x from -.5 - 5 (3/4)^(1/2) to 5: bins -483013 to 500000. */
+        {"profile.bin=1e-5",
+         "profile.bin is 1e-05, which makes 983014 bins, expected at most 100000"},
         {"profile.far=[80, 90]", "the profile has no particles far from the contact"},
         {"profile.phase=smaple", "did you mean 'sample'?"},
         {"profile.every=5000", "expected at most the 1000 steps"},
