@@ -319,46 +319,32 @@ bool joint_break_loose(const fw_joint_end *ends, fw_joint_row *rows, const int *
     return any;
 }
 
-/* What is left of a slip by rounding means nothing: where all ends rest, they would go far without
- * forces. */
-static bool is_pushed_along(const fw_joint_end *ends, const fw_joint_row *row)
-{
-    const fw_joint_rub *rub = &row->rub;
-    return rub->coefficient > 0 && !rub->stuck &&
-           rub->traction * rub->slip > FEEDS * fabs(rub->traction) * span_of(ends, row);
-}
-
-bool joint_hold_all(fw_joint_row *rows, const int *list, int count)
-{
-    bool any_left = false;
-    for (int n = 0; n < count; ++n) {
-        any_left |= !rows[list[n]].rub.firm;
-        rows[list[n]].rub.firm = true;
-    }
-    return any_left;
-}
-
-/* Of what slides; for all that stick together see find_tractions(). What is pushed along moves with
- * what sticking lets through: that row lets nothing through, then none, since rows that share an
- * end cannot want different slips of it; one that is pushed along all the same has no friction. */
+/* Of what slides; for all that stick together see find_tractions(). What is left of a slip by
+ * rounding means nothing: where all ends rest, they would go far without forces. */
 bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count)
 {
-    bool any = false, again = false;
+    bool any = false;
     joint_find_slips(ends, rows, list, count);
     for (int n = 0; n < count; ++n) {
-        const fw_joint_row *row = &rows[list[n]];
-        if (!is_pushed_along(ends, row)) continue;
+        fw_joint_rub *rub = &rows[list[n]].rub;
+        if (!(rub->coefficient > 0) || rub->stuck) continue;
+        if (rub->traction * rub->slip <=
+            FEEDS * fabs(rub->traction) * span_of(ends, &rows[list[n]]))
+            continue;
+        if (rub->firm)
+            rub->barred = true;
+        else
+            rub->firm = true;
         any = true;
-        again |= row->rub.firm;
-    }
-    if (again && joint_hold_all(rows, list, count)) return true;
-    for (int n = 0; n < count; ++n) {
-        fw_joint_row *row = &rows[list[n]];
-        if (!is_pushed_along(ends, row)) continue;
-        row->rub.barred = again;
-        row->rub.firm = true;
     }
     return any;
+}
+
+void joint_hold_beside_firm(fw_joint_row *rows, const int *list, int count)
+{
+    bool any = false;
+    for (int n = 0; n < count; ++n) any |= rows[list[n]].rub.firm;
+    for (int n = 0; n < count; ++n) rows[list[n]].rub.firm |= any;
 }
 
 /* Where something else holds a particle along the face no law says what friction bears: at its
@@ -403,13 +389,6 @@ void joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const
         fw_joint_row *row = &rows[list[n]];
         row->rub.barred |= power_of_row(ends, row) > rounding_of_row(ends, row);
     }
-}
-
-bool joint_any_firm(const fw_joint_row *rows, const int *list, int count)
-{
-    for (int n = 0; n < count; ++n)
-        if (rows[list[n]].rub.firm) return true;
-    return false;
 }
 
 bool joint_any_barred(const fw_joint_row *rows, const int *list, int count)
