@@ -121,6 +121,28 @@ static void a_link_error_is_what_places_do_not_fit(void **state)
     end();
 }
 
+/* A site inside has four links, a corner two; those of the first body are not stretched enough. */
+static void broken_links_are_those_that_were_stretched_too_far(void **state)
+{
+    (void)state;
+    const char *text =
+        "title: a sheet breaks\n"
+        "materials: {m: {lattice-boltzmann: {rest-mass: 6, break-at: .3}}}\n"
+        "bodies:\n"
+        "  a: {material: m, shape: {rectangle: [3, 3]},\n"
+        "    displacement: [{by: [.2, 0], sites: [[1, 1]]}]}\n"
+        "  b: {material: m, shape: {rectangle: [4, 3]}, origin: [20, 1], displacement:\n"
+        "    [{by: [.45, 0], sites: [[1, 1]]}, {by: [0, -.5], sites: [[3, 2]]}]}\n"
+        "run: {steps: 3}\n";
+    assert_fine(fw_scenario_read(&scenario, "b.yaml", text, strlen(text), NULL, 0, &error));
+    assert_fine(fw_observer_create(&observer, scenario, &error));
+    assert_close(number("broken-links.b"), 0, 0);
+    run_steps(1);
+    assert_close(number("broken-links.b"), 4 + 2, 0);
+    assert_close(number("broken-links.a"), 0, 0);
+    end();
+}
+
 /* --- rest --- */
 
 static void stop_with_forces(bool along_y_too)
@@ -203,6 +225,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(links_are_deformed_by_what_their_ends_are_apart),
         cmocka_unit_test(a_link_error_is_what_places_do_not_fit),
+        cmocka_unit_test(broken_links_are_those_that_were_stretched_too_far),
         cmocka_unit_test(what_moves_is_not_at_rest),
         cmocka_unit_test(what_is_pulled_and_damped_comes_to_rest),
         cmocka_unit_test(a_spectrum_is_that_of_the_material),
