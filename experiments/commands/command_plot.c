@@ -61,10 +61,11 @@ static fw_status read_level(const char *text, double *level, fw_plot_wish *wish,
 /* "a" or "ii", also as "(a)" or "a)"; longer texts belong into a title. */
 static bool is_panel_letter(const char *text)
 {
-    const char *letter = text + (*text == '(');
+    const bool opens = *text == '(';
+    const char *letter = text + opens;
     const size_t count = strspn(letter, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
     const char *end = letter + count;
-    return (count == 1 || count == 2) && (*end == '\0' || strcmp(end, ")") == 0);
+    return (count == 1 || count == 2) && (strcmp(end, ")") == 0 || (*end == '\0' && !opens));
 }
 
 /* Axes, letters, and what a file says of looks. */

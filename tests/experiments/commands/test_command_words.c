@@ -92,6 +92,7 @@ static const struct {
     {"plot done --font-size big", 2, "--font-size big, expected a number from 4 to 40 points", ""},
     {"plot done --letter a.", 2, "--letter a., expected a letter or two, as a, B, ii or (a)", ""},
     {"plot done --letter abc", 2, "--letter abc, expected a letter or two, as a, B, ii or (a)", ""},
+    {"plot done --letter (a", 2, "--letter (a, expected a letter or two, as a, B, ii or (a)", ""},
     {"plot done --bare", 0, "", "picture: done/motion.png\n"},
     {"plot done --letter (a)", 0, "", "picture: done/motion.png\n"},
     {"plot done --width 60", 0, "", "picture: done/motion.png\n"},
