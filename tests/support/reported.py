@@ -73,6 +73,10 @@ for field in motion["fields"]:
 if "force" in group:
     near("forces", numbers("<f4", motion["forces"]).reshape(frames, -1, 2),
          group["force/value"][::every][:, shown, :2], 1e-6)
+if stride == 1 and "connectivity/links" in results:
+    found = numbers("<i4", motion["links"]).reshape(-1, 3)[:, :2]
+    if sorted(map(tuple, found)) != sorted(map(tuple, results["connectivity/links"][()])):
+        fail("has links between others")
 if len(sys.argv) > 3:
     where, links = group["position/value"][::every, :, :2], results["connectivity/links"][()]
     across = where[:, links[:, 1]] - where[:, links[:, 0]]

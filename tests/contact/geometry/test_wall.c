@@ -334,6 +334,10 @@ static void chains_have_a_back(void **state)
     assert_true(fw_wall_depth(wall, (fw_vec2){1.5, 2.1}, (fw_vec2){0, 0}) == 0);
     assert_close(fw_wall_depth(wall, (fw_vec2){0, 1}, (fw_vec2){0, 0}), 1 / sqrt(5), 1e-15);
     assert_true(fw_wall_depth(wall, (fw_vec2){3, -1}, (fw_vec2){0, 0}) == 0);
+    /* Behind the line of the last or first piece, but beyond its open end. */
+    assert_true(fw_wall_depth(wall, (fw_vec2){1.2, -1}, (fw_vec2){0, 0}) == 0);
+    assert_true(fw_wall_depth(wall, (fw_vec2){-1.2, -1}, (fw_vec2){0, 0}) == 0);
+    assert_close(fw_wall_depth(wall, (fw_vec2){.8, .1}, (fw_vec2){0, 0}), .3 / sqrt(5), 1e-15);
     fw_wall_destroy(wall);
     def.points = pit;
     assert_int_equal(fw_wall_create(&wall, 0, &def, NULL), FW_OK);

@@ -106,6 +106,37 @@ static void reactions_do_not_alternate(void **state)
     }
 }
 
+/* A ball that bounces on a rough floor is touched in some steps: the mean of what it gained in the
+ * last two, also where it has left the floor meanwhile. */
+static void forces_are_the_mean_of_two_steps(void **state)
+{
+    (void)state;
+    fw_scene *scene = empty_scene(1e4);
+    add_floor(scene, .3);
+    add_body(scene, (body_options){.columns = 1,
+                                   .rows = 1,
+                                   .origin = {0, .53},
+                                   .velocity = {.3, -.1},
+                                   .mu = 1,
+                                   .rest_mass = 1});
+    fw_scene_keep_forces(scene);
+    begin(scene);
+    fw_vec2 before = {0, 0}, momentum = fw_scene_momentum(scene);
+    int left = 0;
+    for (int t = 0; t < 30; ++t) {
+        run(scene, 1);
+        const fw_vec2 now = fw_vec2_subtract(fw_scene_momentum(scene), momentum);
+        const fw_vec2 force = sum_of_forces(scene, 0);
+        assert_close(force.x, .5 * (now.x + before.x), 1e-15);
+        assert_close(force.y, .5 * (now.y + before.y), 1e-15);
+        left += fabs(before.x) > 1e-3 && fabs(now.x) < 1e-12;
+        before = now;
+        momentum = fw_scene_momentum(scene);
+    }
+    assert_true(left > 0);
+    fw_scene_destroy(scene);
+}
+
 static void heat_of_all_particles_is_that_of_the_ledger(void **state)
 {
     (void)state;
@@ -189,6 +220,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reactions_do_not_alternate),
+        cmocka_unit_test(forces_are_the_mean_of_two_steps),
         cmocka_unit_test(heat_of_all_particles_is_that_of_the_ledger),
         cmocka_unit_test(what_slides_is_told_from_what_sticks),
         cmocka_unit_test(a_place_that_anything_holds_sticks),

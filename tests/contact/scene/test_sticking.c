@@ -78,6 +78,27 @@ static void a_block_pulled_inside_the_cone_stays(void **state)
     }
 }
 
+/* The lowest row slips by some 1e-6 while the pull comes, in many steps, and parts of it stick all
+ * the while: creep is the sum of these slips, not one of them. */
+static void creep_adds_up(void **state)
+{
+    (void)state;
+    fw_scene *scene = pulled_block(HELD_BODY);
+    const fw_solid *block = fw_scene_observe_body(scene, 0);
+    double place[COLUMNS], way = 0, step = 0;
+    run(scene, 500);
+    for (int i = 0; i < COLUMNS; ++i) place[i] = block->x[i];
+    for (int t = 0; t < 1000; ++t) {
+        const double before = block->x[0];
+        run(scene, 1);
+        step = fmax(step, fabs(block->x[0] - before));
+    }
+    for (int i = 0; i < COLUMNS; ++i) way = fmax(way, fabs(block->x[i] - place[i]));
+    const double creep = fw_scene_contact_ledger(scene)->creep;
+    assert_true(step > 1e-7 && creep > 5 * step && creep < way);
+    fw_scene_destroy(scene);
+}
+
 /* As a grip does: see a_grip_pulled_inside_the_cone_does_not_creep(). */
 static void a_piston_pulled_inside_the_cone_stays(void **state)
 {
@@ -102,6 +123,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_block_pulled_inside_the_cone_stays),
+        cmocka_unit_test(creep_adds_up),
         cmocka_unit_test(a_piston_pulled_inside_the_cone_stays),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -246,6 +246,30 @@ static void the_torque_of_a_piston_is_that_of_the_push(void **state)
     end();
 }
 
+/* The same of a piston that goes down meanwhile: its middle is where it was at the step's begin. */
+static void the_torque_is_about_the_middle_where_it_is(void **state)
+{
+    (void)state;
+    begin("title: sinking\nmaterials: {m: {lattice-boltzmann: {rest-mass: 1}}}\n"
+          "bodies: {b: {material: m, shape: {sites: [[0, 0]]}, velocity: [.05, 0]}}\n"
+          "walls:\n  p: {box: [.5, -3.25, 2, 1.75], side: outside, piston: {mass: 2,\n"
+          "    velocity: [0, -.03]}}\n"
+          "run: {steps: 30}\n");
+    double torque = 0, arm = 0, given = 0;
+    for (int step = 0; step < 30; ++step) {
+        const double before = of_piston("piston-velocity", 0, "x");
+        const double middle = -.75 + of_piston("piston-displacement", 0, "y");
+        run_steps(1);
+        const double now = 2 * (of_piston("piston-velocity", 0, "x") - before);
+        torque += of_piston("piston-torque", 0, NULL);
+        arm += middle * now;
+        given += now;
+    }
+    assert_true(given > .01 && fabs(arm + .75 * given) > .1 * given);
+    assert_close(torque, arm, 1e-14);
+    end();
+}
+
 /* Two pistons of 2 and 6 that meet head on swap what the textbook says. */
 static void pistons_that_meet_give_each_other_their_impulse(void **state)
 {
@@ -279,6 +303,7 @@ int main(void)
         cmocka_unit_test(errors_of_a_piston_are_what_its_books_lack),
         cmocka_unit_test(a_grip_gives_its_body_what_it_gives_away),
         cmocka_unit_test(the_torque_of_a_piston_is_that_of_the_push),
+        cmocka_unit_test(the_torque_is_about_the_middle_where_it_is),
         cmocka_unit_test(pistons_that_meet_give_each_other_their_impulse),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -10,6 +10,8 @@
 /* A result of two frames and three samples, with what is asked to be otherwise. */
 typedef struct result {
     double moved;    /* of the first particle along x in the last frame */
+    double lifted;   /* of the last one along y */
+    double rising;   /* of its velocity */
     double pulled;   /* of its first field */
     double measured; /* of the last component in the last sample */
     bool no_velocity, no_fields, other_field, other_observable, scalar, no_observables, one_frame;
@@ -42,11 +44,13 @@ static fw_playback *make(const char *name, const result *as)
     fw_trajectory *trajectory;
     assert_fine(fw_trajectory_create(&trajectory, &def, &error));
     for (int frame = 0; frame < def.frame_count; ++frame) {
-        const double x[] = {1 + (frame == 1 ? as->moved : 0), 2}, y[] = {3, 4};
+        const double x[] = {1 + (frame == 1 ? as->moved : 0), 2},
+                     y[] = {3, 4 + (frame == 1 ? as->lifted : 0)};
+        const double rate[] = {6, 8 + as->rising};
         const double strain[] = {5 + as->pulled, NAN};
         const double *const given[] = {strain};
         const fw_frame_body body = {
-            .x = x, .y = y, .velocity_x = y, .velocity_y = y, .fields = given};
+            .x = x, .y = y, .velocity_x = x, .velocity_y = rate, .fields = given};
         assert_fine(fw_trajectory_write_frame(trajectory, 10 * frame, frame, &body, &error));
     }
     for (int sample = 0; sample < def.sample_count; ++sample) {
@@ -93,14 +97,20 @@ static void equal_results_are_the_same(void **state)
 static void numbers_that_differ_are_told_with_their_row_and_size(void **state)
 {
     (void)state;
-    expect_between(NULL, &(result){.moved = -.25}, 1,
+    expect_between(NULL, &(result){.lifted = -.25}, 1,
                    "  position differs from frame 1 (step 10) on, by up to 0.25\n");
+    expect_between(NULL, &(result){.rising = 3}, 1,
+                   "  velocity differs from frame 0 (step 0) on, by up to 3\n");
+    expect_between(NULL, &(result){.moved = -.25}, 2,
+                   "  position differs from frame 1 (step 10) on, by up to 0.25\n"
+                   "  velocity differs from frame 1 (step 10) on, by up to 0.25\n");
     expect_between(NULL, &(result){.pulled = .5}, 1,
                    "  strain differs from frame 0 (step 0) on, by up to 0.5\n");
     expect_between(NULL, &(result){.measured = 2}, 1,
                    "  momentum differs from sample 2 (step 10) on, by up to 2\n");
-    expect_between(NULL, &(result){.measured = NAN, .moved = 1e-9}, 2,
+    expect_between(NULL, &(result){.measured = NAN, .moved = 1e-9}, 3,
                    "  position differs from frame 1 (step 10) on, by up to 1e-09\n"
+                   "  velocity differs from frame 1 (step 10) on, by up to 1e-09\n"
                    "  momentum differs from sample 2 (step 10) on, by up to nan\n");
     expect_between(&(result){.pulled = NAN}, &(result){.pulled = 1}, 1,
                    "  strain differs from frame 0 (step 0) on, by up to nan\n");

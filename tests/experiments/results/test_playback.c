@@ -125,6 +125,35 @@ static void what_a_run_did_not_record_is_refused_by_name(void **state)
     fw_playback_close(playback);
 }
 
+/* The file of a run at work, or killed, has room for frames that were not written. */
+static void what_a_run_has_written_so_far_is_read(void **state)
+{
+    (void)state;
+    enum { WRITTEN = 50, FRAMES = (WRITTEN + 6) / 7 };
+    const fw_trajectory_def def = run_def(folder);
+    fw_trajectory *trajectory;
+    assert_fine(fw_trajectory_create(&trajectory, &def, &error));
+    assert_fine(run_write_until(trajectory, WRITTEN));
+    assert_fine(fw_trajectory_sync(trajectory, &error));
+    for (int killed = 0; killed < 2; ++killed) {
+        double x[RUN_PARTICLES], y[RUN_PARTICLES], strain[RUN_PARTICLES], momentum[2 * WRITTEN];
+        fw_playback *playback = open_file("trajectory.h5");
+        assert_int_equal(playback->frame_count, FRAMES);
+        assert_int_equal(playback->sample_count, WRITTEN);
+        assert_fine(fw_playback_read_positions(playback, FRAMES - 1, x, y, &error));
+        assert_true(x[6] == run_value(0, FRAMES - 1, 6, 0) &&
+                    y[7] == run_value(0, FRAMES - 1, 7, 1));
+        assert_fine(fw_playback_read_velocities(playback, FRAMES - 1, x, y, &error));
+        assert_true(y[2] == run_value(1, FRAMES - 1, 2, 1));
+        assert_fine(fw_playback_read_field(playback, FRAMES - 1, "strain", strain, &error));
+        assert_true(strain[5] == run_value(3, FRAMES - 1, 5, 0));
+        assert_fine(fw_playback_read_observable(playback, 1, momentum, &error));
+        assert_true(momentum[2 * WRITTEN - 1] == run_value(6, WRITTEN - 1, 0, 1));
+        fw_playback_close(playback);
+        if (!killed) fw_trajectory_destroy(trajectory);
+    }
+}
+
 /* --- what is damaged --- */
 
 /* Reads everything that was not read when the file was opened. */
@@ -231,6 +260,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         TEST(arrays_are_read_in_the_shape_that_they_have),
         TEST(what_a_run_did_not_record_is_refused_by_name),
+        TEST(what_a_run_has_written_so_far_is_read),
         TEST(a_damaged_part_is_refused),
         TEST(what_is_only_odd_is_read),
     };

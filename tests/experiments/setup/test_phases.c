@@ -3,6 +3,7 @@
  * begins, what a phase keeps of it, what is refused, and jumps that are warned of. */
 #include "tests/support/laws.h"
 
+#include "core/particles/particles.h"
 #include "experiments/measures/warning.h"
 #include "experiments/setup/experiment.h"
 #include "experiments/setup/phase.h"
@@ -88,6 +89,26 @@ static void time_counts_from_the_run_or_a_phase(void **state)
         }
         release(experiment, scenario);
     }
+}
+
+/* The bath of a phase is its own also where it has none, and only there. */
+static void a_phase_may_have_a_bath_of_temperature_none(void **state)
+{
+    (void)state;
+    static const char *const settings[SETTINGS] = {
+        "dynamics={time-step: 0.005, damping: 2, temperature: 0.001}",
+        "phases.second.temperature=0", "phases.last.damping=0", NULL};
+    fw_experiment *experiment;
+    fw_scenario *scenario;
+    assert_fine(create(&experiment, &scenario, settings));
+    for (int s = 0; s < LAST; ++s) {
+        assert_fine(fw_experiment_step(experiment, &error));
+        const fw_langevin_controls *controls =
+            fw_particles_controls(fw_experiment_particles(experiment));
+        assert_close(controls->temperature, s >= FIRST && s < SECOND ? 0 : .001, 0);
+        assert_close(controls->damping, s < SECOND ? 2 : 0, 0);
+    }
+    release(experiment, scenario);
 }
 
 /* A path begins where its time does, and what it holds goes on with its velocity. */
@@ -323,6 +344,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(time_counts_from_the_run_or_a_phase),
+        cmocka_unit_test(a_phase_may_have_a_bath_of_temperature_none),
         cmocka_unit_test(path_counts_from_a_phase),
         cmocka_unit_test(phase_changes_single_numbers),
         cmocka_unit_test(phase_changes_the_damping_of_a_piston),
