@@ -37,7 +37,7 @@ static void set(const fw_arena_array *array, void *address)
 fw_status fw_arena_allocate(fw_arena *arena, const char *what, fw_error *error)
 {
     assert(!arena->memory);
-    /* Arrays begin with the first whole page behind malloc()'s note. */
+    /* Arrays begin with the first whole page behind malloc()'s header. */
     const size_t page = fw_array_page(arena->bytes);
     const size_t bytes = ((arena->bytes + LINE) / PAGE + 1) * PAGE + page;
     /* Large memory of calloc() is zero before it is touched: what nobody needs takes no room. */

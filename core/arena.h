@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* arena.h - all arrays of one body in one piece of memory.
+/* arena.h - many arrays, as all of one body, in one piece of memory.
  *
  * Arrays that are allocated one by one start at the same place of a page when they are large, and a
  * loop over a dozen of them meets itself in a single set of the nearest cache: the LB solid's step

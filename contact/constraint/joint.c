@@ -317,8 +317,10 @@ static fw_status solve_island(fw_joint *joint, fw_joint_end *ends, fw_joint_row 
     const double misfit = few ? MISFIT : MISFIT_OF_MANY;
     int changed = 0; /* the round after which a row last changed its law */
     for (int round = 0; round < changed + ROUNDS && !arrived && solved; ++round) {
-        if (round == changed + PATIENCE) failures = few ? 0 : FAILURES - 1;
-        if (round == changed + PATIENCE) joint_hold_beside_firm(rows, list, count);
+        if (round == changed + PATIENCE) {
+            failures = few ? 0 : FAILURES - 1;
+            joint_hold_beside_firm(rows, list, count);
+        }
         if (round == changed + 2 * PATIENCE && !few) failures = FAILURES;
         if (round > 1)
             part = round == changed + PATIENCE ? 1 : next_part(joint, ends, moving, part);

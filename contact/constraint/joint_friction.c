@@ -10,10 +10,11 @@
 /* A slip below this part of how far the ends go does not let a particle break loose that has come
  * to its limit. */
 #define SLIPS 1e-9
-/* What is left of a slip, as a part of how far the ends go, means nothing below this; and of that
- * of one row at its limit, which moves with all that stick. */
+/* What is left of a slip, as a part of how far the ends go, means nothing below this. */
 #define ROUNDING 1e-13
-#define FEEDS    1e-12
+/* A row at its limit feeds only beyond this part: it moves by the rounding of all that stick, too.
+ */
+#define FEEDS 1e-12
 /* What sticking still lets through is left out below this part of how far loads would take a
  * particle in the step. */
 #define STILL 1e-4

@@ -122,11 +122,10 @@ bool joint_feeds(const fw_joint_end *ends, const fw_joint_row *rows, const int *
 void joint_bar_all_that_feed(const fw_joint_end *ends, fw_joint_row *rows, const int *list,
                              int count);
 bool joint_any_barred(const fw_joint_row *rows, const int *list, int count);
-/* Sticking lets nothing through in rows whose friction pushes along with the slip; bars those where
- * it does already. Returns whether there are any. */
+/* Sticking lets nothing through in rows whose friction pushes along with the slip; bars those that
+ * were firm already. Returns whether there are any. */
 bool joint_bar_feeding(const fw_joint_end *ends, fw_joint_row *rows, const int *list, int count);
-/* Where sticking lets nothing through in some row, it does in none: rows that share an end cannot
- * want different slips of it. */
+/* Where one row is firm, all are: rows that share an end cannot want different slips of it. */
 void joint_hold_beside_firm(fw_joint_row *rows, const int *list, int count);
 
 #endif

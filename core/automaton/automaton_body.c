@@ -8,6 +8,16 @@
 
 #include <stdlib.h>
 
+void *fw_automaton_make_room(void *list, int count, int *room, size_t size)
+{
+    enum { FEW = 8 };
+    if (count < *room) return list;
+    const int more = count < FEW ? FEW : 2 * count;
+    void *larger = realloc(list, (size_t)more * size);
+    if (larger) *room = more;
+    return larger;
+}
+
 void fw_automaton_release(fw_automaton *body)
 {
     for (int c = 0; c < FW_COLOURS; ++c) {

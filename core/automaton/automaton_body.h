@@ -148,6 +148,9 @@ static inline int fw_automaton_moving(const fw_automaton *body)
 fw_status fw_automaton_lay_out(fw_automaton *body, const fw_elastic_automaton_def *def,
                                fw_error *error);
 void fw_automaton_release(fw_automaton *body);
+/* A list that has room for more than `count` entries of that size: that one, or where it was moved
+ * to. NULL without memory: the list is what it was. */
+void *fw_automaton_make_room(void *list, int count, int *room, size_t size);
 
 /* Sets masses and pulls of a rim cell from its weights. false: the mass is not positive definite.
  */

@@ -28,18 +28,6 @@ static int row_of_span(const fw_automaton *body, const fw_automaton_colour *colo
     return low;
 }
 
-/* Room for one more of `count` entries; false: no memory. */
-static bool make_room(void **list, int count, int *room, size_t size)
-{
-    if (count < *room) return true;
-    const int more = count < 8 ? 8 : 2 * count;
-    void *larger = realloc(*list, (size_t)more * size);
-    if (!larger) return false;
-    *list = larger;
-    *room = more;
-    return true;
-}
-
 /* Takes a cell out of its span. */
 static fw_status leave_span(fw_automaton *body, int c, int cell, fw_error *error)
 {
@@ -48,13 +36,12 @@ static fw_status leave_span(fw_automaton *body, int c, int cell, fw_error *error
     if (place >= 0) return FW_OK;
     const int number = ~place;
     fw_automaton_gaps *gaps = &colour->gaps[row_of_span(body, colour, number)];
-    void *rims = colour->rim, *list = gaps->rim;
-    const bool enough =
-        make_room(&rims, colour->rim_count, &colour->rim_room, sizeof *colour->rim) &&
-        make_room(&list, gaps->count, &gaps->room, sizeof *gaps->rim);
-    colour->rim = rims;
-    gaps->rim = list;
-    if (!enough) return fw_fail_memory(error, "the broken bonds of an automaton");
+    fw_automaton_rim *rims =
+        fw_automaton_make_room(colour->rim, colour->rim_count, &colour->rim_room, sizeof *rims);
+    if (rims) colour->rim = rims;
+    int *list = fw_automaton_make_room(gaps->rim, gaps->count, &gaps->room, sizeof *list);
+    if (list) gaps->rim = list;
+    if (!rims || !list) return fw_fail_memory(error, "the broken bonds of an automaton");
     fw_automaton_rim *rim = &colour->rim[colour->rim_count];
     *rim = (fw_automaton_rim){.cell = cell, .span = number};
     for (int d = 0; d < FW_DIRECTIONS; ++d) {
@@ -112,9 +99,9 @@ static fw_status break_bond(fw_automaton *body, int cell, int direction, int mov
                             fw_error *error)
 {
     const int partner = body->built[cell][direction];
-    void *list = body->tear;
-    if (!make_room(&list, body->tear_count, &body->tear_room, sizeof *body->tear))
-        return fw_fail_memory(error, "the broken bonds of an automaton");
+    void *list =
+        fw_automaton_make_room(body->tear, body->tear_count, &body->tear_room, sizeof *body->tear);
+    if (!list) return fw_fail_memory(error, "the broken bonds of an automaton");
     body->tear = list;
     const fw_vec2 difference = fw_vec2_subtract(fw_automaton_at(&body->colour[FW_WHITE], partner),
                                                 fw_automaton_at(&body->colour[FW_BLACK], cell));
@@ -133,9 +120,9 @@ static fw_status break_bond(fw_automaton *body, int cell, int direction, int mov
     expose(&body->head, black);
     expose(&body->head, white);
     body->head.boundary_revision += 1;
-    list = body->gone;
-    if (!make_room(&list, body->gone_count, &body->gone_room, sizeof *body->gone))
-        return fw_fail_memory(error, "the broken bonds of an automaton");
+    list =
+        fw_automaton_make_room(body->gone, body->gone_count, &body->gone_room, sizeof *body->gone);
+    if (!list) return fw_fail_memory(error, "the broken bonds of an automaton");
     body->gone = list;
     const bool from_black = direction <= FW_NORTH;
     body->gone[body->gone_count][0] = from_black ? black : white;

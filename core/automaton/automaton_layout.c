@@ -91,20 +91,6 @@ static fw_status deal_colours(fw_automaton *body, const fw_elastic_automaton_def
     return FW_OK;
 }
 
-/* Makes room for one more at the end of an array, whose pointer that is; false without memory. */
-static bool make_room(void *pointer, int count, int *room, size_t size)
-{
-    enum { FEW = 16 };
-    void *array;
-    memcpy(&array, pointer, sizeof array);
-    if (count < *room) return true;
-    *room = *room > 0 ? 2 * *room : FEW;
-    void *longer = realloc(array, (size_t)*room * size);
-    if (!longer) return false;
-    memcpy(pointer, &longer, sizeof longer);
-    return true;
-}
-
 /* Does a cell go on a span? `before`: neighbours of the cell before it. */
 static bool continues(const fw_automaton_span *span, const fw_automaton *body, const int *before,
                       const int *next, int cell, int particle)
@@ -153,17 +139,20 @@ static bool cut_spans(fw_automaton *body, const fw_automaton_surroundings *aroun
         while (n < colour->count && colour->particle[n] < end) {
             const int particle = colour->particle[n], *next = around->next[particle];
             if (!is_inside(body, around, particle)) {
-                if (!make_room(&colour->rim, colour->rim_count, &colour->rim_room,
-                               sizeof *colour->rim))
-                    return false;
+                fw_automaton_rim *rim = fw_automaton_make_room(colour->rim, colour->rim_count,
+                                                               &colour->rim_room, sizeof *rim);
+                if (!rim) return false;
+                colour->rim = rim;
                 colour->rim[colour->rim_count] = (fw_automaton_rim){.cell = n, .span = -1};
                 colour->place[n++] = colour->rim_count++;
                 continue;
             }
             if (!span || !continues(span, body, before, next, n, particle)) {
-                if (!make_room(&colour->span, colour->span_count, &span_room, sizeof *span))
-                    return false;
-                span = &colour->span[colour->span_count++];
+                span = fw_automaton_make_room(colour->span, colour->span_count, &span_room,
+                                              sizeof *span);
+                if (!span) return false;
+                colour->span = span;
+                span += colour->span_count++;
                 *span = (fw_automaton_span){.begin = n, .particle = particle};
                 for (int d = 0; d < FW_DIRECTIONS; ++d) span->offset[d] = body->cell[next[d]] - n;
             }

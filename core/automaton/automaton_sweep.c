@@ -206,7 +206,8 @@ void fw_half_step_move_row(const fw_half_step *step, int number, fw_automaton_sh
         else
             move_span(step, &colour->span[n], share);
     }
-    move_rim(step, &colour->rim[row[0].rim], row[1].rim - row[0].rim, share);
+    if (row[1].rim > row[0].rim)
+        move_rim(step, &colour->rim[row[0].rim], row[1].rim - row[0].rim, share);
     for (int n = 0; n < gaps->count; ++n) move_rim(step, &colour->rim[gaps->rim[n]], 1, share);
 }
 

@@ -116,7 +116,7 @@ static bool lies_at_crack(const lb_solid *lb, int l)
 }
 
 /* Those of one particle to the east and north. */
-static inline void list_links(lb_solid *lb, int l)
+static inline void list_links_of(lb_solid *lb, int l)
 {
     int(*link)[2] = &lb->head.links[lb->head.link_count];
     if (lb->present[l] == LB_ALL_LINKS) {
@@ -140,7 +140,7 @@ void lb_layout_rebuild(lb_solid *lb)
     head->link_count = 0;
     head->boundary_count = 0;
     for (int l = 0; l < head->count; ++l) {
-        list_links(lb, l);
+        list_links_of(lb, l);
         if (lb->edge[l] || lb->present[l] != LB_ALL_LINKS || (lb->built && lies_at_crack(lb, l)))
             head->boundary[head->boundary_count++] = l;
     }

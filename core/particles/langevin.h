@@ -101,7 +101,7 @@ void fw_langevin_reverse(fw_solid *solid);
 bool fw_solid_is_langevin(const fw_solid *solid);
 fw_vec2 fw_langevin_velocity(const fw_solid *solid, int particle);
 void fw_langevin_set_velocity(fw_solid *solid, int particle, fw_vec2 velocity);
-/* To those of particles first to first + count - 1. */
+/* Adds it to those of particles first to first + count - 1. */
 void fw_langevin_add_velocity(fw_solid *solid, int first, int count, fw_vec2 velocity);
 /* Velocities drawn from Maxwell's distribution at that temperature, for particles first to
  * first + count - 1, then shifted to leave their momentum zero. */

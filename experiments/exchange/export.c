@@ -43,7 +43,7 @@ static fw_status check_name(const char *name, const format *of, fw_error *error)
                    of->name, of->ending, of->also ? " or " : "", of->also ? of->also : "");
 }
 
-/* "results/bounce/" and "results/bounce/trajectory.h5", no longer than FW_PATH_SIZE, become
+/* "results/bounce/" and "results/bounce/trajectory.h5", shorter than FW_PATH_SIZE, become
  * "results/bounce" and the ending. */
 static fw_status default_name(char name[FW_PATH_SIZE], const char *results, const char *ending,
                               fw_error *error)

@@ -38,7 +38,7 @@ static void wave_front(const fw_experiment *experiment, fw_subject subject, doub
     find_frame(sites, &low, &high);
     for (int l = 0; l < solid->count; ++l) {
         double share = fw_lb_solid_energy(solid, l);
-        sum += share * fabs(sites->site[l].i - 0.5 * (low.i + high.i)) * lattice->spacing;
+        sum += share * fabs(sites->site[l].i - 0.5 * ((double)low.i + high.i)) * lattice->spacing;
         weight += share;
     }
     out[0] = weight > 0 ? sum / weight : 0;

@@ -112,7 +112,7 @@ static void deformation_rate(const fw_experiment *experiment, fw_subject subject
 {
     const fw_body_range *range = &experiment->bodies[subject.body];
     const fw_solid *solid = solid_of(experiment, subject.body);
-    double *vx = calloc(2 * (size_t)solid->count, sizeof *vx), *vy = vx + solid->count;
+    double *vx = calloc(2 * (size_t)solid->count, sizeof *vx), *vy = vx ? vx + solid->count : NULL;
     for (int c = 0; c < 4; ++c) out[c] = NAN;
     if (!vx) return;
     solid->model->velocities(solid, vx, vy);
@@ -145,7 +145,7 @@ static fw_neighbours *bonds_at_start(const fw_experiment *experiment, int body)
 {
     const size_t count = (size_t)experiment->bodies[body].count;
     const fw_vec2 *start = experiment->start[body];
-    double *x = calloc(2 * count, sizeof *x), *y = x + count;
+    double *x = calloc(2 * count, sizeof *x), *y = x ? x + count : NULL;
     fw_neighbours *near = NULL;
     for (size_t l = 0; x && l < count; ++l) x[l] = start[l].x, y[l] = start[l].y;
     if (x) fw_neighbours_create(&near, x, y, (int)count, bond_radius_of(experiment, body), NULL);
@@ -161,7 +161,7 @@ static void find_loss(const fw_experiment *experiment, int body, double loss[2])
     const fw_body_range *range = &experiment->bodies[body];
     const fw_solid *solid = solid_of(experiment, body);
     const double radius = bond_radius_of(experiment, body), width = (LOST - 1) * radius;
-    double *vx = calloc(2 * (size_t)solid->count, sizeof *vx), *vy = vx + solid->count;
+    double *vx = calloc(2 * (size_t)solid->count, sizeof *vx), *vy = vx ? vx + solid->count : NULL;
     fw_neighbours *near = bonds_at_start(experiment, body);
     const size_t bonds = near ? near->begin[range->count] : 0;
     double sum = 0, rate = 0;

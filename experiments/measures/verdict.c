@@ -261,8 +261,8 @@ double fw_verdict_of_seed(const fw_scenario *scenario, const fw_measurement *mea
     return value_in(of, &scenario->expectations[number], number);
 }
 
-/* Mean over the seeds, and the error that follows from their spread. A quantity is a number in
- * every seed, or in none: a single one that is not finite cannot hide among the others. */
+/* Mean over the seeds, and the error that follows from their spread. No number in one seed is no
+ * number of the study: it cannot hide among the others. */
 static void average_seeds(fw_verdict *verdict, const fw_measurement *measurement, int number)
 {
     const size_t count = (size_t)measurement->seed_count;

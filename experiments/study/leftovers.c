@@ -228,10 +228,16 @@ static fw_status add_result(fw_leftovers *list, const char *directory, const fw_
             FW_TRY(add_folder(list, directory, folder, old, has_run(fresh, folder), error));
     for (int n = 0; fw_scenario_is_sweep(old) && n < old->study.sweep.case_count; ++n) {
         fw_scenario *case_of = NULL;
+        fw_error reason;
         fw_scenario_case_name(old, n, name);
-        FW_TRY(fw_scenario_read_case(&case_of, old, n, error));
-        const fw_status status =
-            add_folder(list, directory, name, case_of, find_case(fresh, name) >= 0, error);
+        fw_status status = fw_scenario_read_case(&case_of, old, n, &reason);
+        /* A case that is no scenario any more is nothing to look for. */
+        if (status == FW_BAD_INPUT) continue;
+        if (status != FW_OK) {
+            *error = reason;
+            return status;
+        }
+        status = add_folder(list, directory, name, case_of, find_case(fresh, name) >= 0, error);
         fw_scenario_destroy(case_of);
         FW_TRY(status);
     }

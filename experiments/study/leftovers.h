@@ -15,7 +15,8 @@ typedef struct fw_leftovers fw_leftovers;
 
 /* Of the result in `directory`, if there is one. FW_BAD_INPUT: there is one, or a file of one, that
  * is not to be overwritten; or a file that is not the program's lies where the result of `fresh`
- * would write one. FW_SYSTEM_FAILED without memory. */
+ * would write one. FW_SYSTEM_FAILED without memory, or where the earlier result cannot be
+ * read. */
 fw_status fw_leftovers_find(fw_leftovers **leftovers, const char *directory,
                             const fw_scenario *fresh, bool overwrite, fw_error *error);
 /* Before a run goes on: FW_BAD_INPUT where it would write a table or a picture over a file that is

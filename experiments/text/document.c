@@ -98,7 +98,7 @@ fw_status fw_document_fail(const fw_document *document, fw_place place, fw_error
     if (place.setting == 0)
         return fw_fail_within(error, "%s:%d:%d", document->file, place.line, place.column);
     const option *given = document->options;
-    while (given->number != place.setting) given = given->next;
+    for (; given->number != place.setting; given = given->next) assert(given->next);
     return fw_fail_within(error, "--set %s", fw_text_quote(given->text, strlen(given->text)).text);
 }
 

@@ -300,7 +300,7 @@ static void a_layer_is_as_unsteady_as_its_halves_differ(void **state)
     begin(BAR);
     for (int step = 0; step <= 800; step += 25) {
         const int n = (step - 200) / 25;
-        const double row[2] = {step * .02, step >= 200 && step < 500 ? before[n] : 50 + step};
+        const double row[8] = {step * .02, step >= 200 && step < 500 ? before[n] : 50 + step};
         fw_measurement_restore(measurement, step, step * .02, row);
     }
     look();
