@@ -315,7 +315,7 @@ static void too_few_rows_say_nothing_of_steadiness(void **state)
     for (int rows = 7; rows <= 8; ++rows) {
         begin(BAR);
         for (int n = 0; n < rows; ++n) {
-            const double row[2] = {0, before[n]};
+            const double row[8] = {0, before[n]};
             fw_measurement_restore(measurement, 499 - rows + n, 0, row);
         }
         look();
