@@ -94,6 +94,25 @@ static void wall_follows_its_path(void **state)
     fw_wall_destroy(wall);
 }
 
+/* An oscillation has the slope of its displacement, at any phase; on top of a constant velocity. */
+static void velocity_is_the_slope_of_the_path(void **state)
+{
+    (void)state;
+    const double h = 1e-4;
+    const fw_path path = {.velocity = {.25, -.5},
+                          .until = INFINITY,
+                          .amplitude = {.3, -.2},
+                          .period = 7,
+                          .phase = .6};
+    for (double time = 1; time < 9; time += .37) {
+        const fw_vec2 before = fw_path_displacement(&path, time - h),
+                      after = fw_path_displacement(&path, time + h),
+                      velocity = fw_path_velocity(&path, time, 1);
+        assert_close(velocity.x, (after.x - before.x) / (2 * h), 1e-8);
+        assert_close(velocity.y, (after.y - before.y) / (2 * h), 1e-8);
+    }
+}
+
 static void assert_refused(const fw_wall_def *def, const char *sentence)
 {
     fw_wall *wall = (fw_wall *)1;
@@ -386,6 +405,7 @@ int main(void)
         cmocka_unit_test(polygon_is_the_same_in_either_sense),
         cmocka_unit_test(resting_wall_has_no_displacement_at_all),
         cmocka_unit_test(wall_follows_its_path),
+        cmocka_unit_test(velocity_is_the_slope_of_the_path),
         cmocka_unit_test(senseless_shapes_are_refused_with_a_sentence),
         cmocka_unit_test(senseless_numbers_are_refused_with_a_sentence),
         cmocka_unit_test(random_walls_are_accepted),

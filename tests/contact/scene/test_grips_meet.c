@@ -346,6 +346,52 @@ static void what_cannot_give_way_stops_the_run_before_it_passes(void **state)
     }
 }
 
+/* Whatever part of a long edge comes to a wall first: the wall is at each end of a strip. */
+static void every_part_of_a_carried_edge_is_looked_at(void **state)
+{
+    (void)state;
+    static const fw_vec2 ways[] = {{.01, 0}, {-.01, 0}, {0, .01}, {0, -.01}};
+    for (int lies = 0; lies < 2; ++lies)
+        for (int way = 0; way < 4; ++way) {
+            const int columns = lies ? 40 : 3, rows = lies ? 3 : 40;
+            const double right = columns - 1 + .125, top = rows - 1 + .125;
+            fw_scene *scene = empty_scene(1e4);
+            add_body(scene, (body_options){.columns = columns, .rows = rows});
+            grip_rows(scene, 0, "hand", columns, 0, rows, carried(ways[way].x, ways[way].y));
+            add_block(scene, "right", (fw_vec2){right, -9}, (fw_vec2){right + 5, 90}, smooth, NULL);
+            add_block(scene, "left", (fw_vec2){-9, -9}, (fw_vec2){-.125, 90}, smooth, NULL);
+            add_block(scene, "top", (fw_vec2){-9, top}, (fw_vec2){90, top + 5}, smooth, NULL);
+            add_block(scene, "bottom", (fw_vec2){-9, -9}, (fw_vec2){90, -.125}, smooth, NULL);
+            begin(scene);
+            for (int t = 0; t < 12; ++t) assert_int_equal(fw_scene_step(scene, &error), FW_OK);
+            assert_int_equal(fw_scene_step(scene, &error), FW_DIVERGED);
+            assert_true(fw_scene_penetration(scene, -1) == 0);
+            fw_scene_destroy(scene);
+        }
+}
+
+/* Pulled by less than its static friction bears as it lands, mu_s N/2, and by more than the kinetic
+ * one: it stays; by more than either it goes. */
+static void a_grip_sticks_by_static_friction(void **state)
+{
+    (void)state;
+    static const fw_surface rough = {.law = FW_COULOMB, .friction = .2, .static_friction = .5};
+    for (int goes = 0; goes < 2; ++goes) {
+        fw_scene *scene = empty_scene(1e4);
+        add_body(scene, (body_options){.columns = 6, .rows = 3, .origin = {0, .001}});
+        grip_rows(scene, 0, "hand", 6, 0, 3, pressed(goes ? .11 : .045, -.2));
+        add_block(scene, "floor", (fw_vec2){-90, -4}, (fw_vec2){190, 0}, rough, NULL);
+        begin(scene);
+        run(scene, 1000);
+        const double way = grip_ledger(scene, 0)->displacement.x;
+        if (goes)
+            assert_true(way > 100);
+        else
+            assert_close(way, 0, 1e-13);
+        fw_scene_destroy(scene);
+    }
+}
+
 /* From any tick on, in any scene that was made in the same way. */
 static fw_scene *busy(void)
 {
@@ -389,6 +435,8 @@ int main(void)
         cmocka_unit_test(a_thrown_grip_stops_after_its_way),
         cmocka_unit_test(a_grip_pulled_inside_the_cone_does_not_creep),
         cmocka_unit_test(what_cannot_give_way_stops_the_run_before_it_passes),
+        cmocka_unit_test(every_part_of_a_carried_edge_is_looked_at),
+        cmocka_unit_test(a_grip_sticks_by_static_friction),
         cmocka_unit_test(it_goes_on_elsewhere),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

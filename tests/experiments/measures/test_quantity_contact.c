@@ -146,6 +146,7 @@ static void a_weight_works_along_its_way(void **state)
     assert_close(value_of("mean-velocity", 1, "x"), .07, 1e-14);
     assert_close(value_of("mean-velocity", 1, "y"), -.07, 1e-14);
     assert_close(value_of("kinetic-fraction", 1, NULL), 1, 1e-12);
+    assert_close(value_of("momentum-ratio", 1, NULL), sqrt(2 * .07 * .07 / 5e-4), 1e-12);
     end();
 }
 
