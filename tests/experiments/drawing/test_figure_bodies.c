@@ -124,6 +124,34 @@ static journey *travel(void)
     return j;
 }
 
+/* Where a drawing first uses that colour. */
+static const char *first_use(const char *svg, fw_colour colour)
+{
+    double red, green, blue;
+    for (const char *at = strstr(svg, "rgb("); at; at = strstr(at + 1, "rgb("))
+        if (sscanf(at, "rgb(%lf%%,%lf%%,%lf%%)", &red, &green, &blue) == 3 &&
+            fabs(red - 100 * colour.red) + fabs(green - 100 * colour.green) +
+                    fabs(blue - 100 * colour.blue) <
+                1e-3)
+            return at;
+    fail_msg("a colour is not used");
+    return NULL;
+}
+
+/* Bodies are drawn as time goes; their colours go along the map, from .16 to .93. */
+static void assert_instants_have_their_colours(const char *name)
+{
+    file_bytes file = read_file(name);
+    const char *svg = (const char *)file.bytes, *before = svg;
+    for (int k = 0; k < INSTANTS; ++k) {
+        const double part = .16 + (.93 - .16) * k / (INSTANTS - 1);
+        const char *use = first_use(svg, fw_palette_at(FW_PALETTE_SEQUENTIAL, part));
+        assert_true(use > before);
+        before = use;
+    }
+    free(file.bytes);
+}
+
 static void a_sheet_on_its_way_is_drawn(void **state)
 {
     (void)state;
@@ -135,6 +163,7 @@ static void a_sheet_on_its_way_is_drawn(void **state)
                               "20 × 20 particles, box 60 × 60, frictionless walls. After Chopard & "
                               "Marconi 2002, Fig. 1."),
                     "motion");
+    assert_instants_have_their_colours(picture_name("motion", ".svg"));
     free(j);
 }
 
