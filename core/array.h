@@ -47,6 +47,9 @@ void *fw_array_zeroed(size_t count, size_t element_size);
 /* Large memory that nobody has touched yet is to come in large pages where the system has them:
  * they are there sooner, and found sooner. */
 void fw_array_ask_for_large_pages(void *memory, size_t bytes);
+/* The size of the pages that so much memory is asked for in. The header of malloc() before it comes
+ * in a small page, and with that whatever lies in the same large one. */
+size_t fw_array_page(size_t bytes);
 
 /* 64-bit FNV-1a over the bytes of all arrays, in list order. */
 uint64_t fw_state_list_hash(const fw_state_list *list);
@@ -59,9 +62,5 @@ enum { FW_SUM_RUN = 4096 };
 double fw_array_sum_on(double sum, const double *values, size_t count);
 
 FW_PUBLIC_END
-
-/* The size of the pages that so much memory is asked for in. The header of malloc() before it comes
- * in a small page, and with that whatever lies in the same large one. */
-size_t fw_array_page(size_t bytes);
 
 #endif
