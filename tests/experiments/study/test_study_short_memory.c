@@ -249,7 +249,7 @@ static void crystal_over_seeds(void **state)
 static void automaton_and_its_analyses(void **state)
 {
     (void)state;
-    assert_true(fail_each_place("analyses", run_study, analysed) > 40);
+    assert_true(fail_each_place("analyses", run_study, analysed) > 30);
 }
 
 static void sweep_over_seeds(void **state)
