@@ -4,35 +4,9 @@
 #include "tests/support/laws.h"
 
 #include "core/automaton/elastic_automaton.h"
-#include "experiments/measures/measurement.h"
-#include "tests/support/scratch.h"
+#include "tests/experiments/measures/asked.h"
 
 #include <complex.h>
-
-static fw_scenario *scenario;
-static fw_observer *observer;
-
-static void begin(const char *text)
-{
-    assert_fine(fw_scenario_read(&scenario, "a.yaml", text, strlen(text), NULL, 0, &error));
-    assert_fine(fw_observer_create(&observer, scenario, &error));
-}
-
-static void end(void)
-{
-    fw_observer_destroy(observer);
-    fw_scenario_destroy(scenario);
-}
-
-/* One number, by its whole name: "phase-speed.two.slow". */
-static double number(const char *name)
-{
-    double out[FW_COMPONENTS_MAX];
-    int count;
-    assert_fine(fw_measurement_look(observer, name, out, &count, &error));
-    assert_int_equal(count, 1);
-    return out[0];
-}
 
 static fw_solid *second_body(void)
 {
@@ -53,9 +27,9 @@ static fw_solid *second_body(void)
 static void the_largest_displacement_is_that_of_any_cell(void **state)
 {
     (void)state;
-    begin(PAIR("c1: .4, c2: .2", "displaced-as-given: true, displacement:\n"
-                                 "  [{wave: {amplitude: [-.1, 0], wave-vector: [.5, .2]}},\n"
-                                 "   {wave: {amplitude: [0, .03], wave-vector: [-.4, .9]}}]"));
+    observe(PAIR("c1: .4, c2: .2", "displaced-as-given: true, displacement:\n"
+                                   "  [{wave: {amplitude: [-.1, 0], wave-vector: [.5, .2]}},\n"
+                                   "   {wave: {amplitude: [0, .03], wave-vector: [-.4, .9]}}]"));
     double x = 0, y = 0, of_signs = 0;
     for (int i = 0; i < 5; ++i)
         for (int j = 0; j < 3; ++j) {
@@ -73,7 +47,7 @@ static void the_largest_displacement_is_that_of_any_cell(void **state)
 static void a_moving_body_is_displaced_by_its_way(void **state)
 {
     (void)state;
-    begin(PAIR("c1: .4, c2: .2", "velocity: [-.03, .02]"));
+    observe(PAIR("c1: .4, c2: .2", "velocity: [-.03, .02]"));
     for (int step = 0; step <= 3; ++step) {
         if (step > 0) assert_fine(fw_observer_advance(observer, 1, &error));
         assert_close(number("largest-displacement.b.x"), .03 * (step + .5), 1e-15);
@@ -91,7 +65,7 @@ static void a_cell_freezes_with_its_last_bond(void **state)
     static const struct {
         int particle, bonds, before, after; /* frozen cells, before the last bond and after it */
     } cells[] = {{0, 2, 0, 1}, {2, 3, 1, 2}, {14, 2, 2, 3}, {6, 4, 3, 5}};
-    begin(PAIR("c1: 1, c2: .2, break-at: .5", "velocity: [0, 0]"));
+    observe(PAIR("c1: 1, c2: .2, break-at: .5", "velocity: [0, 0]"));
     int broken = 0;
     for (size_t n = 0; n < sizeof cells / sizeof *cells; ++n) {
         int left = cells[n].bonds;
@@ -159,10 +133,10 @@ static void a_map_tells_how_waves_grow_within_and_outside_the_disc(void **state)
 {
     (void)state;
     static const double c1[] = {.5, 1.2}, c2[] = {.3, .9, 1.5};
-    begin(FOAM
-          "  first: {stability-map: {c1: [.1, .2], c2: [0, .3], points: [2, 2], waves: 4}}\n"
-          "  coarse: {stability-map: {c1: [.5, 1.2], c2: [.3, 1.5], points: [2, 3], waves: 10}}\n"
-          "  map: {stability-map: {c1: [.5, 1.2], c2: [.3, 1.5], points: [2, 3], waves: 8}}\n");
+    observe(FOAM
+            "  first: {stability-map: {c1: [.1, .2], c2: [0, .3], points: [2, 2], waves: 4}}\n"
+            "  coarse: {stability-map: {c1: [.5, 1.2], c2: [.3, 1.5], points: [2, 3], waves: 10}}\n"
+            "  map: {stability-map: {c1: [.5, 1.2], c2: [.3, 1.5], points: [2, 3], waves: 8}}\n");
     double least = INFINITY, greatest = 0, error_of_coarse = 0, coarse_least = INFINITY,
            coarse_greatest = 0;
     int outside = 0;
@@ -197,8 +171,8 @@ static void a_map_tells_how_waves_grow_within_and_outside_the_disc(void **state)
 static void a_plane_mode_has_both_speeds_and_directions(void **state)
 {
     (void)state;
-    begin(FOAM "  one: {plane-mode: {material: stiff, wave-vector: [.3, .1]}}\n"
-               "  two: {plane-mode: {material: foam, wave-vector: [1.2, -.5]}}\n");
+    observe(FOAM "  one: {plane-mode: {material: stiff, wave-vector: [.3, .1]}}\n"
+                 "  two: {plane-mode: {material: foam, wave-vector: [1.2, -.5]}}\n");
     double complex both[2];
     squares(.4, .58, 1.2, -.5, both);
     const double length = hypot(1.2, .5), sine = hypot(sin(1.2), sin(.5));
@@ -221,8 +195,8 @@ static void a_dispersion_tells_how_far_simulated_waves_are_off(void **state)
     static const int way[][2] = {{1, 0}, {2, 0}, {3, 0}, {3, 1}, {3, 2}, {3, 3}, {2, 2}, {1, 1}};
     static const char *const names[] = {"closed-slow", "closed-fast", "simulated-slow",
                                         "simulated-fast"};
-    begin(FOAM "  first: {dispersion: {material: stiff, size: 4, steps: 3}}\n"
-               "  bands: {dispersion: {material: foam, size: 6, steps: 5}}\n");
+    observe(FOAM "  first: {dispersion: {material: stiff, size: 4, steps: 3}}\n"
+                 "  bands: {dispersion: {material: foam, size: 6, steps: 5}}\n");
     const fw_analysis *bands = observer->analyses[1];
     double most = 0, length = 0;
     for (int n = 0; n < 8; ++n) {
@@ -318,11 +292,11 @@ static double radius_of(double c1, double c2, bool half_edges)
 static void a_body_grows_by_its_own_update(void **state)
 {
     (void)state;
-    begin(FOAM
-          "  calm: {body-stability: {c1: .5, c2: .3, boundary: bond, rectangle: [4, 3]}}\n"
-          "  bond: {body-stability: {c1: .6, c2: .9, boundary: bond, rectangle: [7, 4]}}\n"
-          "  half: {body-stability: {c1: .6, c2: .9, boundary: trapezoid, rectangle: [7, 4]}}\n"
-          "  mirror: {body-stability: {c1: .4, c2: .58, boundary: mirror, rectangle: [6, 6]}}\n");
+    observe(FOAM
+            "  calm: {body-stability: {c1: .5, c2: .3, boundary: bond, rectangle: [4, 3]}}\n"
+            "  bond: {body-stability: {c1: .6, c2: .9, boundary: bond, rectangle: [7, 4]}}\n"
+            "  half: {body-stability: {c1: .6, c2: .9, boundary: trapezoid, rectangle: [7, 4]}}\n"
+            "  mirror: {body-stability: {c1: .4, c2: .58, boundary: mirror, rectangle: [6, 6]}}\n");
     const double bond = radius_of(.6, .9, false), half = radius_of(.6, .9, true);
     assert_true(bond > 1.01 && half > 1.01 && fabs(bond - half) > .01);
     assert_close(number("spectral-radius.bond"), bond, 1e-6);
@@ -352,7 +326,7 @@ static void a_reference_is_as_far_away_as_its_worst_step(void **state)
                  "analysis: {still: {boltzmann-reference: {body: a, half-steps: 6}},\n"
                  "  twin: {boltzmann-reference: {body: b, half-steps: 40}}}\n",
                  starts[axis]);
-        begin(text);
+        observe(text);
         const fw_table *apart = fw_analysis_find(observer->analyses[1], "difference");
         const fw_table *when = fw_analysis_find(observer->analyses[1], "half-step");
         double most = 0;
@@ -398,7 +372,7 @@ static void each_number_of_an_analysis_has_its_own_name(void **state)
     for (size_t n = 0; n < sizeof rows / sizeof *rows; ++n) {
         char text[2048];
         snprintf(text, sizeof text, FOAM "  a: {%s}\n  b: {%s}\n", rows[n].kind, rows[n].kind);
-        begin(text);
+        observe(text);
         fw_analysis *b = observer->analyses[1];
         b->map.excess = 1, b->map.least = 2, b->map.greatest = 3, b->map.error = 4;
         b->frequency_error = 5;

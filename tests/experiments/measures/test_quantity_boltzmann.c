@@ -5,11 +5,7 @@
 
 #include "core/boltzmann/lb_dispersion.h"
 #include "core/boltzmann/lb_solid.h"
-#include "experiments/measures/measurement.h"
-#include "tests/support/scratch.h"
-
-static fw_scenario *scenario;
-static fw_observer *observer;
+#include "tests/experiments/measures/asked.h"
 
 /* The first body is at rest, large and light; of the second one the start is given. */
 static void begin(const char *second)
@@ -26,23 +22,7 @@ static void begin(const char *second)
              "  b: {shape: {rectangle: [4, 3]}, spacing: 1.25, origin: [3, 9], %s}\n"
              "run: {steps: 9}\n",
              second);
-    assert_fine(fw_scenario_read(&scenario, "b.yaml", text, strlen(text), NULL, 0, &error));
-    assert_fine(fw_observer_create(&observer, scenario, &error));
-}
-
-static void end(void)
-{
-    fw_observer_destroy(observer);
-    fw_scenario_destroy(scenario);
-}
-
-static double number(const char *name)
-{
-    double out[FW_COMPONENTS_MAX];
-    int count;
-    assert_fine(fw_measurement_look(observer, name, out, &count, &error));
-    assert_int_equal(count, 1);
-    return out[0];
+    observe(text);
 }
 
 /* Of the link that begins at site [i, j] of the second body; c: 0 is x, 1 is y. */
@@ -134,8 +114,7 @@ static void broken_links_are_those_that_were_stretched_too_far(void **state)
         "  b: {material: m, shape: {rectangle: [4, 3]}, origin: [20, 1], displacement:\n"
         "    [{by: [.45, 0], sites: [[1, 1]]}, {by: [0, -.5], sites: [[3, 2]]}]}\n"
         "run: {steps: 3}\n";
-    assert_fine(fw_scenario_read(&scenario, "b.yaml", text, strlen(text), NULL, 0, &error));
-    assert_fine(fw_observer_create(&observer, scenario, &error));
+    observe(text);
     assert_close(number("broken-links.b"), 0, 0);
     run_steps(1);
     assert_close(number("broken-links.b"), 4 + 2, 0);
@@ -189,8 +168,7 @@ static void what_is_pulled_and_damped_comes_to_rest(void **state)
                        "  west: {body: b, sites: left, force: [-.1, .03]}\n"
                        "  east: {body: b, sites: right, force: [.1, -.03]}\n"
                        "run: {steps: 300}\n";
-    assert_fine(fw_scenario_read(&scenario, "b.yaml", text, strlen(text), NULL, 0, &error));
-    assert_fine(fw_observer_create(&observer, scenario, &error));
+    observe(text);
     run_steps(3);
     assert_true(number("rest-residual.b") > 1e-3);
     run_steps(297);

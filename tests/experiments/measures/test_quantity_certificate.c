@@ -4,32 +4,7 @@
 #include "tests/support/laws.h"
 
 #include "contact/scene/scene_parts.h"
-#include "experiments/measures/measurement.h"
-#include "tests/support/scratch.h"
-
-static fw_scenario *scenario;
-static fw_observer *observer;
-
-static void begin(const char *text)
-{
-    assert_fine(fw_scenario_read(&scenario, "c.yaml", text, strlen(text), NULL, 0, &error));
-    assert_fine(fw_observer_create(&observer, scenario, &error));
-}
-
-static void end(void)
-{
-    fw_observer_destroy(observer);
-    fw_scenario_destroy(scenario);
-}
-
-static double number(const char *name)
-{
-    double out[FW_COMPONENTS_MAX];
-    int count;
-    assert_fine(fw_measurement_look(observer, name, out, &count, &error));
-    assert_int_equal(count, 1);
-    return out[0];
-}
+#include "tests/experiments/measures/asked.h"
 
 /* Two bodies; of three walls the first is smooth. Nothing touches. */
 #define ROOM(contact)                                                                              \
@@ -59,7 +34,7 @@ enum { NAMES = sizeof names / sizeof *names };
 static void each_item_has_its_own_name(void **state)
 {
     (void)state;
-    begin(ROOM(RUBS));
+    observe(ROOM(RUBS));
     for (int n = 0; n < FW_CERTIFICATE_ITEMS; ++n) observer->certificate.worst[n] = 3 + n * .25;
     for (int n = 0; n < NAMES; ++n) assert_close(number(names[n]), 3 + n * .25, 0);
     end();
@@ -81,7 +56,7 @@ static fw_contact_ledger *contact(void)
 static void friction_is_as_bad_as_where_it_is_worst(void **state)
 {
     (void)state;
-    begin(ROOM(RUBS));
+    observe(ROOM(RUBS));
     wall(0)->overstep = .9, wall(0)->creep = .8;
     wall(1)->overstep = .02, wall(1)->creep = .05;
     wall(2)->overstep = .03, wall(2)->creep = .04;
@@ -105,7 +80,7 @@ static void friction_is_as_bad_as_where_it_is_worst(void **state)
 static void bodies_that_do_not_rub_have_no_friction(void **state)
 {
     (void)state;
-    begin(ROOM(""));
+    observe(ROOM(""));
     contact()->overstep = .5, contact()->creep = .6, contact()->unconverged = 2;
     wall(1)->overstep = .02, wall(1)->creep = .05;
     fw_observer_certify(observer);
@@ -118,7 +93,7 @@ static void bodies_that_do_not_rub_have_no_friction(void **state)
 static void contacts_that_were_not_solved_are_counted(void **state)
 {
     (void)state;
-    begin(ROOM(RUBS));
+    observe(ROOM(RUBS));
     contact()->ticks = 17, contact()->unconverged = 5;
     observer->experiment->scene->clock.unresolved = 4;
     fw_observer_certify(observer);
@@ -132,10 +107,10 @@ static void contacts_that_were_not_solved_are_counted(void **state)
 static void what_cannot_be_is_not_a_number(void **state)
 {
     (void)state;
-    begin("title: one body\n"
-          "materials: {m: {lattice-boltzmann: {}}}\n"
-          "bodies: {b: {material: m, shape: {rectangle: [3, 2]}, velocity: [.3, .1]}}\n"
-          "run: {steps: 1}\n");
+    observe("title: one body\n"
+            "materials: {m: {lattice-boltzmann: {}}}\n"
+            "bodies: {b: {material: m, shape: {rectangle: [3, 2]}, velocity: [.3, .1]}}\n"
+            "run: {steps: 1}\n");
     fw_observer_certify(observer);
     for (int n = 0; n < NAMES; ++n) {
         const bool books = n == FW_CERTIFICATE_ENERGY || n == FW_CERTIFICATE_MOMENTUM;
@@ -150,7 +125,7 @@ static void what_cannot_be_is_not_a_number(void **state)
 static void penetration_is_the_deepest_of_all_looks(void **state)
 {
     (void)state;
-    begin(ROOM(RUBS));
+    observe(ROOM(RUBS));
     fw_solid *solid = fw_scene_body(observer->experiment->scene, 1);
     const double before = solid->x[2];
     solid->x[2] = -.375;
@@ -168,7 +143,7 @@ static void penetration_is_the_deepest_of_all_looks(void **state)
 static void books_that_do_not_close_show_by_how_much(void **state)
 {
     (void)state;
-    begin(ROOM(RUBS));
+    observe(ROOM(RUBS));
     const double mass[] = {7 + 6 * .5, 10 + 8 * .5};
     const double energy = mass[0] / 2 * (.09 + .04) + mass[1] / 2 * (.01 + .01);
     fw_solid_ledger *books = &fw_scene_body(observer->experiment->scene, 1)->ledger;
